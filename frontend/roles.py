@@ -1,8 +1,8 @@
-"""roles: writes which role the page's user needs for each request, from the routes of the API.
+"""roles: writes which scopes each request needs, from the routes of the API.
 
 knifetip.api -> src/api/roles.gen.ts          roles.py
 
-The page disables what the server would refuse, by the same declarations (ADR 83).
+The page disables what the server would refuse, by the same declarations (ADR 83, 103).
 """
 
 from __future__ import annotations
@@ -13,25 +13,23 @@ from pathlib import Path
 from knifetip.api.api_version import versioned_path
 from knifetip.api.app import create_app
 from knifetip.api.routing import scoped_operations
-from knifetip.jobs.accounts.scopes import ROLES
+from knifetip.jobs.accounts.scopes import least_role
 
 TARGET = Path(__file__).resolve().parent / "src" / "api" / "roles.gen.ts"
 HEADER = (
-    "/** Least role for each request. Written by frontend/roles.py: do not edit. */\n"
+    "/** Scopes of which each request needs one. Written by frontend/roles.py: do not edit. */\n"
 )
 
 
 def roles() -> str:
-    """Return the TypeScript source of the roles of all requests that need one."""
-    needed = {
-        f"{one.method} {versioned_path(one.path)}": next(
-            role.value for role in ROLES if role in one.needed
-        )
-        for one in scoped_operations(create_app().routes)
-        if not set(one.needed).isdisjoint(ROLES)
-    }
-    table = json.dumps(dict(sorted(needed.items())), indent=2)
-    return f"{HEADER}\nexport const ROLE_FOR = {table} as const;\n"
+    """Return the TypeScript source of the scopes of all requests that a person may send."""
+    lines = []
+    for one in sorted(scoped_operations(create_app().routes), key=lambda one: (one.method, one.path)):
+        if any(least_role(scope) for scope in one.needed):
+            scopes = ", ".join(json.dumps(scope.value) for scope in one.needed)
+            lines.append(f'  "{one.method} {versioned_path(one.path)}": [{scopes}],')
+    table = "\n".join(lines)
+    return f"{HEADER}\nexport const SCOPES_FOR = {{\n{table}\n}} as const;\n"
 
 
 if __name__ == "__main__":

@@ -25,12 +25,15 @@
     │   └── ProgramUnreadable     a line that the verifier cannot parse
     ├── ControllerError           the controller or the connection to it failed
     │   ├── ControllerAlarm       the controller reported an alarm
+    │   ├── ControllerOccupied    the controller does something that is no job of this gateway
     │   ├── ControllerRejected    the controller reported an error for a line
+    │   │   └── CheckRefused      … in the check run of a program, before anything is executed
     │   ├── ControllerReset       the controller was reset during a job
     │   ├── ControllerSilent      the controller does not answer
     │   ├── NoSuchController      no controller can ever be reached at the address
     │   └── OperationExpired      an operation of a person was not executed in time
     ├── RequestError              a valid request that cannot be applied
+    │   └── UnsupportedMedia      a body of a content type that the operation does not read
     ├── AccessDenied              the sender of a request lacks the scope that it needs
     ├── SignInRefused             a wrong name or password
     ├── SignInSlowDown            too many sign-ins have failed
@@ -242,8 +245,16 @@ class ControllerAlarm(ControllerError):
     """Raised when the controller reports an alarm."""
 
 
+class ControllerOccupied(ControllerError):
+    """Raised when a controller is held or busy, so that a person must free it first."""
+
+
 class ControllerRejected(ControllerError):
     """Raised when the controller reports an error for a program line."""
+
+
+class CheckRefused(ControllerRejected):
+    """Raised when a controller refuses a program in its check run, before anything is executed."""
 
 
 class ControllerReset(ControllerError):
@@ -267,6 +278,10 @@ class OperationExpired(ControllerError):
 
 class RequestError(KnifetipError):
     """Raised when a valid request cannot be applied, such as an override that selects no edge."""
+
+
+class UnsupportedMedia(RequestError):
+    """The body of a request has another content type than those of its route."""
 
 
 class AccessDenied(KnifetipError):

@@ -8,13 +8,17 @@ are errors.
 from __future__ import annotations
 
 import difflib
+import json
+import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, Final, TypeVar, get_args
+from typing import Any, Final, TypeAlias, TypeVar, get_args
 
 from pydantic import BaseModel, ConfigDict, GetCoreSchemaHandler, ValidationError
 from pydantic_core import ErrorDetails, PydanticCustomError, core_schema
 
 from knifetip.messages import Message
+from knifetip.messages.characters import TextKind, control_character, printable
 from knifetip.messages.codes import CODES
 
 Model = TypeVar("Model", bound="Table")
@@ -32,6 +36,48 @@ class Table(BaseModel):
     model_config = ConfigDict(
         strict=True, extra="forbid", frozen=True, allow_inf_nan=False, hide_input_in_errors=True
     )
+
+
+#: Fields with names in drawings, as they were read: of layers, blocks and the like.
+QUOTED_FIELDS: Final[Mapping[str, TextKind]] = dict.fromkeys(
+    ("block", "entity", "handles", "layer", "linetype"), TextKind.QUOTED
+)
+#: Path of a value in a document: names of fields, and places in lists from 0.
+Place: TypeAlias = tuple[str | int, ...]
+
+
+def control_characters(
+    value: object,
+    place: Place,
+    kinds: Mapping[str, TextKind],
+    kind: TextKind = TextKind.LINE,
+) -> Iterator[tuple[Place, str]]:
+    """Yield the path and the name of a control character for each text that has one.
+
+    Parameters
+    ----------
+    value
+        A text, or a list or an object with texts as values or names.
+    place
+        Path of the value.
+    kinds
+        What the texts in fields with these names may contain.
+    kind
+        What the texts in other fields may contain.
+    """
+    if isinstance(value, str):
+        if found := control_character(value, kind):
+            yield place, found
+    elif isinstance(value, Mapping):
+        for name, inner in value.items():
+            shown = printable(str(name))
+            if found := control_character(str(name), TextKind.LINE):
+                yield (*place, shown), found
+            yield from control_characters(inner, (*place, shown), kinds, kinds.get(name, kind))
+    elif isinstance(value, list):
+        for order, inner in enumerate(value):
+            if not isinstance(inner, int | float):
+                yield from control_characters(inner, (*place, order), kinds, kind)
 
 
 class InvalidFields(Exception):
@@ -63,6 +109,12 @@ def check_fields(model: type[Model], fields: Mapping[str, Any]) -> Model:
     InvalidFields
         A field is missing, invalid or unknown.
     """
+    for place, character in control_characters(fields, (), QUOTED_FIELDS, TextKind.LINES):
+        path = tuple(str(step) for step in place)
+        message = Message(
+            "field.control-character", path=" → ".join(path)[:200], character=character
+        )
+        raise InvalidFields([message], path)
     try:
         return model.model_validate(fields)
     except ValidationError as reason:
@@ -157,7 +209,7 @@ def fault_message(
         Function that returns the names of all permitted fields.  If the field is unknown, the
         message suggests the most similar of these names.
     """
-    kind, context = fault["type"], fault.get("ctx", {})
+    kind, context = _kind(fault), fault.get("ctx", {})
     if kind in CODES:
         given = {"value": _shown(fault), **context, "path": path}
         return Message(kind, **{name: given[name] for name in CODES[kind]})
@@ -170,20 +222,62 @@ def fault_message(
         )
     if kind not in _CODES:
         return Message("field.other", path=path, value=_shown(fault), fault=kind)
-    given = {**context, "value": _shown(fault)}
+    if kind == "union_tag_invalid":
+        path += f".{str(context['discriminator']).strip(chr(39))}"
+    given = {
+        **context,
+        "value": _shown(fault),
+        "known": _QUOTED.findall(str(context.get("expected", context.get("expected_tags", "")))),
+    }
     code, named = _CODES[kind]
     return Message(code, path=path, **{name: given[key] for name, key in named.items()})
 
 
+def _kind(fault: ErrorDetails) -> str:
+    """Return the kind of an error; the length of a text is one of characters, not of values."""
+    kind = fault["type"]
+    if kind in ("too_short", "too_long") and isinstance(fault.get("input"), str):
+        return f"string_{kind}"
+    return kind
+
+
 def _shown(fault: ErrorDetails) -> str:
     """Return the value that a pydantic error concerns, shortened, as text."""
-    return repr(fault.get("input"))[:80]
+    if fault["type"] == "union_tag_invalid":
+        return repr(fault["ctx"]["tag"])[:80]
+    return value_text(fault.get("input"))
+
+
+def value_text(value: Any) -> str:
+    """Return a value as text for a message, shortened: in the words of JSON, not of Python."""
+    if isinstance(value, str):
+        return repr(value)[:80]
+    if isinstance(value, bytes):
+        return f"{len(value)} bytes"
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)  # as TOML spells it; JSON has no such number
+    try:
+        return json.dumps(value, ensure_ascii=False, default=str)[:80]
+    except (ValueError, RecursionError):
+        return "a nested value"
 
 
 _VALUE: Final = {"value": "value"}
+_QUOTED: Final = re.compile(r"'[^']*'")
 #: The code of each error type of pydantic, and the key of its context for each argument.
 _CODES: Final[Mapping[str, tuple[str, Mapping[str, str]]]] = {
     "missing": ("field.missing", {}),
+    "enum": ("field.not-one-of", {**_VALUE, "known": "known"}),
+    "literal_error": ("field.not-one-of", {**_VALUE, "known": "known"}),
+    "union_tag_invalid": ("field.not-one-of", {**_VALUE, "known": "known"}),
+    "string_pattern_mismatch": ("field.wrong-form", _VALUE),
+    "string_unicode": ("field.not-text", _VALUE),
+    "dataclass_type": ("field.not-a-table", _VALUE),
+    "mapping_type": ("field.not-a-table", _VALUE),
+    "set_type": ("field.not-a-list", _VALUE),
+    "float_from_int": ("field.not-a-number", _VALUE),
+    "int_parsing_size": ("field.not-whole", _VALUE),
+    "none_required": ("field.not-empty", _VALUE),
     "float_type": ("field.not-a-number", _VALUE),
     "finite_number": ("field.not-a-number", _VALUE),
     "int_type": ("field.not-whole", _VALUE),

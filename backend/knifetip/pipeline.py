@@ -22,7 +22,6 @@ import numpy as np
 from knifetip.classification import classify as classification
 from knifetip.classification.questions import list_questions
 from knifetip.cleaning.clean import clean
-from knifetip.cleaning.map_back import map_to_drawn
 from knifetip.compensation.compensate import compensate
 from knifetip.compensation.contour_starts import contour_starts
 from knifetip.errors import CompensationError, OpenQuestions, PlanError
@@ -34,7 +33,7 @@ from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.choices import Choices
 from knifetip.model.cleaned import Cleaned
-from knifetip.model.dieline import Dieline
+from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.earlier_work import EarlierWork
 from knifetip.model.interpretation import Interpretation
@@ -47,7 +46,7 @@ from knifetip.model.rest import Rest
 from knifetip.model.sheet import Sheet
 from knifetip.model.stage import Progress, Stage, no_progress
 from knifetip.model.toolpath import Toolpath
-from knifetip.model.verdict import Finding, Severity, Verdict
+from knifetip.model.verdict import Verdict
 from knifetip.planning.boundary import BoardOutline
 from knifetip.planning.nothing_to_make import check_has_work
 from knifetip.planning.placement import placement
@@ -55,6 +54,7 @@ from knifetip.planning.plan import check_corners, plan
 from knifetip.planning.questions import tool_questions
 from knifetip.planning.sheet_outline import sheet_outline
 from knifetip.post.emit import process
+from knifetip.proof import PlacedJob, prove
 from knifetip.sequencing.air_moves import with_full_retracts
 from knifetip.sequencing.contour_starts import choose_starts
 from knifetip.sequencing.duration import duration
@@ -64,8 +64,6 @@ from knifetip.sequencing.tracks import RestChoice, find_tracks, row_lines, selec
 from knifetip.units.evidence import find_unit
 from knifetip.units.likeliest_unit import choose_unit
 from knifetip.units.question import unit_question
-from knifetip.verification import verify as verification
-from knifetip.verification.checks.cleaning_check import check_cleaning
 
 __all__ = [
     "TOLERANCE",
@@ -91,19 +89,6 @@ __all__ = [
 TOLERANCE = 0.01
 
 _NO_CHOICES = Choices()
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class _PlacedJob:
-    """The edges of a job at their position on the table, with machine, board and sheet."""
-
-    dieline: Dieline  #: the drawn edges
-    cleaned: Cleaned
-    offset: tuple[float, float]  #: of the drawing on the machine's table (mm)
-    machine: Machine
-    board: Board
-    sheet: Sheet | None = None  #: the sheet if it was cut to size
-    earlier: Sequence[EarlierWork] = ()  #: work that is done on the sheet
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -221,7 +206,7 @@ def compile(
     PlanError, CompensationError
         The drawing cannot be made on this machine and board.
     """
-    machine = with_language(machine, dialect)
+    machine = with_language(machine, dialect).for_board(board)
     check_has_work(drawing, dieline)
     open_questions = questions(drawing, dieline, machine)
     if open_questions:
@@ -233,7 +218,7 @@ def compile(
         toolpath = _toolpath(cleaned, offset, machine, board, choices, progress)
     except (PlanError, CompensationError) as error:
         raise _located(error, drawing, cleaned.dieline.source) from None
-    job = _PlacedJob(dieline, cleaned, offset, machine, board, choices.sheet)
+    job = PlacedJob(dieline, cleaned, offset, machine, board, choices.sheet)
     return _compiled(job, toolpath, notes, progress)
 
 
@@ -273,6 +258,7 @@ def compile_rest(
         An air move to a track would leave the limits of an axis.
     """
     progress(Stage.CLEAN, 0.02)
+    machine = machine.for_board(board)
     cleaned = clean(dieline)
     offset = placement(cleaned.dieline, machine)
     progress(Stage.SEQUENCE, 0.4)
@@ -280,7 +266,7 @@ def compile_rest(
         toolpath = keep_tracks(rest.toolpath, rest.tracks, machine, board.caliper)
     except PlanError as error:
         raise _located(error, drawing, np.arange(len(drawing), dtype=np.int32)) from None
-    job = _PlacedJob(dieline, cleaned, offset, machine, board, choices.sheet, rest.earlier)
+    job = PlacedJob(dieline, cleaned, offset, machine, board, choices.sheet, rest.earlier)
     return _compiled(job, toolpath, notes, progress)
 
 
@@ -350,8 +336,8 @@ def verify(
     DrawingTooLarge
         Too many edges overlap.
     """
-    job = _PlacedJob(dieline, clean(dieline), placement, machine, board, sheet, earlier)
-    return _verdict(job, text, tolerance)
+    job = PlacedJob(dieline, clean(dieline), placement, machine, board, sheet, earlier)
+    return prove(job, text, tolerance)
 
 
 def check_choices(choices: Choices, machine: Machine) -> None:
@@ -402,7 +388,10 @@ def _toolpath(
     chosen = None if corners is None else replace(corners, placement=offset)
     outlines: list[BoardOutline | None] = [None]
     if choices.sheet is not None:
-        outlines.append(sheet_outline(choices.sheet, shifted, machine))
+        sheet = sheet_outline(choices.sheet, shifted, machine)
+        # Only grooves run out past the edges of a sheet.
+        if (shifted.line_type == LineType.V_GROOVE).any():
+            outlines.append(sheet)
     found = []
     for outline in outlines:
         operations: Sequence[Operation] = plan(shifted, machine, board, chosen, outline)
@@ -431,7 +420,7 @@ def _with_starts(operation: Operation, machine: Machine) -> Operation:
 
 
 def _compiled(
-    job: _PlacedJob, toolpath: Toolpath, notes: Sequence[str], progress: Progress
+    job: PlacedJob, toolpath: Toolpath, notes: Sequence[str], progress: Progress
 ) -> Compiled:
     """Return the program of a toolpath, with its verdict and its machine time.
 
@@ -448,47 +437,10 @@ def _compiled(
     )
     program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)
     progress(Stage.VERIFY, 0.7)
-    verdict = _verdict(job, program.text)
-    verdict = replace(verdict, findings=(*verdict.findings, *_notes(toolpath.notes)))
+    verdict = prove(job, program.text, TOLERANCE, toolpath.notes)
     progress(Stage.DONE, 1.0)
     full = duration(with_full_retracts(toolpath, machine), machine)
     return Compiled(toolpath, program, verdict, job.offset, duration(toolpath, machine), full)
-
-
-def _verdict(job: _PlacedJob, text: bytes, tolerance: float = TOLERANCE) -> Verdict:
-    """Return the verdict on a program for the drawn edges.
-
-    The program is verified against the cleaned edges, and the cleaned edges against the drawn ones.
-    What cleaning left out becomes notes.
-
-    Parameters
-    ----------
-    text
-        The program.
-    tolerance
-        Maximum distance of the tool's tip from the drawn line (mm).
-    """
-    dieline, cleaned = job.dieline, job.cleaned
-    verdict = verification.verify(
-        text,
-        cleaned.dieline,
-        job.offset,
-        job.machine,
-        job.board,
-        sheet=job.sheet,
-        tolerance=tolerance,
-        earlier=job.earlier,
-    )
-    mapped = map_to_drawn(verdict, cleaned, dieline)
-    lost = check_cleaning(dieline, cleaned)
-    notes = _notes(cleaned.notes)
-    accepted = mapped.accepted and not lost
-    return replace(mapped, accepted=accepted, findings=(*lost, *mapped.findings, *notes))
-
-
-def _notes(messages: Sequence[Message]) -> tuple[Finding, ...]:
-    """Return findings of severity note with the given messages."""
-    return tuple(Finding("planned", each, 0.0, severity=Severity.NOTE) for each in messages)
 
 
 def _located(

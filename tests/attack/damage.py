@@ -43,6 +43,11 @@ class Oracle:
 
     subject: Subject
 
+    @cached_property
+    def machine(self) -> Machine:
+        """The machine with the feeds that the board permits."""
+        return self.subject.machine.for_board(self.subject.board)
+
     @property
     def tooled(self) -> bool:
         """Whether the controller has a tool table (LinuxCNC)."""
@@ -56,12 +61,12 @@ class Oracle:
     def run_of(self, text: bytes) -> Run:
         """Return what a program for another controller than a plotter makes the machine do."""
         if self.subject.language == "mcx314":
-            return drive(text, self.subject.machine)
-        return execute(text, self.subject.machine, tooled=self.tooled)
+            return drive(text, self.machine)
+        return execute(text, self.machine, tooled=self.tooled)
 
     def effect_of(self, text: bytes) -> Effect:
         """Return what a program does to the board; raises NotExecuted."""
-        machine = self.subject.machine
+        machine = self.machine
         if self.plots:
             return plot(text, machine)
         return effect(self.run_of(text), machine, self.subject.board, tooled=self.tooled)
@@ -110,7 +115,7 @@ class Oracle:
             return {}
         return {
             index: tool.radius if isinstance(tool, Cutter) else 0.5 * tool.kerf
-            for index, held in enumerate(self.subject.machine.stations)
+            for index, held in enumerate(self.machine.stations)
             for tool in [held.tool]
             if isinstance(tool, Cutter | Laser)
         }
@@ -122,7 +127,7 @@ class Oracle:
         except NotExecuted as fault:
             return f"not executed: {fault}"
         if RS274 and self.tooled:
-            run, machine = self.run_of(text), self.subject.machine
+            run, machine = self.run_of(text), self.machine
             if difference := interpreter_difference(run, text, machine):
                 return difference
         if mutant.dangers:
@@ -166,7 +171,7 @@ class Oracle:
         if self.plots:
             return back
         for each in contacts:
-            tool = self.subject.machine.stations[each.station].tool
+            tool = self.machine.stations[each.station].tool
             if not isinstance(tool, Knife) or tool.trail:
                 continue
             points = each.points[[0, -1]]

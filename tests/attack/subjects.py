@@ -20,6 +20,8 @@ from tests.support.shapes import closed, dieline, edges, with_dimensions
 
 #: Controller languages that are dialects of RS274/NGC.
 DIALECTS = ("linuxcnc", "grblhal")
+#: Bulge of a quarter of a circle.
+QUARTER = 2.0**0.5 - 1.0
 
 
 @dataclass(frozen=True)
@@ -76,6 +78,7 @@ def subjects() -> tuple[Subject, ...]:
         *_of_engines(),
         *_of_nested(),
         *_of_tables(),
+        *_of_bends(),
         *_of_routers(),
         *_of_lasers(),
         _of_plotter(),
@@ -131,6 +134,22 @@ def _of_tables() -> list[Subject]:
         *_made("two carriages", mixed, load.machine("two-carriage-table"), GREY),
         *_made("clamp", FOLDS, replace(DEMO, zones=(clamp,)), GREY),
     ]
+
+
+def _of_bends() -> list[Subject]:
+    """Return programs with bends in which the bodies of wheel and blade matter."""
+    table, board = load.machine("sample-table"), load.board("e-flute")
+    rounded = dieline(
+        (LineType.CUT, edges(
+            ((102, 100), (220, 100)), ((220, 100), (220, 174)), ((220, 174), (214, 180)),
+            ((214, 180), (100.5, 180)), ((100.5, 180), (100, 179.5)), ((100, 179.5), (100, 102)),
+            ((100, 102), (102, 100)),
+        )),
+        (LineType.CREASE, edges(((130, 120), (130, 160)), ((180, 120), (200, 140)))),
+        (LineType.HALF_CUT, edges(((150, 120), (150, 160)))),
+        bulge={2: QUARTER, 4: QUARTER, 6: QUARTER, 7: 0.3, 8: QUARTER, 9: 0.5},
+    )  # fmt: skip
+    return _made("bends", rounded, table, board)
 
 
 def _of_routers() -> list[Subject]:

@@ -27,7 +27,7 @@ from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.store import Store
 from tests.benchmarks.service_process import percentile, run_knifetip
 from tests.support.history import complete_job, fill
-from tests.support.job_states import RESULT, execute, queued
+from tests.support.job_states import RESULT, confirm, execute, queued
 from tests.support.serving.postgresql import create_database, installed_binaries, run_server
 from tests.support.serving.server import square
 
@@ -108,7 +108,7 @@ async def work(
         ask = {"gateway": "g", "machine": order["machine"], "wait": 10.0}
         job = await post(client, "/api/gateway/claim", ask, times["claim"])
         assert job["job"] == made["id"], (job, made)
-        await asyncio.to_thread(store.operators.confirm, job["job"])
+        await asyncio.to_thread(confirm, store, job["job"])
         started = GatewayReport(line=0, waiting=True)
         await asyncio.to_thread(store.gateways.heartbeat, job["job"], job["epoch"], started)
         await asyncio.to_thread(store.gateways.finish, job["job"], job["epoch"], "done")

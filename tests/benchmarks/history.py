@@ -37,7 +37,11 @@ from knifetip.library import load
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.stage import Stage
 from tests.support.history import complete_job, fill
-from tests.support.job_states import RESULT, drawing
+from tests.support.job_states import (
+    RESULT,
+    confirm,
+    drawing,
+)
 from tests.support.serving.postgresql import create_database, installed_binaries, run_server
 
 _ORDER = JobOrder("demo-table", "e-flute", Interpretation("mm"), release=True)
@@ -72,7 +76,7 @@ def run_round(store: Store, times: Times) -> None:
     assert claimed is not None
     if claimed.state == State.QUEUED:
         with step("confirm"):
-            store.operators.confirm(claimed.id)
+            confirm(store, claimed.id)
     with step("heartbeat"):
         store.gateways.heartbeat(claimed.id, claimed.epoch, GatewayReport(line=5))
     with step("sweep of leases"):

@@ -8,6 +8,7 @@ from typing import Any
 import httpx
 
 from knifetip.dxf.samples import samples
+from tests.support.serving.server import confirm_job
 
 DRAWING = "rigid-box-blank.dxf"
 BOARD = "greyboard-2.0"
@@ -93,7 +94,8 @@ class OwnMachine:
     def finish(self, claim: dict[str, Any], outcome: str, line: int | None = None) -> None:
         """Report the end of a claimed job."""
         body = {"job": claim["job"], "epoch": claim["epoch"], "outcome": outcome}
-        body |= {"line": claim["lines"] if line is None else line}
+        executed = claim["lines"] if line is None else line
+        body |= {"line": executed, "line_at_most": executed}
         self.api.post("/api/gateway/finish", json=body).raise_for_status()
 
     def run(self, outcome: str = "done", line: int | None = None, copies: int = 1) -> str:
@@ -101,7 +103,7 @@ class OwnMachine:
         id = self.order(copies=copies)
         claim = self.claim()
         assert claim["job"] == id
-        self.api.post(f"/api/jobs/{id}/confirm").raise_for_status()
+        confirm_job(self.api, id).raise_for_status()
         self.report(claim, line if line is not None else claim["lines"])
         self.finish(claim, outcome, line)
         return id

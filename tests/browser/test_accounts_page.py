@@ -133,7 +133,7 @@ def test_an_administrator_manages_users_and_keys(
         page.screenshot(path=screenshots / "account-keys.png")
         with httpx.Client(base_url=shop.client.base_url, trust_env=False) as program:
             program.headers["Authorization"] = f"Bearer {secret}"
-            assert program.get("/api/me").json()["scopes"] == ["viewer", "designer"]
+            assert program.get("/api/me").json()["scopes"] == ["viewer", "order"]
             row = keys.locator("li").filter(has_text="ERP <b>")
             row.get_by_role("button", name="Revoke").click()
             expect(row).to_contain_text("revoked")
@@ -190,3 +190,30 @@ def assert_harmless(page: Page) -> None:
     assert page.locator("img[src=x]").count() == 0
     # Nothing is wider than the window because of a long name.
     assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+
+
+def test_the_owner_of_a_drawing_shares_it(browser: Browser, shop: Shop, screenshots: Path) -> None:
+    with signed_in(browser, shop, "designer") as page:
+        file = FilePayload(name="own.dxf", mimeType="image/vnd.dxf", buffer=square(side=91.0))
+        page.get_by_test_id("file-input").set_input_files(file)
+        expect(page.get_by_role("heading", name="own.dxf")).to_be_visible()
+        place = page.url.partition("#")[2]
+        drawing = place.split("/")[2]
+        box = page.get_by_test_id("share-drawing")
+        expect(box).not_to_be_checked()
+        page.screenshot(path=screenshots / "share-drawing.png")
+        box.click()  # its state is that of the server, after the answer
+        expect(box).to_be_checked()
+        page.reload()
+        expect(box).to_be_checked()
+        assert shop.store.drawings.get(drawing).shared
+    with signed_in(browser, shop, "viewer") as page:
+        page.evaluate("(hash) => { location.hash = hash }", place)
+        expect(page.get_by_test_id("share-drawing")).to_be_disabled()
+    with signed_in(browser, shop, "operator") as page:
+        page.evaluate("(hash) => { location.hash = hash }", place)
+        page.get_by_test_id("share-drawing").click()
+        expect(page.get_by_test_id("share-drawing")).not_to_be_checked()
+        page.reload()
+        expect(page.get_by_test_id("share-drawing")).not_to_be_checked()
+        assert not shop.store.drawings.get(drawing).shared

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import base64
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
 from itertools import pairwise
 from pathlib import Path
 from urllib.parse import urljoin
@@ -91,6 +93,36 @@ def compile_on(page: Page, board: str) -> None:
     expect(page.get_by_test_id("verdict")).to_be_visible(timeout=120_000)
 
 
+@contextmanager
+def at_station(page: Page) -> Iterator[None]:
+    """Go to the station page by the link, and back to the page of the drawing at the end."""
+    place = page.url
+    page.get_by_test_id("to-station").first.click()
+    yield
+    page.goto(place)
+
+
+def start_at_station(page: Page) -> None:
+    """Make all checks at the station and press Start, as the person at the machine does."""
+    with at_station(page):
+        checks, start = page.get_by_test_id("check"), page.get_by_test_id("station-start")
+        expect(checks.first).to_be_visible()
+        for check in checks.all():
+            expect(start).to_be_disabled()
+            check.click()
+        start.click()
+        expect(page.get_by_test_id("station-state")).to_have_text("Running")
+
+
+def assert_starts_nothing(page: Page) -> None:
+    """Check that the page has no control that starts or continues a machine."""
+    # A job for the rest of a sheet is ordered everywhere, and waits at its machine like any other.
+    starts = "^start|start machine|confirm|continue (job|cutting)|resume|table is ready"
+    names = re.compile(starts, re.I)
+    for role in ("button", "link", "checkbox"):
+        expect(page.get_by_role(role, name=names)).to_have_count(0)
+
+
 def middle(page: Page) -> FloatRect:
     """Return the middle of the canvas, which no panel covers."""
     box = page.get_by_test_id("canvas").bounding_box()
@@ -166,21 +198,26 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
     record_view(page, screenshots / f"{stem}-2-verified.png")
 
     page.get_by_test_id("send").click()
-    # The machine does not move before the operator has confirmed the sheet.
+    # The machine is started where it is seen, after the checks.
     expect(page.get_by_test_id("job-state")).to_have_text("Waiting for operator")
-    card = page.get_by_test_id("confirmation")
-    expect(card).to_contain_text("waits for the operator")
+    card = page.get_by_test_id("waits-at-machine")
+    expect(card).to_contain_text("Waits for the operator at Demo table")
     for word in (board, *tools):
         expect(card).to_contain_text(word)
-    record_view(page, screenshots / f"{stem}-3-confirm.png")
-    expect(page.get_by_test_id("confirm")).to_have_text("Table is ready: start machine")
-    page.get_by_test_id("confirm").click()
+    assert_starts_nothing(page)
+    record_view(page, screenshots / f"{stem}-3-waits.png")
+    start_at_station(page)
     expect(page.get_by_test_id("job-state")).to_have_text("Running")
     expect(card).to_be_hidden()
     page.get_by_test_id("hold").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Paused")
+    expect(card).to_contain_text("goes on from there")
+    assert_starts_nothing(page)
     page.screenshot(path=screenshots / f"{stem}-3-held.png")
-    page.get_by_test_id("resume").click()
+    with at_station(page):
+        page.get_by_test_id("hands-clear").click()
+        page.get_by_test_id("station-resume").click()
+        expect(page.get_by_test_id("station-state")).to_have_text("Running")
     expect(page.get_by_test_id("done")).to_be_visible(timeout=120_000)
     expect(page.get_by_test_id("job-state")).to_have_text("Finished")
     record_view(page, screenshots / f"{stem}-4-done.png")
@@ -193,15 +230,14 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     page.get_by_test_id("copies").fill("2")
     compile_on(page, "Greyboard 2.0 mm")
     page.get_by_test_id("send").click()
-    page.get_by_test_id("confirm").click()
+    start_at_station(page)
     state = page.get_by_test_id("job-state")
     expect(state).to_have_text("Waiting for new sheet", timeout=120_000)
-    card = page.get_by_test_id("confirmation")
-    expect(card).to_contain_text("Copy 1 of 2 of the job is finished.")
-    expect(page.get_by_test_id("resume")).to_be_hidden()
+    card = page.get_by_test_id("waits-at-machine")
+    expect(card).to_contain_text("Copy 1 of 2 is finished.")
+    assert_starts_nothing(page)
     page.screenshot(path=screenshots / "copies-1-sheet.png")
-    expect(page.get_by_test_id("confirm")).to_contain_text("New sheet is on the table")
-    page.get_by_test_id("confirm").click()
+    start_at_station(page)
     expect(state).to_have_text("Running")
     page.get_by_test_id("hold").click()
     expect(state).to_have_text("Paused")
@@ -230,10 +266,11 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     expect(state).to_have_text("Cancelled")
 
     # Now the second job waits for its confirmation, also in the queue.
-    queued = page.get_by_test_id("queue-of-demo-table").get_by_test_id("confirmation")
+    queued = page.get_by_test_id("queue-of-demo-table").get_by_test_id("waits-at-machine")
     expect(queued).to_contain_text("Greyboard 2.0 mm")
+    assert_starts_nothing(page)
     record_view(page, screenshots / "copies-3-queue.png")
-    queued.get_by_test_id("confirm").click()
+    start_at_station(page)
     expect(queued).to_be_hidden()
     page.get_by_test_id("queue-row").first.click()
     expect(page.get_by_test_id("done")).to_be_visible(timeout=120_000)

@@ -28,10 +28,14 @@ def test_hostile_names_of_drawings_and_layers_are_text(
             layer = LAYERS[position % len(LAYERS)].replace("<\\script>", "</script>")
             sent = name.encode("utf-8", "replace").decode()
             answer = client.post("/api/drawings", files={"file": (sent, square(layer))})
+            if answer.status_code == 422:
+                assert "control character" in answer.json()["text"]
+                continue
             assert answer.status_code == 201, answer.text
             shown.append((answer.json()["id"], answer.json()["name"]))
     page.on("dialog", lambda dialog: pytest.fail(f"a dialog opened: {dialog.message}"))
-    for id, name in (shown[0], shown[1], shown[2], shown[5], shown[9], shown[13]):
+    assert len(shown) > 8
+    for id, name in (*shown[:3], *shown[3::2]):
         page.goto(f"{server.url}/#/drawings/{id}")
         expect(page.get_by_text(name, exact=False).first).to_be_attached()
         text = page.evaluate("document.body.innerText")

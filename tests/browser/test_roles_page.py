@@ -10,7 +10,8 @@ import pytest
 from playwright.sync_api import Browser, Locator, Page, Response, expect
 
 from knifetip.api.routing import scoped_operations
-from knifetip.jobs.accounts.scopes import ROLES, AccessScope, scopes_of
+from knifetip.jobs.accounts.key_limits import KeyLimits
+from knifetip.jobs.accounts.scopes import ROLES, AccessScope, scopes_of_role
 from tests.browser.own_machine import OwnMachine
 from tests.browser.shop import Shop, add_users, open_shop, signed_in
 from tests.support.serving.server import square, upload_drawing
@@ -59,7 +60,7 @@ class Workplace(NamedTuple):
     def permits(self, role: AccessScope, request: str) -> bool:
         """Return whether the server permits a request, ``METHOD /path``, to a role."""
         method, path = request.split()
-        return not scopes_of([role]).isdisjoint(self.needed[method, f"/api{path}"])
+        return not scopes_of_role(role).isdisjoint(self.needed[method, f"/api{path}"])
 
 
 @pytest.fixture(scope="module")
@@ -75,7 +76,8 @@ def workplace(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator
         add_users(shop)
         operations = scoped_operations(client.app.routes)
         needed = {(one.method, one.path): one.needed for one in operations}
-        _, secret = shop.store.keys.add("gateway", [AccessScope.GATEWAY], None, "")
+        limits = KeyLimits(machines=frozenset({MACHINE}))
+        _, secret = shop.store.keys.add("gateway", [AccessScope.GATEWAY], limits=limits)
         yield Workplace(shop, drawing["id"], needed, secret, {})
 
 

@@ -27,6 +27,7 @@ from knifetip.gateway.simulator import Server, serve
 from knifetip.gateway.table import Table
 from knifetip.library import load
 from tests.browser.accessibility import assert_accessible, record_view
+from tests.support.serving.server import confirm_job
 
 pytestmark = [
     pytest.mark.browser,
@@ -165,7 +166,7 @@ def api(workshop: Workshop) -> Iterator[httpx.Client]:
 def is_homed(api: httpx.Client) -> bool:
     """Home the table, and return whether it did so."""
     operations = f"/api/machines/{MACHINE}/operations"
-    asked = api.post(operations, json={"operation": "home"})
+    asked = api.post(operations, json={"operation": "home", "hands_clear": True})
     if asked.status_code != 202:
         return False
     operation: dict[str, Any] = asked.json()
@@ -240,8 +241,17 @@ def carry_out(page: Page, test_id: str, label: str) -> None:
     assert_done(page, label)
 
 
+def state_hands_clear(page: Page) -> None:
+    """Press that hands are clear; it counts until the machine has moved."""
+    hands = page.get_by_test_id("hands-clear").first
+    if hands.get_attribute("aria-pressed") == "false":
+        hands.tap()
+    expect(hands).to_have_attribute("aria-pressed", "true")
+
+
 def set_zero(page: Page) -> None:
     """Set the zero of X and Y here, and answer the question."""
+    state_hands_clear(page)
     tap_operation(page, "operation-zero", "question-yes")
     assert_done(page, "Set X Y zero here")
 
@@ -266,6 +276,12 @@ def assert_reachable(page: Page) -> None:
     assert page.evaluate(SMALL_TARGETS, FINGER - 0.5) == []
     wide = page.evaluate("document.documentElement.scrollWidth - window.innerWidth")
     assert wide <= 0
+
+
+def tick_hands(page: Page) -> None:
+    """Tick again that hands are clear, after the machine has moved."""
+    page.locator("[data-check=table]").tap()
+    expect(page.locator("[data-check=table] input")).to_be_checked()
 
 
 def tick_all(page: Page) -> None:
@@ -302,6 +318,15 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     expect(page.get_by_test_id("station-copy")).to_have_text("copy 1 of 2")
     expect(page.get_by_test_id("station-left")).to_be_visible()
 
+    # The feed is changed in steps, and shown as the controller reports it.
+    feed = page.get_by_test_id("feed-override-value")
+    expect(feed).to_have_text("100 %")
+    expect(page.get_by_test_id("feed-nominal")).to_be_disabled()
+    page.get_by_test_id("feed-slower").tap()
+    expect(feed).to_have_text("90 %")
+    page.get_by_test_id("feed-nominal").tap()
+    expect(feed).to_have_text("100 %")
+
     # While a job runs, nothing else moves the machine, and the page shows the reason.
     page.get_by_test_id("station-hold").tap()
     expect(state).to_have_text("Paused")
@@ -312,6 +337,8 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "true")
     page.get_by_test_id("tab-job").tap()
     record_view(page, screenshots / f"{name}-3-held.png")
+    expect(page.get_by_test_id("station-resume")).to_be_disabled()
+    page.get_by_test_id("hands-clear").tap()
     page.get_by_test_id("station-resume").tap()
     expect(state).to_have_text("Running")
 
@@ -335,20 +362,27 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     carry_out(page, "alarm-unlock", "Unlock")
     expect(alarm).to_be_hidden()
     page.get_by_test_id("tab-machine").tap()
+    expect(page.get_by_test_id("operation-home")).to_be_disabled()
+    state_hands_clear(page)
     carry_out(page, "operation-home", "Home")
+    # The statement has ended with the motion.
+    expect(page.get_by_test_id("operation-park")).to_be_disabled()
 
-    # One step, then as long as the finger is down.
+    # At most the chosen distance, and only as long as the finger is down.
     expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "false")
     assert_reachable(page)
     record_view(page, screenshots / f"{name}-6-machine.png")
+    expect(page.get_by_test_id("spindle-1")).to_be_disabled()
+    state_hands_clear(page)
     carry_out(page, "spindle-1", "Oscillating knife: oscillation on")
     assert workshop.table.table.oscillating
     expect(page.get_by_test_id("spindle-1")).to_have_attribute("aria-checked", "true")
     carry_out(page, "spindle-1", "Oscillating knife: oscillation off")
     before = workshop.table.table.position[0]
-    tap_operation(page, "jog-x1")
+    hold_arrow(page, "jog-x1", 2.0)
     wait_until(lambda: abs(workshop.table.table.position[0] - before - 10.0) < 0.01, "no step")
     expect(state).to_have_text("At rest")
+    page.get_by_test_id("jog-limit-5000").tap()
     hold_arrow(page, "jog-y1", 2.5)
     expect(page.get_by_test_id("outcome")).to_contain_text("Stop Y: done")
     stopped = workshop.table.table.position[1]
@@ -356,6 +390,7 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     assert workshop.table.table.position[1] == stopped > 30.0
 
     expect(state).to_have_text("At rest")
+    state_hands_clear(page)
     carry_out(page, "operation-park", "Park")
     wait_until(lambda: abs(workshop.table.table.position[0]) < 0.01, "the machine is not parked")
 
@@ -372,6 +407,8 @@ def test_a_waiting_job_is_run_above_the_board_by_touch(
     assert table.trace is not None
     before, switched = len(table.trace.samples()), len(table.switch_events)
     worn = api.get(f"/api/machines/{MACHINE}/tools").json()
+    expect(page.get_by_test_id("operation-frame")).to_be_disabled()
+    expect(page.get_by_test_id("operation-dry_run")).to_be_disabled()
     tick_all(page)
 
     # Hold, resume and stop are the large buttons of a job; its start waits.  The slowest run does
@@ -392,12 +429,17 @@ def test_a_waiting_job_is_run_above_the_board_by_touch(
     expect(state).to_have_text("Dry run paused")
     page.wait_for_timeout(500)
     record_view(page, screenshots / f"{name}-9-dry-run-held.png")
+    # Hands may be at the sheet while it is held.
+    expect(page.get_by_test_id("station-resume")).to_be_disabled()
+    tick_hands(page)
     tap_operation(page, "station-resume")
     expect(state).to_have_text("Dry run")
     tap_operation(page, "station-stop")
     expect(page.get_by_test_id("dry-run-end")).to_contain_text("was stopped")
     expect(state).to_have_text("Waiting for operator")
 
+    expect(page.get_by_test_id("operation-frame")).to_be_disabled()
+    tick_hands(page)
     page.get_by_test_id("operation-frame").tap()
     expect(state).to_have_text("Frame")
     expect(page.get_by_test_id("dry-run-end")).to_contain_text("Frame has ended", timeout=60_000)
@@ -412,6 +454,8 @@ def test_a_waiting_job_is_run_above_the_board_by_touch(
     now = api.get(f"/api/jobs/{job}").json()
     assert (now["state"], now["line"], now["copies_done"]) == ("queued", 0, 0)
     assert api.get(f"/api/machines/{MACHINE}/tools").json() == worn
+    expect(page.get_by_test_id("station-start")).to_be_disabled()
+    tick_hands(page)
     expect(page.get_by_test_id("station-start")).to_be_enabled()
     api.post(f"/api/jobs/{job}/cancel")
     expect(state).to_have_text("At rest")
@@ -427,7 +471,7 @@ def worn_station(api: httpx.Client) -> Iterator[int]:
     def used() -> dict[int, float]:
         return {tool["station"]: tool["used"] for tool in api.get(tools).json() if tool["used"]}
 
-    api.post(f"/api/jobs/{job}/confirm").raise_for_status()
+    confirm_job(api, job).raise_for_status()
     wait_until(lambda: bool(used()), "no tool has worked")
     api.post(f"/api/jobs/{job}/cancel").raise_for_status()
     wait_until(lambda: api.get(f"/api/jobs/{job}").json()["state"] == "cancelled", "not stopped")
@@ -477,6 +521,8 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     facts = page.get_by_test_id("tool-facts")
     for text in ("V-cutter:", "tilt 45°", "has worked 0 m", "X \u221260.00"):
         expect(facts).to_contain_text(text)
+    expect(page.get_by_test_id("tool-check-move")).to_be_disabled()
+    tick_hands(page)
     tap_operation(page, "tool-check-move")
     expect(page.get_by_test_id("dry-run-progress")).to_be_visible()
     assert_accessible(page)
@@ -488,7 +534,6 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
         60.0,
     )
     expect(state).to_have_text("Waiting for operator")
-    expect(page.get_by_test_id("tool-check-move")).to_be_enabled()
     assert [number for number, on in table.outputs.items() if on] == [2]
     page.get_by_test_id("shift-X").scroll_into_view_if_needed()
     assert_reachable(page)
@@ -499,6 +544,7 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     expect(page.get_by_test_id("tool-check-right")).to_be_disabled()
     page.wait_for_timeout(500)
     record_view(page, screenshots / f"{name}-11-tool-check.png")
+    tick_hands(page)
     tap_operation(page, "tool-check-move")
     wait_until(
         lambda: table.position == pytest.approx((-39.6, 20.0, 4.0, -0.2), abs=1e-3),
@@ -520,8 +566,8 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     page.get_by_test_id("shift-X-less").tap()
     page.get_by_test_id("shift-C-more").tap()
     page.get_by_test_id("tool-check-right").tap()
-    ticked = page.get_by_test_id("check").filter(has_text="V-cutter").locator("input")
-    expect(ticked).to_be_checked()
+    ticked = page.locator("[data-statement]").filter(has_text="V-cutter")
+    expect(ticked).to_have_attribute("data-ticked", "true")
     api.post(f"/api/jobs/{job}/cancel")
     expect(state).to_have_text("At rest")
 
@@ -536,6 +582,8 @@ def test_outputs_are_switched_and_the_zero_is_set_by_hand(
     page.get_by_test_id("tab-machine").tap()
     output = page.get_by_test_id("output-1")
     expect(output).to_have_attribute("aria-checked", "false")
+    expect(output).to_be_disabled()
+    state_hands_clear(page)
     carry_out(page, "output-1", "Crease wheel on")
     wait_until(lambda: bool(table.outputs[1]), "the output is off")
     expect(output).to_have_attribute("aria-checked", "true")
@@ -547,18 +595,24 @@ def test_outputs_are_switched_and_the_zero_is_set_by_hand(
     assert not table.outputs[1]
 
     # Below the travel height nothing moves across the board, and no station is lowered.
-    tap_operation(page, "jog-z0")
+    hold_arrow(page, "jog-z0", 2.0)
     expect(page.get_by_test_id("outcome")).to_contain_text("done")
+    expect(page.get_by_test_id("station-state")).to_have_text("At rest")
+    state_hands_clear(page)
     expect(output).to_be_disabled()
     expect(page.get_by_test_id("jog-x1")).to_have_attribute("aria-disabled", "true")
-    tap_operation(page, "jog-z1")
+    hold_arrow(page, "jog-z1", 2.0)
+    expect(page.get_by_test_id("station-state")).to_have_text("At rest")
+    state_hands_clear(page)
     expect(output).to_be_enabled()
 
     # The zero is set after a question, and every later position is counted from it.
-    tap_operation(page, "jog-x1")
+    hold_arrow(page, "jog-x1", 2.0)
     position = page.get_by_test_id("station-position")
     expect(position).not_to_contain_text(re.compile(r"X\s*0\.0"))
     zero = page.get_by_test_id("operation-zero")
+    expect(zero).to_be_disabled()
+    state_hands_clear(page)
     zero.tap()
     page.get_by_test_id("question-no").tap()
     expect(position).not_to_contain_text(re.compile(r"X\s*0\.0"))
@@ -584,6 +638,7 @@ def test_a_second_tap_neither_answers_a_question_nor_moves_the_buttons_below(
     page, name = tablet
     expect(page.get_by_test_id("station-state")).to_have_text("At rest", timeout=60_000)
     page.get_by_test_id("tab-machine").tap()
+    state_hands_clear(page)
     output, yes = page.get_by_test_id("output-1"), page.get_by_test_id("question-yes")
     zero = page.get_by_test_id("operation-zero")
     zero.scroll_into_view_if_needed()
@@ -616,6 +671,7 @@ def test_a_corrected_offset_becomes_a_new_version_for_which_the_job_is_compiled_
     expect(state).to_have_text("Waiting for operator")
     page.get_by_test_id("check-tool-3").tap()
     page.get_by_test_id("shift-Y-more").tap()
+    tick_hands(page)
     tap_operation(page, "tool-check-move")
     table = own_machine.table
     wait_until(
@@ -623,7 +679,7 @@ def test_a_corrected_offset_becomes_a_new_version_for_which_the_job_is_compiled_
         "the correction is not tried",
         60.0,
     )
-    expect(page.get_by_test_id("tool-check-move")).to_be_enabled()
+    expect(state).to_have_text("Waiting for operator")
     page.get_by_test_id("tool-check-save").tap()
     assert_done(page, "Save the offset of V-cutter")
     saved = api.get("/api/machines/mine/definition").json()

@@ -1,6 +1,7 @@
 """Compile random cartons, follow the hints of refusals, and check the accepted programs.
 
-    python -m tests.cartons --count 1000 --seed 1 [--first 0] [--oracle 10] [--keep FOLDER]
+    python -m tests.cartons --count 1000 --seed 1 [--first 0] [--oracle 10] [--bodies]
+        [--keep FOLDER]
 
 Each job is a DXF file of one carton or a nested sheet (``styles``, ``features``, ``draft``) for a
 random board and machine of the library.  A job fails if it ends without an accepted program, by an
@@ -26,6 +27,7 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--first", type=int, default=0, help="number of the first job")
     parser.add_argument("--oracle", type=int, default=0, help="check the program of one in so many")
+    parser.add_argument("--bodies", action="store_true", help="bends and lines side by side")
     parser.add_argument("--keep", type=Path, help="folder for the files of failures")
     options = parser.parse_args()
     tally = Tally()
@@ -37,6 +39,7 @@ def main() -> int:
             first=options.first,
             check=check_tip_path,
             every=options.oracle,
+            bodies=options.bodies,
         ):
             print(f"{outcome.fate.upper()} {job}: {outcome.followed} {outcome.text}", flush=True)
             keep_file(options.keep, f"{options.seed}-{job.number:05}.dxf", job.data)

@@ -85,6 +85,7 @@ def run(
     first: int = 0,
     check: Callable[[Job, Outcome], str] | None = None,
     every: int = 0,
+    bodies: bool = False,
 ) -> Iterator[tuple[Job, Outcome]]:
     """Compile jobs, count them, and yield those that fail.
 
@@ -96,10 +97,12 @@ def run(
         Returns what is wrong with an accepted program, "" if nothing.
     every
         The programs of one in so many jobs are checked; 0 for none.
+    bodies
+        Whether the jobs have bends and lines side by side, see ``random_job``.
     """
     begin = time.perf_counter()
     for number in range(first, first + count):
-        job = random_job(seed, number)
+        job = random_job(seed, number, bodies=bodies)
         outcome = attempt_job(job)
         if check is not None and every and number % every == 0 and outcome.compiled is not None:
             tally.checked += 1

@@ -15,18 +15,24 @@ from knifetip.model.dieline import LineType
 from knifetip.model.machine import Machine
 from knifetip.model.sheet import Sheet
 from tests.cartons.blank import Blank
+from tests.cartons.bodies import add_bodies
 from tests.cartons.draft import KINDS, Draft, Habit, habit
 from tests.cartons.features import add_features
 from tests.cartons.styles import STYLES
 
-MACHINES: Final = (
+MACHINES: Final[tuple[str, ...]] = (
     "demo-table",
     "two-carriage-table",
     "router-table",
     "laser-table",
     "flat-cutter-hpgl",
 )
-BOARDS: Final = ("fbb-0.4", "e-flute", "b-flute", "greyboard-1.5", "greyboard-2.0", "greyboard-3.0")
+BOARDS: Final[tuple[str, ...]] = (
+    *("fbb-0.4", "e-flute", "b-flute"),
+    *("greyboard-1.5", "greyboard-2.0", "greyboard-3.0"),
+)
+#: Width of a table on which cartons fit (mm).
+_LEAST_WIDTH: Final = 1000.0
 
 
 @dataclass(frozen=True)
@@ -51,19 +57,29 @@ class Job:
         return f"{self.number} {self.style}, {self.machine.name}, {self.board.name}"
 
 
-def random_job(seed: int, number: int) -> Job:
-    """Return the job with a number in the sequence of a seed."""
+def random_job(seed: int, number: int, *, bodies: bool = False) -> Job:
+    """Return the job with a number in the sequence of a seed.
+
+    With ``bodies``, machine and board are any of the library, and panels have bends and lines side
+    by side.
+    """
     rng = Random(f"{seed}/{number}")
-    machine, board = load.machine(rng.choice(MACHINES)), load.board(rng.choice(BOARDS))
+    machines, boards = MACHINES, BOARDS
+    if bodies:
+        # On smaller tables most cartons do not fit.
+        machines = tuple(n for n in load.names("machines") if load.machine(n).width > _LEAST_WIDTH)
+        boards = tuple(load.names("boards"))
+    machine, board = load.machine(rng.choice(machines)), load.board(rng.choice(boards))
+    while board.caliper + machine.clearance > machine.travel_z:
+        board = load.board(rng.choice(boards))
     style = rng.choice(sorted(STYLES))
     blank = STYLES[style](rng, board.caliper)
-    add_features(blank, rng, board.caliper)
+    add_bodies(blank, rng, board.caliper) if bodies else add_features(blank, rng, board.caliper)
     draft = Draft(habit(rng), rng)
     _draw(draft, blank, rng)
     dialect = machine.dialect
     if dialect == "linuxcnc" and not machine.gantry and rng.random() < 0.3:
         dialect = "grblhal"
-    milled = machine.name in ("router-table", "laser-table")
     return Job(
         number,
         style,
@@ -73,7 +89,7 @@ def random_job(seed: int, number: int) -> Job:
         board,
         dialect,
         Choices(
-            Corners(type=rng.choice(["auto", "B", "C", "D"])) if milled else None,
+            Corners(type=rng.choice(["auto", "B", "C", "D"])) if machine.offset_cuts else None,
             rng.choice([None, None, None, Sheet()]),
             "least" if machine.turn_clearance and rng.random() < 0.3 else "clearance",
         ),

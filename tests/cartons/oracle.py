@@ -19,7 +19,7 @@ from knifetip.model.tool import CreaseWheel, Cutter, Knife, Laser, VCutter
 from tests.attack.controller import NotExecuted
 from tests.attack.damage import Oracle, interpreter_difference
 from tests.attack.effects import Contact
-from tests.attack.subjects import DIALECTS, Subject
+from tests.attack.subjects import Subject
 from tests.cartons.job import Job
 from tests.cartons.trial import Outcome
 from tests.controllers.linuxcnc_rs274 import RS274
@@ -63,7 +63,7 @@ def check_tip_path(_job: Job, outcome: Outcome) -> str:
         own = [
             each
             for each in effect.contacts
-            if each.station == (index if machine.dialect in DIALECTS else held.number)
+            if each.station == (held.number if oracle.plots else index)
         ]
         if not own:
             continue

@@ -83,8 +83,14 @@ class Service:
             if found["state"] in ENDS or time.monotonic() > deadline:
                 return found
             if found.get("waiting_for") in CONFIRMED_BY_HAND:
-                self.call(f"/api/jobs/{job}/confirm", b"{}")
+                self.confirm(job)
             time.sleep(0.2)
+
+    def confirm(self, job: str) -> None:
+        """Confirm a job with all its checks."""
+        checks = self.call(f"/api/jobs/{job}/confirmation")["checks"]
+        body = json.dumps({"checked": [check["id"] for check in checks]}).encode()
+        self.call(f"/api/jobs/{job}/confirm", body)
 
 
 def drawing() -> bytes:

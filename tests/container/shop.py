@@ -144,7 +144,7 @@ def run_job_through_restarts(shop: Shop, report: Callable[[str], None]) -> Any:
     def confirmed(*states: str) -> Any:
         found = look()
         if found.get("waiting_for") in CONFIRMED_BY_HAND:
-            service.call(f"/api/jobs/{job}/confirm", b"{}")
+            service.confirm(job)
         return found if found["state"] in states else None
 
     report(f"job {job} ordered")

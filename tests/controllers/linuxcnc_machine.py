@@ -99,6 +99,14 @@ class Machine:
             self._request("halui.mode.manual", lambda: self._is("halui.mode.is-manual"))
             self._request("halui.home-all", self._homed)
 
+    def wait_for_idle(self) -> None:
+        """Wait until no program runs."""
+        wait_until(lambda: self._is("halui.program.is-idle"), 60.0)
+
+    def abort(self) -> None:
+        """Stop the program, like a person at the machine."""
+        self._request("halui.abort", lambda: self._is("halui.program.is-idle"))
+
     def override_feed(self, percent: int) -> None:
         """Move at a percentage of the programmed feeds."""
         pin = "halui.feed-override"

@@ -12,6 +12,7 @@ import pytest
 
 from knifetip import compensate, plan, process, sequence
 from knifetip.errors import (
+    CheckRefused,
     ControllerAlarm,
     ControllerError,
     ControllerRejected,
@@ -66,6 +67,10 @@ PROGRAM = creased_blank()
 LINES = PROGRAM.count(b"\n")
 
 
+#: End of the travel of X in the INI file (mm).
+HIGHEST_X = TABLE.x.high + max(station.x for station in TABLE.stations)
+
+
 @asynccontextmanager
 async def driver(machine: Machine, options: str = "") -> AsyncIterator[Linuxcnc]:
     """Connect the driver to LinuxCNC."""
@@ -114,6 +119,21 @@ def assert_safe(machine: Machine) -> None:
 
 
 # -- the driver -----------------------------------------------------------------------------------
+
+
+async def test_the_feed_override_is_set_while_a_program_runs(machine: Machine) -> None:
+    async with driver(machine) as controller:
+        assert (await controller.status()).override == 100
+        async with run(controller) as updates:
+            async for progress in updates:
+                if is_milling(progress):
+                    break
+            await controller.override_feed(30)
+            assert (await controller.status()).override == 30
+            await controller.override_feed(130)
+            assert (await controller.status()).override == 130
+        await controller.override_feed(100)
+        assert (await controller.status()).override == 100
 
 
 async def test_a_program_runs_to_its_end_and_every_line_is_followed(machine: Machine) -> None:
@@ -169,9 +189,11 @@ async def test_a_machine_that_still_runs_is_taken_over_only_on_request(machine: 
     running.cancel()
     await asyncio.gather(running, return_exceptions=True)
     await first.close()
-    with pytest.raises(ControllerError, match="busy"):
-        await dial(machine.address, SAFE)
+    busy = await dial(machine.address, SAFE)
+    assert busy.fault is not None
+    assert busy.fault.message.code == "controller.busy"
     assert machine.lowered() == [ROUTER]
+    await busy.close()
     second = await dial(machine.address, SAFE, stop_motion=True)
     assert_safe(machine)
     await second.close()
@@ -267,6 +289,63 @@ async def test_a_program_that_linuxcnc_refuses_moves_nothing(
         assert_safe(machine)
 
 
+@pytest.mark.parametrize(
+    "beyond",
+    # The second one is an arc over the end of X, between two ends within the travel.
+    [b"G0 X9000\n", b"G0 X%.1f Y200\nG2 Y100 I0 J-50 F6000\n" % (HIGHEST_X - 20.0)],
+    ids=["line", "arc"],
+)
+async def test_a_move_beyond_the_travel_at_the_end_of_a_program_is_found_before_it_starts(
+    machine: Machine, beyond: bytes
+) -> None:
+    at = PROGRAM.rindex(b"M5\n")
+    text = PROGRAM[:at] + beyond + PROGRAM[at:]
+    async with driver(machine) as controller:
+        before = machine.position()
+        with pytest.raises(CheckRefused) as refused:
+            await run_to_end(controller, text)
+        message = refused.value.message
+        assert message.code == "linuxcnc.beyond-travel"
+        assert message.arguments["line"] == text[: at + len(beyond)].count(b"\n")
+        assert (message.arguments["axis"], controller.sent) == ("X", 0)
+        assert machine.is_still()
+        np.testing.assert_array_equal(machine.position(), before)
+        assert machine.lowered() == []
+
+
+async def test_the_limits_of_linuxcnc_count_from_the_present_zero(machine: Machine) -> None:
+    async with driver(machine) as controller:
+        await controller.park()
+        await wait_until_still(controller)
+        await controller.jog("X", 500.0, 60000.0)
+        await wait_until_still(controller)
+        await controller.zero("X")
+        await wait_until_still(controller)  # the reported position has changed
+        try:
+            travel = await controller.travel()
+            assert travel is not None
+            assert travel.offset == pytest.approx((500.0, 0.0, 0.0, 0.0), abs=1e-4)
+            text = b"G21 G90 G54\nG0 X%.1f\nM30\n" % (HIGHEST_X - 499.0)
+            with pytest.raises(CheckRefused, match="line 2 would move X"):
+                await run_to_end(controller, text)
+        finally:
+            await controller.jog("X", -500.0, 60000.0)
+            await wait_until_still(controller)
+            await controller.zero("X")
+
+
+async def test_a_program_that_linuxcnc_does_not_begin_counts_as_not_sent(
+    machine: Machine,
+) -> None:
+    """The INI file is on another computer, so only LinuxCNC has the limits."""
+    text = PROGRAM.replace(b"M5\n", b"M5\nG0 X9000\n", 1)
+    folder = machine.directory
+    async with driver(machine, f"?programs={folder}&remote={folder}") as controller:
+        with pytest.raises(ControllerRejected, match="No program line was executed"):
+            await run_to_end(controller, text)
+        assert controller.sent == 0
+
+
 async def test_a_folder_that_linuxcnc_does_not_see_is_reported(
     machine: Machine, tmp_path: Path
 ) -> None:
@@ -276,6 +355,20 @@ async def test_a_folder_that_linuxcnc_does_not_see_is_reported(
         assert "/nowhere/knifetip-" in refused.value.text
         assert "programs=" in refused.value.hint
     assert list(tmp_path.iterdir()) == []
+
+
+async def test_the_pieces_of_a_jog_follow_each_other(machine: Machine) -> None:
+    """The second piece is sent while the first one moves, and ends where both together end."""
+    async with driver(machine) as controller:
+        await controller.home()
+        start = machine.position()
+        await controller.jog("X", 50.0, 6000.0)
+        await asyncio.to_thread(wait_until, lambda: machine.position()[0] > start[0] + 10.0)
+        await controller.jog("X", 50.0, 6000.0)
+        assert machine.position()[0] < start[0] + 50.0
+        await asyncio.to_thread(wait_until, lambda: machine.position()[0] > start[0] + 60.0)
+        await wait_until_still(controller)
+        np.testing.assert_allclose(machine.position() - start, [100.0, 0.0, 0.0, 0.0], atol=1e-4)
 
 
 async def test_a_person_can_home_jog_zero_park_and_switch(machine: Machine) -> None:

@@ -6,6 +6,7 @@ observed, through its HAL pins; it is operated through the server.
 
 from __future__ import annotations
 
+import asyncio
 import re
 import signal
 import subprocess
@@ -20,11 +21,18 @@ import pytest
 from shapely import LineString, MultiPoint, Polygon, union_all
 from shapely.geometry.base import BaseGeometry
 
+from knifetip.gateway.linuxcnc.driver import dial
 from knifetip.geometry.columns import F64
 from knifetip.model.tool import Cutter
 from tests.controllers.linuxcnc_machine import Machine, Supply, missing_requirement, wait_until
 from tests.controllers.quick_router import BOARD, NAME, ROUTER, TABLE, TOML, WHEEL
-from tests.support.serving.server import Running, order_job, upload_drawing, wait_for_state
+from tests.support.serving.server import (
+    Running,
+    confirm_job,
+    order_job,
+    upload_drawing,
+    wait_for_state,
+)
 from tests.support.writers import dxf_text as text
 
 SKIP_REASON = missing_requirement()
@@ -119,9 +127,10 @@ class Shop:
 
     # -- requests to the server -------------------------------------------------------------------
 
-    def order(self) -> str:
-        """Order a job; return its id."""
-        return str(order_job(self.client, self.drawing, board=BOARD.name, machine=NAME)["id"])
+    def order(self, **fields: object) -> str:
+        """Order a job with further JSON fields; return its id."""
+        order = {"board": BOARD.name, "machine": NAME, **fields}
+        return str(order_job(self.client, self.drawing, **order)["id"])
 
     def post(self, path: str, **body: object) -> Any:
         answer = self.client.post(f"/api/{path}", json=body)
@@ -137,7 +146,7 @@ class Shop:
         """Do an operation of the station page and wait for its end."""
         wait_until(lambda: self.get(f"machines/{NAME}/station")["connected"])
         path = f"machines/{NAME}/operations"
-        id = self.post(path, operation=operation)["id"]
+        id = self.post(path, operation=operation, hands_clear=True)["id"]
         wait_until(lambda: self.get(f"{path}/{id}")["state"] != "waiting")
         done = self.get(f"{path}/{id}")
         assert done["state"] == "done", done
@@ -294,7 +303,7 @@ def test_a_job_is_held_resumed_and_done(shop: Shop) -> None:
     assert shop.machine.comes_to_rest()
     assert shop.machine.lowered() == [ROUTER]
     shop.machine.override_feed(100)
-    shop.post(f"jobs/{job}/resume")
+    shop.post(f"jobs/{job}/resume", hands_clear=True)
     done = shop.wait_for(job, "done")
     assert done["line"] == done["lines"]
     shop.assert_safe()
@@ -302,6 +311,82 @@ def test_a_job_is_held_resumed_and_done(shop: Shop) -> None:
     np.testing.assert_allclose(samples[-1, :4], end_of(program), atol=1e-3)
     assert_made(samples, program)
     assert_lowered_in_the_mat(samples)
+
+
+def test_only_a_confirmation_with_all_checks_starts_a_copy(shop: Shop) -> None:
+    job = shop.order(copies=2)
+    wait_for_state(shop.client, job, "ready")
+    shop.post(f"jobs/{job}/release")
+    wait_until(lambda: shop.get(f"jobs/{job}")["waiting_for"] == "confirmation")
+    checks = [check["id"] for check in shop.get(f"jobs/{job}/confirmation")["checks"]]
+    for left_out in checks:
+        given = [id for id in checks if id != left_out]
+        refused = shop.client.post(f"/api/jobs/{job}/confirm", json={"checked": given})
+        assert (refused.status_code, refused.json()["code"]) == (409, "job.not-checked")
+    assert shop.machine.is_still()
+    shop.confirm(job)
+    shop.machine.override_feed(100)
+    wait_until(lambda: shop.get(f"jobs/{job}")["waiting_for"] == "sheet")
+    refused = shop.client.post(f"/api/jobs/{job}/resume", json={"hands_clear": True})
+    assert (refused.status_code, refused.json()["code"]) == (409, "job.needs-sheet")
+    assert shop.machine.comes_to_rest()
+    assert shop.machine.lowered() == []
+    assert confirm_job(shop.client, job).status_code == 200
+    assert shop.wait_for(job, "done")["copies_done"] == 2
+    shop.assert_safe()
+
+
+def test_a_program_beyond_the_travel_stays_in_the_queue_until_it_is_tried_again(
+    shop: Shop,
+) -> None:
+    async def set_zero(y: float) -> None:
+        controller = await dial(shop.machine.address)
+        await controller._connection.execute([f"G10 L2 P1 Y{y}"])
+        await controller.close()
+
+    def move_zero(y: float) -> None:
+        """Set the zero of programs to Y of the machine (mm), as a person does at LinuxCNC."""
+        shop.stop_gateway()  # linuxcncrsh has one client at a time
+        asyncio.run(set_zero(y))
+        shop.start_gateway()
+
+    job = shop.order()
+    move_zero(1200.0)
+    try:
+        wait_for_state(shop.client, job, "ready")
+        shop.post(f"jobs/{job}/release")
+        wait_until(lambda: shop.get(f"jobs/{job}")["waiting_for"] == "confirmation")
+        before = shop.machine.position()  # at rest, with the tool lifted
+        confirm_job(shop.client, job)
+        wait_until(lambda: shop.get(f"jobs/{job}")["waiting_for"] == "check")
+        row = shop.get(f"jobs/{job}")
+        assert (row["state"], row["line"]) == ("queued", 0)
+        assert row["check_refusal"]["code"] == "linuxcnc.beyond-travel"
+        assert "Set X Y zero" in row["hint"]
+        assert "recheck" in row["actions"]
+        np.testing.assert_array_equal(shop.machine.position(), before)
+        assert shop.machine.lowered() == []
+    finally:
+        move_zero(0.0)
+    shop.post(f"jobs/{job}/recheck")
+    shop.confirm(job)
+    assert shop.wait_for(job, "done")["copies_done"] == 1
+
+
+def test_a_jog_ends_when_its_button_is_not_held(shop: Shop) -> None:
+    shop.operate("park")
+    assert shop.machine.comes_to_rest()
+    path, mark = f"machines/{NAME}/operations", shop.machine.mark()
+    # A move of 15 s that no person renews.
+    shop.post(path, operation="jog", axis="X", distance=300.0, feed=1200.0)
+
+    def travelled() -> float:
+        samples = shop.machine.samples(mark)
+        return float(np.ptp(samples[:, 0])) if len(samples) else 0.0
+
+    wait_until(lambda: travelled() > 1.0)
+    wait_until(shop.machine.is_still)
+    assert 1.0 < travelled() < 200.0
 
 
 def test_a_cancelled_job_is_continued_from_a_contour(shop: Shop) -> None:
@@ -358,13 +443,65 @@ def test_a_gateway_killed_in_a_cut_takes_its_machine_back(shop: Shop) -> None:
     assert not shop.machine.is_still()  # LinuxCNC goes on by itself
     assert shop.machine.lowered() == [ROUTER]
     shop.start_gateway()
-    interrupted = shop.wait_for(job, "interrupted")
-    assert 0 < interrupted["stopped_at"]["line"] < interrupted["lines"]
     wait_until(lambda: shop.machine.lowered() == [])
+    wait_until(lambda: (shop.get(f"jobs/{job}")["stopped_at"] or {"certain": False})["certain"])
+    interrupted = shop.wait_for(job, "interrupted")
+    # LinuxCNC was asked for the line before it was stopped.
+    assert 0 < interrupted["stopped_at"]["line"] < interrupted["lines"]
+    assert {track["state"] for track in shop.get(f"jobs/{job}/tracks")} <= {"cut", "begun", "uncut"}
     shop.assert_safe()
     samples, program = shop.machine.samples(mark), shop.program(job)
     assert_lowered_in_the_mat(samples)
     # The gateway has stopped the program, not its end.
     with pytest.raises(AssertionError):
         assert_made(samples, program)
+    shop.post(f"jobs/{job}/scrap")
+
+
+def test_a_program_that_ran_to_its_end_without_its_gateway_is_done(shop: Shop) -> None:
+    job = shop.order()
+    mark = shop.machine.mark()
+    shop.start(job)
+    shop.wait_until_milling(40)
+    shop.kill_gateway()
+    shop.machine.override_feed(100)
+    shop.machine.wait_for_idle()
+    shop.start_gateway()
+    # The lease of the killed gateway may expire first: then the job is interrupted until the new
+    # gateway has asked the controller.
+    wait_until(lambda: shop.get(f"jobs/{job}")["state"] == "done", 60.0)
+    done = shop.get(f"jobs/{job}")
+    assert (done["line"], done["stopped_at"]) == (done["lines"], None)
+    assert_made(shop.machine.samples(mark), shop.program(job))
+    shop.assert_safe()
+
+
+def test_a_program_that_a_person_stops_at_the_controller_is_not_told_as_executed(
+    shop: Shop,
+) -> None:
+    job = shop.order()
+    shop.start(job)
+    shop.wait_until_milling()
+    shop.machine.abort()
+    interrupted = shop.wait_for(job, "interrupted")
+    stopped = interrupted["stopped_at"]
+    assert stopped["line"] < interrupted["lines"] == stopped["line_at_most"]
+    assert not stopped["certain"]
+    wait_until(lambda: shop.machine.lowered() == [])
+    shop.assert_safe()
+    shop.post(f"jobs/{job}/scrap")
+
+
+def test_a_program_that_a_person_has_stopped_without_its_gateway_is_not_done(shop: Shop) -> None:
+    job = shop.order()
+    shop.start(job)
+    shop.wait_until_milling()
+    shop.kill_gateway()
+    shop.machine.abort()
+    shop.start_gateway()
+    wait_until(lambda: shop.machine.lowered() == [])
+    interrupted = shop.wait_for(job, "interrupted")
+    assert interrupted["stopped_at"]["line_at_most"] == interrupted["lines"]
+    answer = shop.client.post(f"/api/jobs/{job}/rest", json={"release": True})
+    assert (answer.status_code, answer.json()["code"]) == (422, "rest.statement-needed")
     shop.post(f"jobs/{job}/scrap")

@@ -92,11 +92,18 @@ class Operator(threading.Thread):
     def _attend(self, job: dict[str, Any]) -> None:
         path = f"/api/jobs/{job['id']}"
         if job["waiting_for"] in ("confirmation", "sheet"):
-            self._send("POST", f"{path}/confirm", json={"by": "Mia"})
+            self._confirm(path)
         elif job["state"] == "interrupted":
             self._send("POST", f"{path}/requeue")
         elif job["state"] == "held":
-            self._send("POST", f"{path}/resume")
+            self._send("POST", f"{path}/resume", json={"hands_clear": True})
+
+    def _confirm(self, path: str) -> None:
+        """Confirm a job with all its checks."""
+        asked = self._send("GET", f"{path}/confirmation")
+        if asked is not None and asked.is_success:
+            checked = [check["id"] for check in asked.json()["checks"]]
+            self._send("POST", f"{path}/confirm", json={"checked": checked, "by": "Mia"})
 
     def _order(self, machine: str) -> None:
         """Order a job; an order without an answer is repeated with its key."""

@@ -77,9 +77,9 @@ def test_each_kind_of_damage_is_found(name: str, old: bytes, new: bytes, damage:
 @pytest.mark.parametrize(("end", "damage"), [(b"Y179.2000", ""), (b"Y179.5000", "is off by")])
 def test_a_reversed_blade_does_no_damage_within_its_slit(end: bytes, damage: str) -> None:
     subject = _named("bridges, grblhal")
-    last = b"G1 Y167.4722 F24000\nG1 Z4.0000 F6000\n"
+    last = b"G1 Y167.4722 F9000\nG1 Z4.0000 F6000\n"
     assert last in subject.text
-    back = last + b"G0 C90.0000\nG1 Z-0.3000 F6000\nG1 " + end + b" F24000\nG1 Z4.0000 F6000\n"
+    back = last + b"G0 C90.0000\nG1 Z-0.3000 F6000\nG1 " + end + b" F9000\nG1 Z4.0000 F6000\n"
     found = Oracle(subject).damage(subject.text.replace(last, back, 1))
     assert found.startswith("station 0 " + damage) if damage else found == ""
 

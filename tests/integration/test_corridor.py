@@ -9,7 +9,14 @@ from pathlib import Path
 import httpx
 import pytest
 
-from tests.support.serving.server import Running, order_job, square, upload_drawing, wait_for_state
+from tests.support.serving.server import (
+    Running,
+    confirm_job,
+    order_job,
+    square,
+    upload_drawing,
+    wait_for_state,
+)
 from tests.support.truth.named import NAMED, SAMPLES, Named
 from tests.support.writers import cf2_text, pdf_text, svg_text
 
@@ -98,8 +105,9 @@ def test_three_copies_stop_for_a_new_sheet_between_them(shop: httpx.Client) -> N
             waiting["hint"] == "Put a new sheet of Corrugated, E-flute 1.6 mm on the table, "
             "then confirm the new sheet. The machine then starts the next copy."
         )
-        # The older command (resume) and the confirmation have the same effect.
-        shop.post(f"/api/jobs/{job}/{'resume' if copy == 1 else 'confirm'}")
+        refused = shop.post(f"/api/jobs/{job}/resume", json={"hands_clear": True})
+        assert (refused.status_code, refused.json()["code"]) == (409, "job.needs-sheet")
+        assert confirm_job(shop, job).status_code == 200
     done = wait_for_state(shop, job, "done", confirm=True)
     assert done["copies_done"] == 3
     reasons = [event["why"] for event in shop.get(f"/api/jobs/{job}/events").json()]
@@ -140,7 +148,7 @@ def test_the_next_job_waits_for_the_operator_and_states_the_reason(shop: httpx.C
     time.sleep(1.0)
     assert shop.get(f"/api/jobs/{second}").json()["state"] == "queued"
     assert shop.get("/api/machines/demo-table").json()["job"] is None
-    shop.post(f"/api/jobs/{second}/confirm", json={"board": "e-flute", "by": "Kim"})
+    assert confirm_job(shop, second, by="Kim").status_code == 200
     wait_for_state(shop, second, "done")
     events = shop.get(f"/api/jobs/{second}/events").json()
     rows = [(event["state"], event["who"], event["why"]) for event in events]

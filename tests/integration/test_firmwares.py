@@ -67,6 +67,27 @@ async def test_a_program_with_c_runs_on_every_axis_letter(axes: str) -> None:
         assert not any(table.outputs.values())
 
 
+@pytest.mark.parametrize("letter", ["A", "B"])
+@pytest.mark.parametrize("axes", ["XYZC", "XYZA", "XYZB", "XYZABC"])
+async def test_a_program_with_another_letter_runs_where_it_is_unambiguous(
+    axes: str, letter: str
+) -> None:
+    machine = replace(MACHINE, heading_letter=letter)
+    program = PROGRAM.replace(b" C", b" " + letter.encode())
+    async with table_with(Firmware(axes.replace("ABC", letter))) as (table, address):
+        course = await run(address, program, SafeState.of(machine))
+        assert course[-1].executed == PROGRAM.count(b"\n")
+        assert table.position == (80.0, 320.0, 20.0, 180.0)
+
+
+async def test_a_stated_letter_is_not_guessed_among_several() -> None:
+    safe = SafeState.of(replace(MACHINE, heading_letter="B"))
+    async with table_with(Firmware("XYZAC")) as (table, address):
+        with pytest.raises(ControllerRejected, match="no axis that rotates the tool"):
+            await run(address, PROGRAM.replace(b" C", b" B"), safe)
+        assert table.position[3] == 0.0
+
+
 async def test_a_cancelled_program_leaves_such_a_machine_safe() -> None:
     async with table_with(Firmware("XYZA")) as (table, address):
         controller = await driver.dial(address, SAFE, silence=1.0, poll=0.02)

@@ -72,7 +72,8 @@ def test_the_verdict_states_the_fit_and_accepts_the_program(dialect: str) -> Non
     np.testing.assert_allclose(verdict.blending, 0.005 if dialect == "linuxcnc" else 0.0)
     # Cleaning merges arcs of one circle; the merged arc has the greatest distance of its parts.
     assert (verdict.fit_error >= drawing.fit_error).all()
-    assert verdict.fit_error.max() == drawing.fit_error.max()
+    # Cleaning may join fitted arcs, up to 0.0035 mm from the curve.
+    assert drawing.fit_error.max() <= verdict.fit_error.max() <= 0.0035
     total = verdict.path_deviation + verdict.blending + verdict.fit_error
     np.testing.assert_allclose(verdict.deviation, total)
     assert verdict.deviation.max() >= distance_from_ellipse(drawing)

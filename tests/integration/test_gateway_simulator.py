@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from knifetip.errors import (
+    CheckRefused,
     ControllerAlarm,
     ControllerError,
     ControllerRejected,
@@ -319,7 +320,7 @@ async def test_a_line_that_the_controller_would_refuse_stops_the_job_before_it_m
 async def test_a_move_beyond_the_travel_is_found_before_anything_moves() -> None:
     program = slots(2).replace(b"X300.0000", b"X1800.0000")
     async with connected_table() as (table, controller):
-        with pytest.raises(ControllerAlarm, match="ALARM:2"):
+        with pytest.raises(CheckRefused, match="ALARM:2"):
             await stream_to_end(program, controller)
         assert table.time == 0.0
 

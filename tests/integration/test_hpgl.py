@@ -44,7 +44,7 @@ def made() -> Made:
 @pytest.mark.parametrize("name", ["tuck-end-carton.dxf", "corrugated-tray.dxf"])
 def test_a_sample_is_accepted(name: str) -> None:
     _, result = compiled(samples()[name])
-    assert result.verdict.findings == ()
+    assert {one.message.code for one in result.verdict.findings} == {"verify.blade-bend"}
     assert result.verdict.accepted
     # 0.01 mm plus half the diagonal of a plotter unit.
     assert result.verdict.tolerance == pytest.approx(0.01 + 0.0125 * 2**0.5)
@@ -79,7 +79,9 @@ def test_a_contour_is_one_run_although_a_notch_interrupts_it(
     turned = replace(dieline_of, ends=dieline_of.ends @ TURN)
     lines = drawing(turned.ends, [("CUT", 7, "CONTINUOUS")] * len(turned), bulge=turned.bulge)
     made = pipeline.compile(lines, turned, MACHINE, BOARD)
-    assert made.verdict.findings == ()
+    # The slot is as narrow as the board is thick, and the blade turns in the arcs.
+    assert {one.kind for one in made.verdict.findings} <= {"near", "beside"}
+    assert made.verdict.accepted
 
 
 def _nth(text: bytes, pattern: bytes, new: bytes, which: int = 0) -> bytes:

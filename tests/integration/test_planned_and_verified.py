@@ -340,7 +340,7 @@ def test_a_crease_on_a_curve_is_as_deep_as_its_tangent_requires(board: str) -> N
     line = dieline(OUTLINE, CURVED, bulge={4: 0.4, 5: -0.4, 6: 1.0})
     values = load.board(board)
     verdict = verdict_of(line, **{name: getattr(values, name) for name in BOARD_DEPTHS})
-    assert verdict.accepted, verdict.findings[:2]
+    assert faults(verdict) == [], verdict.findings[:2]
 
 
 @pytest.mark.parametrize("board", ["fbb-0.4", "greyboard-3.0", "b-flute"])
@@ -367,7 +367,7 @@ def test_a_crease_of_one_depth_along_a_curve_is_refused(
     line = dieline(OUTLINE, (CREASE, edges(((150, 150), (250, 150)))), bulge={4: bulge})
     assert verdict_of(line).accepted
     monkeypatch.setattr(crease_operations, "_DEPTH_ERROR", 1.0)
-    assert {finding.kind for finding in verdict_of(line).findings} == {"depth"}
+    assert {one.kind for one in verdict_of(line).findings if one.refuses} == {"depth"}
 
 
 #: A slit inside the outline, on which other cuts end.

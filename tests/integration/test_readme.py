@@ -93,17 +93,18 @@ def test_the_python_example_compiles_an_accepted_program(tray: Path) -> None:
 )
 def test_the_curl_examples_order_watch_and_confirm_a_job(tray: Path, server: httpx.Client) -> None:
     found = re.fullmatch(
-        r"(id=.*?\njob=.*?)(curl -N \S+)[^\n]*\n(curl .*?/confirm)[^\n]*\n",
+        r"(id=.*?\njob=.*?)(curl -N \S+)[^\n]*\n(curl .*?/confirmation)[^\n]*\n(curl .*?)\n",
         examples("Over REST")[0],
         re.DOTALL,
     )
     assert found is not None
-    order, watch, confirm = found.groups()
+    order, watch, ask, confirm = found.groups()
     job = run_in_shell(f"{order}\necho $job", tray, server)
     job_that_waits(server, job)
     # The stream of events does not end: it is read for two seconds.
     events = run_in_shell(f"{watch} --max-time 2 || [ $? = 28 ]; echo read", tray, server)
     assert events == "read"
+    assert "hands-clear" in run_in_shell(ask, tray, server, job=job)
     confirmed = run_in_shell(confirm, tray, server, job=job)
     assert job in confirmed
     assert wait_for_state(server, job, "done")["copies_done"] == 1

@@ -324,7 +324,11 @@ def test_a_part_in_a_hole_that_is_too_narrow_all_round_is_left_out() -> None:
     toolpath = sequence([compensate(operation) for operation in plan(line, ROUTER, BOARD)], ROUTER)
     result = verify(process(toolpath, ROUTER).text, line, (0.0, 0.0), ROUTER, BOARD)
     assert not has_faults(result), result.findings[:3]
-    refused = {one.edge: one.message.code for one in result.findings if one.refuses}
+    refused = {
+        one.edge: one.message.code
+        for one in result.findings
+        if one.refuses and one.kind != "near"  # the two contours are 2 mm apart
+    }
     assert refused == dict.fromkeys(range(4, 12), "verify.contour-unreached")
     # The strip round the part, without the part: one outline, with a line to the part and back.
     assert result.areas.area.tolist() == pytest.approx([60.0**2 - 56.0**2])

@@ -185,7 +185,7 @@ def test_events_arrive_at_once(page: httpx.Client) -> None:
         for line in lines:
             if "drawing" in line:
                 break
-        assert time.monotonic() - sent < 10.0
+        assert time.monotonic() - sent < 60.0
 
 
 def test_a_gateway_connects_through_the_proxy(

@@ -16,6 +16,7 @@ import pytest
 import sqlalchemy as sa
 
 from tests.support.serving.server import (
+    confirm_job,
     order_job,
     process_environment,
     square,
@@ -146,10 +147,8 @@ def done(client: httpx.Client, job: str) -> None:
     while (status := client.get(f"/api/jobs/{job}").json())["state"] != "done":
         assert time.monotonic() < end, status
         assert status["state"] not in ("refused", "interrupted"), status
-        if status["waiting_for"] == "confirmation":
-            client.post(f"/api/jobs/{job}/confirm")
-        elif status["state"] == "held":
-            client.post(f"/api/jobs/{job}/resume")
+        if status["waiting_for"] in ("confirmation", "sheet"):
+            confirm_job(client, job)
         time.sleep(0.05)
 
 

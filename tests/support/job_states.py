@@ -112,10 +112,16 @@ def waiting(store: Store, **more: Any) -> Job:
     return job
 
 
+def confirm(store: Store, id: str, **more: Any) -> Job:
+    """Confirm a job with all its checks, and return it."""
+    checks = store.operators.checks(store.jobs.get(id))
+    return store.operators.confirm(id, [check.id for check in checks], **more)
+
+
 def fed(store: Store, **more: Any) -> Job:
     """Return a confirmed job that runs on a machine with manual feed."""
     job = waiting(store, **more)
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     return store.jobs.get(job.id)
 

@@ -17,7 +17,7 @@ from types import FunctionType, ModuleType
 from typing import Any
 
 from knifetip import errors
-from knifetip.api.app import status_of
+from knifetip.api.error_status import status_of
 from knifetip.jobs.store import Store
 from knifetip.messages.codes import CODES
 
@@ -38,6 +38,23 @@ def raised(function: Callable[..., Any]) -> set[tuple[int, str]]:
     return found
 
 
+def _caught(tree: ast.AST) -> set[ast.AST]:
+    """Return the nodes whose errors are caught, whatever their codes."""
+    return {
+        inner
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Try)
+        and any(
+            isinstance(handler.type, ast.Name)
+            and handler.type.id == "KnifetipError"
+            and not any(isinstance(one, ast.Raise) for one in ast.walk(handler))
+            for handler in node.handlers
+        )
+        for statement in node.body
+        for inner in ast.walk(statement)
+    }
+
+
 @cache
 def _read(function: FunctionType) -> tuple[frozenset[tuple[int, str]], tuple[Any, ...]]:
     module = importlib.import_module(function.__module__)
@@ -49,7 +66,10 @@ def _read(function: FunctionType) -> tuple[frozenset[tuple[int, str]], tuple[Any
     owner = _owner(module, function)
     codes: set[tuple[int, str]] = set()
     called: list[Any] = []
+    caught = _caught(tree)
     for node in ast.walk(tree):
+        if node in caught:
+            continue
         if isinstance(node, ast.Call):
             codes |= set(_codes(node, module))
         if isinstance(node, (ast.Attribute, ast.Name)):

@@ -8,6 +8,7 @@ import time
 from collections.abc import Mapping
 from functools import partial
 from typing import Protocol
+from urllib.parse import quote
 
 import sqlalchemy.exc
 from fastapi import Response
@@ -26,6 +27,7 @@ from knifetip.api.access_rules import (
     is_probe,
     same_key,
 )
+from knifetip.api.account_access import Pairing
 from knifetip.api.client_limits import Clients, refuse_excess
 from knifetip.api.principal import Principal
 from knifetip.api.problems import problem
@@ -91,6 +93,9 @@ class AccountLookup(Protocol):
     async def record_key_sign_in(self, address: str) -> None:
         """Record that a browser has signed in with the key of the server."""
 
+    async def pair(self, code: str, title: str, address: str) -> Pairing:
+        """Pair a browser with a machine; raise ``SignInRefused`` if refused."""
+
 
 class NoAccounts:
     """Accounts of a server without a database."""
@@ -105,6 +110,10 @@ class NoAccounts:
 
     async def record_key_sign_in(self, address: str) -> None:
         """Do nothing: there is no audit log."""
+
+    async def pair(self, code: str, title: str, address: str) -> Pairing:  # noqa: ARG002  # protocol
+        """Raise ``SignInRefused``."""
+        raise SignInRefused("sign-in.wrong-code")
 
 
 class ProviderSignIn(Protocol):
@@ -155,7 +164,7 @@ class Access:
         state["refused"] = refused is not None
         if isinstance(found, Principal):
             state["principal"] = found
-            state["permission"] = partial(self._is_permitted, facts, found)
+            state["permission"] = partial(self._is_permitted, facts, state)
         answer: Response | None = None
         if refused is not None and self._clients is not None and not is_probe(facts):
             # The limiter inside this middleware sees accepted requests only.
@@ -173,10 +182,18 @@ class Access:
             answer = _problem(refused)
         await (answer or self.app)(scope, receive, send)
 
-    async def _is_permitted(self, facts: RequestFacts, principal: Principal) -> bool:
-        """Return whether a request that was accepted from a principal would still be accepted."""
+    async def _is_permitted(self, facts: RequestFacts, state: Mapping[str, object]) -> bool:
+        """Return whether a request that was accepted would still be accepted from its principal.
+
+        Parameters
+        ----------
+        facts
+            Headers of the request.
+        state
+            State of the request, with its principal.
+        """
         proof = await self._accounts.proof(facts, used=False)
-        return find_access(self.rules, facts, time.time(), proof) == principal
+        return find_access(self.rules, facts, time.time(), proof) == state["principal"]
 
     async def _sign_in(
         self,
@@ -202,6 +219,8 @@ class Access:
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)
             return _problem(refused)
+        if facts.path == signin.PAIR_PATH and facts.method in ("GET", "POST"):
+            return await self._pair(request)
         if self._provider is not None:
             answer = await self._provider.answer(request, ways)
             if answer is not None:
@@ -225,6 +244,20 @@ class Access:
         # shows that this is the case.
         own = facts.fetch_site in ("same-origin", "none")
         return signin.sign_in_page(ways, again="" if own else signin.retry_url(request))
+
+    async def _pair(self, request: Request) -> Response:
+        """Return the page for pairing a device, or pair the device with the code of a form."""
+        if request.method == "GET":
+            return signin.pairing_page()
+        fields = await signin.pairing_fields(request)
+        try:
+            found = await self._accounts.pair(
+                fields.get("code", ""), fields.get("device", ""), _address(request)
+            )
+        except (SignInRefused, SignInSlowDown) as reason:
+            return signin.pairing_page(f"{reason.text} {reason.hint}")
+        place = f"#/station/{quote(found.machine, safe='')}"
+        return signin.welcome(request, signin.device_cookie(request, found.token), place)
 
     async def _sign_in_user(
         self, request: Request, fields: Mapping[str, str], ways: signin.SignInMethods

@@ -181,6 +181,9 @@ def _foreign_page(facts: RequestFacts, host: Authority) -> Refusal | None:
         return Refusal(403, Message("request.foreign-origin"))
     if same or facts.marked or facts.authorization is not None:
         return None
+    if facts.session is not None or facts.user_session is not None:
+        # Browsers send cookies with requests of any page; SameSite does not separate ports.
+        return Refusal(403, Message("request.not-marked"))
     # The User-Agent of all browsers starts like this; pages can change it only after a preflight.
     if not facts.agent or facts.agent.lower().startswith("mozilla/"):
         return Refusal(403, Message("request.not-marked"))

@@ -8,7 +8,7 @@ from collections import Counter, OrderedDict
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
-from typing import Final, TypeVar
+from typing import Final, NamedTuple, TypeVar
 
 from knifetip.api.access_rules import Proof, RequestFacts, bearer_key
 from knifetip.api.client_limits import network_of
@@ -16,8 +16,10 @@ from knifetip.api.principal import SERVER_KEY, Principal, PrincipalKind
 from knifetip.api.sign_in_throttle import SignInThrottle
 from knifetip.errors import SignInRefused, SignInSlowDown
 from knifetip.jobs.accounts.acting import DONE, REFUSED, Acting
+from knifetip.jobs.accounts.key_limits import KeyLimits
+from knifetip.jobs.accounts.key_store import is_secret
 from knifetip.jobs.accounts.provider_users import ProviderUser
-from knifetip.jobs.accounts.scopes import AccessScope, scopes_of
+from knifetip.jobs.accounts.scopes import AccessScope, scopes_of, scopes_of_role
 from knifetip.jobs.store import Store
 
 T = TypeVar("T")
@@ -26,6 +28,15 @@ T = TypeVar("T")
 KEPT: Final = 1.0
 _CREDENTIALS: Final = 4096  # greatest number of cached credentials
 _AT_ONCE: Final = 2  # sign-ins of one address that may wait for the computation of a hash
+#: Stands for the account in the throttle of pairing codes; no user has this name.
+_PAIRING: Final = "pairing code"
+
+
+class Pairing(NamedTuple):
+    """A browser that was paired with a machine."""
+
+    token: str  #: for its cookie
+    machine: str  #: name of the machine
 
 
 class Accounts:
@@ -79,7 +90,9 @@ class Accounts:
             )
         elif facts.user_session:
             token = facts.user_session
-            principal = await self._find(f"session {token}", lambda: self._user(token, used), used)
+            principal = await self._find(
+                f"session {token}", lambda: self._owner_of_cookie(token, used), used
+            )
         else:
             principal = None
         return Proof(principal, self._closed)
@@ -101,20 +114,31 @@ class Accounts:
                 self._found.popitem(last=False)
         return found[1]
 
-    def _owner_of_key(self, secret: str, used: bool) -> Principal | None:
+    def _owner_of_cookie(self, token: str, used: bool = True) -> Principal | None:
+        """Return the user of a session, or the paired device; None if both have ended."""
+        if is_secret(token):
+            return self._owner_of_key(token, used, PrincipalKind.DEVICE)
+        return self._user(token, used)
+
+    def _owner_of_key(
+        self, secret: str, used: bool, kind: PrincipalKind = PrincipalKind.KEY
+    ) -> Principal | None:
         assert self.store is not None
         row = self.store.keys.find(secret, used=used)
-        if row is None:
+        # The secret of a device is accepted in its cookie only, and that of a program never there.
+        if row is None or row.device != (kind is PrincipalKind.DEVICE):
             return None
         scopes = scopes_of(AccessScope(scope) for scope in row.scopes)
-        return Principal(PrincipalKind.KEY, row.title, row.id, scopes)
+        limits = KeyLimits(row.customer, frozenset(row.machines))
+        binds = AccessScope.GATEWAY in scopes and not row.any_machine
+        return Principal(kind, row.title, row.id, scopes, limits, binds)
 
     def _user(self, token: str, used: bool = True) -> Principal | None:
         assert self.store is not None
         row = self.store.sessions.find(token, used=used)
         if row is None:
             return None
-        scopes = scopes_of([AccessScope(row.role)])
+        scopes = scopes_of_role(AccessScope(row.role))
         return Principal(PrincipalKind.USER, row.name, row.id, scopes)
 
     async def sign_in(self, name: str, password: str, address: str) -> str:
@@ -221,17 +245,69 @@ class Accounts:
 
     async def user_of(self, token: str) -> Principal:
         """Return the user of a session that has just begun."""
-        found = await self._find(f"session {token}", lambda: self._user(token))
+        found = await self._find(f"session {token}", lambda: self._owner_of_cookie(token))
         if found is None:  # the user was disabled in the meantime
             raise SignInRefused("sign-in.wrong")
         return found
 
     async def sign_out(self, token: str) -> None:
-        """End a session."""
-        assert self.store is not None
-        store = self.store
-        await self._run(self._threads, lambda: store.sessions.close(token))
+        """End a session, or the pairing of a device."""
+        await self._run(self._threads, lambda: self._close(token))
         self.clear_cache()
+
+    def _close(self, token: str) -> None:
+        assert self.store is not None
+        if not is_secret(token):
+            self.store.sessions.close(token)
+            return
+        row = self.store.keys.find(token, used=False)
+        if row is not None and row.device:
+            self.store.keys.revoke(row.id)
+
+    async def pair(self, code: str, title: str, address: str) -> Pairing:
+        """Pair a browser with the machine for which a code was made.
+
+        Parameters
+        ----------
+        code, title
+            The code, and the name of the device, as they were entered.
+        address
+            Address of the sender.
+
+        Raises
+        ------
+        SignInRefused
+            There is no such code, or it has expired or was used.
+        SignInSlowDown
+            Too many wrong codes were sent from this address.
+        """
+        sender = network_of(address)
+        now = time.monotonic()
+        if pause := self._throttle.pause(_PAIRING, sender, now):
+            raise SignInSlowDown(pause)
+        # Counted before the result, so that simultaneous attempts do not share one free attempt.
+        self._throttle.failed(_PAIRING, sender, now)
+        found = await self._run(self._threads, lambda: self._pair(code, title, address))
+        if found is None:
+            raise SignInRefused("sign-in.wrong-code")
+        self._throttle.succeeded(_PAIRING, sender)
+        self.clear_cache()
+        return found
+
+    def _pair(self, code: str, title: str, address: str) -> Pairing | None:
+        assert self.store is not None
+        found = self.store.pairing.pair(code, title)
+        acting = Acting(
+            kind=PrincipalKind.DEVICE,
+            name="" if found is None else found[0].title,
+            id="",
+            action="pair_device",
+            subject_kind="machine",
+            subject="" if found is None else found[0].machines[0],
+            peer=address,
+        )
+        self.store.audit.write(acting, REFUSED if found is None else DONE)
+        return None if found is None else Pairing(found[1], found[0].machines[0])
 
     @staticmethod
     async def _run(pool: ThreadPoolExecutor, call: Callable[[], T]) -> T:

@@ -8,6 +8,7 @@ from fastapi import Path, Query, Request, Response
 
 from knifetip.api import signin
 from knifetip.api.account_access import Accounts
+from knifetip.api.parameters import MachineName
 from knifetip.api.principal import Principal, PrincipalDep, PrincipalKind
 from knifetip.api.routing import ScopedRouter, public, requires, unaudited
 from knifetip.api.schemas.accounts import (
@@ -17,18 +18,23 @@ from knifetip.api.schemas.accounts import (
     KeyOut,
     MeOut,
     NewKeyOut,
+    PairingCodeOut,
     PasswordIn,
     SignIn,
     UserChangeIn,
     UserIn,
     UserOut,
 )
-from knifetip.api.service import Service, ServiceDep, set_next_page
+from knifetip.api.schemas.common import ListPage
+from knifetip.api.service import Service, ServiceDep, page_of, set_next_page
 from knifetip.errors import RequestError, SignInRefused, WrongState
 from knifetip.jobs.accounts.account_tables import ApiKey, UserAccount
 from knifetip.jobs.accounts.acting import credited
 from knifetip.jobs.accounts.audit_store import AuditFilter
+from knifetip.jobs.accounts.key_limits import KeyLimits
+from knifetip.jobs.accounts.pairing_store import shown_code
 from knifetip.jobs.accounts.scopes import AccessScope
+from knifetip.library.definition import Shelf
 
 router = ScopedRouter(tags=["accounts"])
 
@@ -69,7 +75,7 @@ async def sign_out(service: ServiceDep, request: Request, response: Response) ->
 
 
 @router.get("/me")
-@requires(AccessScope.VIEWER, AccessScope.GATEWAY)
+@requires(AccessScope.VIEWER, AccessScope.GATEWAY, AccessScope.WEBHOOKS)
 def get_me(service: ServiceDep, principal: PrincipalDep) -> MeOut:
     """Get the sender of the request and its scopes."""
     return _me(service, principal)
@@ -81,6 +87,9 @@ def _me(service: Service, principal: Principal) -> MeOut:
         {
             "kind": principal.kind.value,
             "name": principal.name,
+            "account": f"{principal.kind.value}:{principal.id}" if principal.id else "",
+            "customer": principal.limits.customer,
+            "machines": sorted(principal.limits.machines),
             "sign_in": users.kind_of(principal.name) if is_user else None,
             "scopes": [scope for scope in AccessScope if scope in principal.scopes],
             "has_admin": users.has_admin(),
@@ -115,9 +124,12 @@ async def change_own_password(
 
 @router.get("/users")
 @requires(AccessScope.ADMIN)
-def list_users(service: ServiceDep) -> list[UserOut]:
-    """List the users, ordered by name."""
-    return [_user_out(row) for row in service.store.users.all()]
+def list_users(
+    service: ServiceDep, request: Request, response: Response, wanted: Annotated[ListPage, Query()]
+) -> list[UserOut]:
+    """List the users, ordered by name; `Link` contains the URL of the next page."""
+    rows = page_of(request, response, service.store.users.all(), wanted)
+    return [_user_out(row) for row in rows]
 
 
 @router.post("/users", status_code=201)
@@ -154,17 +166,47 @@ def change_user(
 
 @router.get("/keys")
 @requires(AccessScope.ADMIN)
-def list_keys(service: ServiceDep) -> list[KeyOut]:
-    """List the API keys without their secrets, the newest first."""
-    return [_key_out(row) for row in service.store.keys.all()]
+def list_keys(
+    service: ServiceDep, request: Request, response: Response, wanted: Annotated[ListPage, Query()]
+) -> list[KeyOut]:
+    """List the API keys without their secrets, the newest first.
+
+    The header `Link` contains the URL of the next page.
+    """
+    rows = page_of(request, response, service.store.keys.all(), wanted)
+    return [_key_out(row) for row in rows]
 
 
 @router.post("/keys", status_code=201)
 @requires(AccessScope.ADMIN)
 def create_key(service: ServiceDep, response: Response, sent: KeyIn) -> NewKeyOut:
     """Create an API key; only this response contains its secret."""
-    row, secret = service.store.keys.add(sent.title, sent.scopes, sent.expires, credited(""))
+    for machine in sent.machines:
+        service.store.library.definition(Shelf.MACHINES, machine)
+    limits = KeyLimits(sent.customer, frozenset(sent.machines))
+    row, secret = service.store.keys.add(
+        sent.title, sent.scopes, sent.expires, credited(""), limits
+    )
+    return _with_secret(response, row, secret)
+
+
+@router.post("/keys/{id}/rotate-secret")
+@requires(AccessScope.ADMIN)
+def rotate_key_secret(
+    service: ServiceDep, request: Request, response: Response, id: KeyId
+) -> NewKeyOut:
+    """Give an API key a new secret; the former one becomes invalid.
+
+    Only this answer contains the new secret.  Jobs, drawings and webhooks of the key stay its own.
+    """
+    row, secret = service.store.keys.rotate(id)
+    _accounts(request).clear_cache()
+    return _with_secret(response, row, secret)
+
+
+def _with_secret(response: Response, row: ApiKey, secret: str) -> NewKeyOut:
     response.headers["Cache-Control"] = "no-store"
+    response.headers["Location"] = f"/api/keys/{row.id}"
     return NewKeyOut(**_key_out(row).model_dump(), secret=secret)
 
 
@@ -174,6 +216,41 @@ def revoke_key(service: ServiceDep, request: Request, id: KeyId) -> None:
     """Revoke an API key: it becomes invalid, and stays in the list."""
     service.store.keys.revoke(id)
     _accounts(request).clear_cache()
+
+
+@router.post("/machines/{name}/pairing-codes", status_code=201)
+@requires(AccessScope.ADMIN)
+def create_pairing_code(
+    service: ServiceDep, response: Response, name: MachineName
+) -> PairingCodeOut:
+    """Create a code with which one browser can be paired with a machine, for ten minutes.
+
+    Who enters it on the page `/pair` of the server may start, continue and move this machine with
+    that browser, and sees only its jobs, until the device is revoked or unpaired.
+    """
+    service.store.library.definition(Shelf.MACHINES, name)
+    code, expires = service.store.pairing.new_code(name, credited(""))
+    response.headers["Cache-Control"] = "no-store"
+    fields = {"code": shown_code(code), "machine": name, "expires": expires}
+    return PairingCodeOut.model_validate(fields)
+
+
+@router.get("/machines/{name}/devices")
+@requires(AccessScope.ADMIN)
+def list_devices(
+    service: ServiceDep,
+    request: Request,
+    response: Response,
+    name: MachineName,
+    wanted: Annotated[ListPage, Query()],
+) -> list[KeyOut]:
+    """List the browsers that are paired with a machine, the newest first.
+
+    `DELETE /api/keys/{id}` revokes one.  `Link` contains the URL of the next page.
+    """
+    service.store.library.definition(Shelf.MACHINES, name)
+    rows = page_of(request, response, service.store.pairing.devices(name), wanted)
+    return [_key_out(row) for row in rows]
 
 
 @router.get("/audit")

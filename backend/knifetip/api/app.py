@@ -5,13 +5,12 @@ from __future__ import annotations
 import asyncio
 import logging
 import re
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from functools import partial
 from importlib.metadata import version
 from typing import Literal
 
-import sqlalchemy.exc
 from fastapi import Depends, FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import RedirectResponse
@@ -44,14 +43,20 @@ from knifetip.api.access import Access, ProviderSignIn
 from knifetip.api.account_access import Accounts
 from knifetip.api.api_version import ApiVersion
 from knifetip.api.client_limits import ClientLimiter, Clients
+from knifetip.api.control_characters import refuse_control_characters
 from knifetip.api.description import Description
 from knifetip.api.documents import Documents
+from knifetip.api.error_status import answer_status
+from knifetip.api.failures import DATABASE_ERRORS, failure_of
+from knifetip.api.fault_log import FaultLog
+from knifetip.api.head_requests import HeadRequests
 from knifetip.api.headers import SecurityHeaders
+from knifetip.api.invalid_requests import invalid_request, with_line
 from knifetip.api.known_fields import KnownFields, names_near, refuse_unknown
 from knifetip.api.limits import Limits
 from knifetip.api.metrics import Metrics, RequestCounter, add_numbers, route_templates
 from knifetip.api.metrics import router as metrics_router
-from knifetip.api.problems import problem
+from knifetip.api.problems import TYPE_PREFIX, problem
 from knifetip.api.queue import ORDERS_AT_ONCE, ORDERS_WAITING, WorkQueue
 from knifetip.api.readiness import Readiness
 from knifetip.api.request_log import RequestLog
@@ -69,35 +74,17 @@ from knifetip.api.service import Service, ServiceDep, Settings
 from knifetip.api.site import Site
 from knifetip.api.storage import OK, DiskSpaceGuard, Storage
 from knifetip.api.webhook_sender import WebhookSender
-from knifetip.fields import fault_message
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.compile_service import CompileService
 from knifetip.jobs.objects import folder_of
 from knifetip.jobs.process_pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.jobs.store import Store
+from knifetip.jobs.tasks import import_stages
 from knifetip.jobs.warm_up import WarmUp
-from knifetip.jobs.write_probe import is_disk_full
+from knifetip.jobs.write_probe import write_probe
 from knifetip.messages import Message
 
 _log = logging.getLogger("knifetip.api")
-
-#: HTTP status of each error class; subclasses inherit it.
-STATUS: Mapping[type[errors.KnifetipError], int] = {
-    errors.KnifetipError: 422,
-    errors.DrawingTooLarge: 413,
-    errors.OpenQuestions: 409,
-    errors.JobError: 409,
-    errors.NotFound: 404,
-    errors.KeyReused: 422,
-    errors.StaleVersion: 412,
-    errors.StoreError: 503,
-    errors.ServerBusy: 503,
-    errors.AccessDenied: 403,
-    errors.SignInRefused: 401,
-    errors.SignInSlowDown: 429,
-    errors.ControllerError: 502,
-}
-
 
 _ROUTES = (
     drawings, jobs, job_commands, orders, confirmation, queues, rest, history, events, machines,
@@ -124,7 +111,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         store = Store(chosen.database, objects=chosen.store)
-        pool = ProcessPool(chosen.processes)
+        pool = ProcessPool(chosen.processes, prepare=import_stages, spare=1)
         warm_up = WarmUp() if chosen.compiles else WarmUp(("drawings",))
         compiling = CompileService(
             store,
@@ -148,6 +135,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         app.state.service = service
         app.state.documents = Documents(service)
         app.state.readiness = Readiness(store, storage, compiling, service.threads)
+        app.state.faults = FaultLog(partial(write_probe, store.database))
         app.state.stream = events.Stream(service)
         add_numbers(metrics, service, clients)
         await asyncio.to_thread(store.prepare)
@@ -160,10 +148,12 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             asyncio.create_task(WebhookSender(service).run()),
         ]
         service.ready = True
+        app.state.readiness.damage.fault()  # begins the first check
         try:
             yield
         finally:
             service.ready = False
+            await app.state.faults.close()
             service.stop()
             for task in tasks:
                 task.cancel()
@@ -178,7 +168,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app = FastAPI(
         title="knifetip",
         version=version("knifetip"),
-        description="Carton dielines in, compensated and verified machine programs out.",
+        description="Carton dielines in, compensated and verified machine programs out. Every "
+        "resource with GET also answers HEAD, with the same headers and without a body.",
         lifespan=lifespan,
         # ``Description`` serves it with the paths of either prefix.
         openapi_url=None,
@@ -186,7 +177,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         generate_unique_id_function=_operation_id,
-        dependencies=[Depends(refuse_unknown)],
+        dependencies=[Depends(refuse_unknown), Depends(refuse_control_characters)],
         # Spans and logs of FastAPI contain queries, which may contain a key, and texts of errors.
         telemetry={"tracing": False, "metrics": False, "logs": False, "auto_configure": False},
     )
@@ -205,6 +196,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_route("/docs", _to_description, include_in_schema=False)
     app.router.default = site
     # The middleware added last is the outermost.
+    app.add_middleware(HeadRequests)
     app.add_middleware(Limits, upload=chosen.upload, body=chosen.body)
     app.add_middleware(DiskSpaceGuard, storage=storage)
     app.add_middleware(ClientLimiter, clients=clients)
@@ -225,13 +217,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_exception_handler(errors.KnifetipError, _knifetip_problem)
     app.add_exception_handler(RequestValidationError, _request_problem)
     app.add_exception_handler(HTTPException, _http_problem)
-    app.add_exception_handler(TaskCancelled, _stopping_problem)
-    app.add_exception_handler(TaskFailed, _internal_problem)
-    app.add_exception_handler(sqlalchemy.exc.DBAPIError, _database_problem)
-    # No connection became free in time.
-    app.add_exception_handler(sqlalchemy.exc.TimeoutError, _database_problem)
-    app.add_exception_handler(OSError, _system_problem)
-    app.add_exception_handler(Exception, _internal_problem)
+    # FastAPI sends the answer to an ``Exception`` and raises it again, for the log of the server.
+    for expected in (TaskCancelled, TaskFailed, *DATABASE_ERRORS, OSError, Exception):
+        app.add_exception_handler(expected, _failure_problem)
 
     app.state.metrics = metrics
     # The documented way to customise FastAPI's schema.
@@ -294,24 +282,15 @@ async def _status(service: ServiceDep) -> ServiceOut:
     )
 
 
-def status_of(error: errors.KnifetipError) -> int:
-    """Return the HTTP status of the response to an error."""
-    return next(STATUS[kind] for kind in type(error).__mro__ if kind in STATUS)
-
-
 async def _knifetip_problem(request: Request, error: Exception) -> Response:
     assert isinstance(error, errors.KnifetipError)
-    status = status_of(error)
-    # A name in a body that does not exist has the same status as an id that does not exist.
-    unknown = error.message.code == "library.unknown"
-    if isinstance(error, errors.LibraryError) and (unknown or request.method == "GET"):
-        status = 404
+    status = answer_status(error, request.method)
     kind = type(error)
     word = re.sub(r"(?<!^)(?=[A-Z])", "-", kind.__name__).lower()
     return problem(
         status,
         error.message,
-        kind=f"urn:knifetip:problem:{word}",
+        kind=TYPE_PREFIX + word,
         title=word.replace("-", " ").capitalize(),
         source=error.source,
         questions=error.questions if isinstance(error, errors.OpenQuestions) else (),
@@ -324,18 +303,15 @@ async def _knifetip_problem(request: Request, error: Exception) -> Response:
 
 async def _request_problem(request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
-    found = error.errors()
-    places = [".".join(str(step) for step in fault["loc"])[:200] for fault in found[:20]]
-    faults = [
-        fault_message(fault, place, partial(names_near, request, fault["loc"]))
-        for fault, place in zip(found[:5], places, strict=False)
-    ]
+    is_form = "form" in request.headers.get("content-type", "").partition(";")[0]
+    faults = [with_line(one, error.body) for one in error.errors()]
+    message, source = invalid_request(faults, partial(names_near, request), is_form)
     return problem(
         422,
-        Message("request.invalid", faults=faults),
-        kind="urn:knifetip:problem:request",
+        message,
+        kind=f"{TYPE_PREFIX}request",
         title="The request cannot be read",
-        source=places,
+        source=source,
     )
 
 
@@ -362,29 +338,16 @@ async def _to_description(_request: Request) -> Response:
     return RedirectResponse("/api/docs")
 
 
-async def _stopping_problem(_request: Request, _error: Exception) -> Response:
-    return problem(503, Message("server.stopping"))
-
-
-async def _database_problem(request: Request, error: Exception) -> Response:
-    if isinstance(error, sqlalchemy.exc.DataError):
-        return problem(422, Message("request.not-storable"))
-    if is_disk_full(error):
-        return problem(507, Message("limit.disk-full"))
-    _log.error("%s %s", request.method, request.url.path, exc_info=error)
-    return problem(503, Message("server.database-silent"))
-
-
-async def _system_problem(request: Request, error: Exception) -> Response:
-    # A body is kept in a temporary file while it arrives.
-    if is_disk_full(error):
-        return problem(507, Message("limit.disk-full"))
-    return await _internal_problem(request, error)
-
-
-async def _internal_problem(request: Request, error: Exception) -> Response:
-    _log.error("%s %s", request.method, request.url.path, exc_info=error)
-    return problem(500, Message("server.internal-error"))
+async def _failure_problem(request: Request, error: Exception) -> Response:
+    failure = failure_of(error)
+    if failure.message.code == "server.database-damaged":
+        request.app.state.readiness.damage.report()
+    where = f"{request.method} {request.url.path}"
+    if failure.is_logged and failure.affects_all:
+        request.app.state.faults.note(failure.message.code, error, where)
+    elif failure.is_logged:
+        _log.error("%s", where, exc_info=error)
+    return problem(failure.status, failure.message)
 
 
 def _operation_id(route: APIRoute) -> str:

@@ -19,6 +19,8 @@ NOT_MODIFIED: Final[dict[int | str, dict[str, Any]]] = {
     304: {"description": "The client's copy is current; the response has no body"}
 }
 
+#: Header by which a route gives the start of the ETag; it is not sent.
+TAG_PREFIX: Final = "X-Tag-Prefix"
 _KNOWN: Final = {
     "name": "If-None-Match",
     "in": "header",
@@ -59,8 +61,12 @@ def conditional(scope: Scope, send: Send) -> Send:
             start, waiting = waiting, None
             whole = not event.get("more_body", False)
             headers = MutableHeaders(scope=start)
+            prefix = headers.get(TAG_PREFIX)
+            if prefix is not None:
+                del headers[TAG_PREFIX]
             if whole and "ETag" not in headers:
-                headers["ETag"] = f'"{hashlib.sha256(event.get("body", b"")).hexdigest()[:32]}"'
+                digest = hashlib.sha256(event.get("body", b"")).hexdigest()[:32]
+                headers["ETag"] = f'"{digest}"' if prefix is None else f'"{prefix}.{digest}"'
                 headers["Cache-Control"] = "no-cache"
             if whole and is_known(headers["ETag"], known):
                 start["status"] = 304

@@ -7,8 +7,10 @@ from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.confirmation import ConfirmationOut
 from knifetip.api.service import ServiceDep
 from knifetip.jobs.accounts.scopes import AccessScope
+from knifetip.jobs.checks import Check
 from knifetip.jobs.operator_actions import awaits_confirmation
 from knifetip.jobs.tool_store import ToolUse
+from knifetip.messages import render
 
 router = ScopedRouter(prefix="/jobs", tags=["jobs"])
 
@@ -18,7 +20,7 @@ router = ScopedRouter(prefix="/jobs", tags=["jobs"])
 def get_confirmation(service: ServiceDep, id: JobId) -> ConfirmationOut:
     """Get what the operator confirms before the machine starts a job or its next copy.
 
-    The operator checks board, tools, placement and sheet at the machine, and then confirms them
+    The operator makes each of the `checks` at the machine, and then confirms them all by their ids
     with `POST /api/jobs/{id}/confirm`.
     """
     row = service.store.jobs.get(id)
@@ -27,6 +29,7 @@ def get_confirmation(service: ServiceDep, id: JobId) -> ConfirmationOut:
     return ConfirmationOut.model_validate(
         {
             "awaited": awaits_confirmation(row, service.store.database.clock()),
+            "checks": [_check(check) for check in service.store.operators.checks(row)],
             "machine": row.machine,
             "board": row.board,
             "tools": [{**tool, **_wear(uses.get(tool["station"]))} for tool in row.tools],
@@ -39,6 +42,16 @@ def get_confirmation(service: ServiceDep, id: JobId) -> ConfirmationOut:
             "unfinished_sheet": service.store.gateways.unfinished_sheet(row),
         }
     )
+
+
+def _check(check: Check) -> dict[str, object]:
+    """Return a check for clients."""
+    return {
+        "id": check.id,
+        "text": render(check.text),
+        "message": check.text,
+        "station": check.station,
+    }
 
 
 def _wear(use: ToolUse | None) -> dict[str, object]:

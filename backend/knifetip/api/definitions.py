@@ -13,8 +13,10 @@ from fastapi import Path, Query, Request, Response
 
 from knifetip.api.parameters import NAME_SCHEMA
 from knifetip.api.routing import ScopedRouter, requires
+from knifetip.api.schemas.common import ListPage
+from knifetip.api.schemas.definition_files import JSON_SCHEMA, definition_ref
 from knifetip.api.schemas.definitions import DefinitionOut, EntryOut, VersionOut
-from knifetip.api.service import ServiceDep, bytes_response
+from knifetip.api.service import ServiceDep, bytes_response, page_of
 from knifetip.api.versions import TOML, TOML_RESPONSE, Body, VersionMatch, version_of
 from knifetip.errors import LibraryError, WrongState
 from knifetip.harmless import harmless
@@ -52,11 +54,16 @@ Note = Annotated[str, Query(max_length=200, description="What is changed, and wh
 
 @router.get("/library")
 @requires(AccessScope.VIEWER)
-def list_library(service: ServiceDep) -> list[EntryOut]:
-    """List the machines, boards and tools: those of users and those of knifetip's library."""
+def list_library(
+    service: ServiceDep, request: Request, response: Response, wanted: Annotated[ListPage, Query()]
+) -> list[EntryOut]:
+    """List the machines, boards and tools: those of users and those of knifetip's library.
+
+    The header `Link` contains the URL of the next page.
+    """
     own = [_entry_out(row) for row in service.store.library.all(*Shelf)]
     shipped = [_shipped_out(shelf, name) for shelf in Shelf for name in load.names(shelf)]
-    return own + shipped
+    return list(page_of(request, response, own + shipped, wanted))
 
 
 def _entry_out(row: LibraryVersion) -> EntryOut:
@@ -76,7 +83,7 @@ def _shipped_out(shelf: Shelf, name: str) -> EntryOut:
     return EntryOut(shelf=shelf, name=name, title=title, shipped=True)
 
 
-@router.get("/schemas/{kind}")
+@router.get("/schemas/{kind}", responses={200: JSON_SCHEMA})
 @requires(AccessScope.VIEWER)
 def get_schema(
     kind: Annotated[Shelf, Path(description="machines, boards or tools")],
@@ -123,7 +130,7 @@ def _add_routes(shelf: Shelf) -> None:
         "requestBody": {
             "required": True,
             "content": {
-                "application/json": {"schema": {"type": "object"}},
+                "application/json": {"schema": {"$ref": definition_ref(shelf)}},
                 TOML: {"schema": {"type": "string"}},
             },
         }
@@ -158,13 +165,28 @@ def _add_routes(shelf: Shelf) -> None:
 
     @router.get(f"{path}/versions", name=f"list_{word}_versions")
     @requires(AccessScope.VIEWER)
-    def list_versions(service: ServiceDep, name: EntryName) -> list[VersionOut]:
-        """List the versions of a definition, newest first; one of knifetip's library has none."""
+    def list_versions(
+        service: ServiceDep,
+        request: Request,
+        response: Response,
+        name: EntryName,
+        wanted: Annotated[ListPage, Query()],
+    ) -> list[VersionOut]:
+        """List the versions of a definition, newest first; one of knifetip's library has none.
+
+        The header `Link` contains the URL of the next page.
+        """
         service.store.library.definition(shelf, name)
-        rows = service.store.library.versions(shelf, name)
+        versions = service.store.library.versions(shelf, name)
+        rows = page_of(request, response, versions, wanted)
         return [VersionOut.model_validate(row) for row in rows]
 
-    @router.put(path, name=f"save_{word}", openapi_extra=body)
+    @router.put(
+        path,
+        name=f"save_{word}",
+        openapi_extra=body,
+        responses={201: {"model": DefinitionOut, "description": "The definition is new"}},
+    )
     @requires(AccessScope.ADMIN)
     def save(
         service: ServiceDep,

@@ -11,11 +11,15 @@ from fastapi.responses import JSONResponse
 
 from knifetip.api.api_version import is_versioned, versioned_paths
 from knifetip.api.conditional import describe_conditions
+from knifetip.api.control_characters import describe_texts
 from knifetip.api.documented_errors import document_errors
 from knifetip.api.examples import Examples, name_in
+from knifetip.api.parameters import KEPT_ANSWER
 from knifetip.api.principal import PrincipalKind, principal_of
+from knifetip.api.problems import TYPE_PATTERN
 from knifetip.api.routing import ScopedOperation
 from knifetip.api.schemas.common import Problem
+from knifetip.api.schemas.definition_files import add_definition_files
 from knifetip.api.schemas.messages import describe_codes
 from knifetip.api.schemas.security import describe_scopes, with_optional_keys
 from knifetip.api.text_examples import add_text_examples
@@ -85,13 +89,25 @@ def describe(app: FastAPI, operations: Sequence[ScopedOperation]) -> dict[str, A
     )
     own.pop("$defs", None)
     schemas["Problem"] = own
+    add_definition_files(schemas)
     describe_codes(schemas)
     _mark_binary(described)
+    describe_texts(described)
+    _describe_keys(described, operations)
+    schemas["Problem"]["properties"]["type"] |= {"pattern": TYPE_PATTERN}
     document_errors(described)
     _add_examples(described)
     describe_conditions(described)
     describe_scopes(described, operations)
     return described
+
+
+def _describe_keys(described: dict[str, Any], operations: Sequence[ScopedOperation]) -> None:
+    """Add ``Idempotency-Key`` to the operations whose answers are kept."""
+    for one in operations:
+        operation = described["paths"].get(one.path, {}).get(one.method.lower())
+        if operation is not None and one.keeps_answers:
+            operation.setdefault("parameters", []).append(KEPT_ANSWER)
 
 
 def _add_examples(described: dict[str, Any]) -> None:

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from knifetip.api.examples import sample_arguments
+from knifetip.api.parameters import IDEMPOTENCY_KEY, KEPT_ANSWER
 from knifetip.api.problems import PROBLEM
 from knifetip.api.schemas.common import Problem
 from knifetip.messages import Message
@@ -28,6 +29,7 @@ _ALL: Final[Mapping[int, Sequence[str]]] = {
     500: ("server.internal-error",),
     503: (
         "server.busy",
+        "server.database-damaged",
         "server.database-silent",
         "server.stopping",
         "limit.too-many-connections",
@@ -45,8 +47,15 @@ _WRITING: Final[Mapping[int, Sequence[str]]] = {
     422: ("request.not-storable",),
     507: ("limit.disk-low", "limit.disk-full"),
 }
-_BODY: Final[Mapping[int, Sequence[str]]] = {400: ("request.body-unreadable",)}
+_BODY: Final[Mapping[int, Sequence[str]]] = {
+    400: ("request.body-unreadable",),
+    415: ("request.no-media", "request.wrong-media"),
+}
 _KEYED: Final[Mapping[int, Sequence[str]]] = {422: ("request.key-reused",)}
+_ANSWERED: Final[Mapping[int, Sequence[str]]] = {
+    409: ("request.outcome-unknown", "request.secret-not-kept"),
+    **_KEYED,
+}
 _SAFE: Final = ("get", "head")
 
 
@@ -103,7 +112,10 @@ def errors_of(
         groups.append(_WRITING)
     if "requestBody" in operation:
         groups.append(_BODY)
-    if any(one["name"] == "Idempotency-Key" for one in operation.get("parameters", ())):
+    parameters = operation.get("parameters", ())
+    if KEPT_ANSWER in parameters:
+        groups.append(_ANSWERED)
+    elif any(one["name"] == IDEMPOTENCY_KEY for one in parameters):
         groups.append(_KEYED)
     groups.append(declared.get(operation["operationId"], {}))
     found: dict[int, list[str]] = {}

@@ -12,6 +12,7 @@ from typing import Any, Final
 from fastapi import Response
 
 from knifetip.api.document_tasks import drawing_model
+from knifetip.api.queue import RequestIdentity
 from knifetip.api.revisions import check_match, etag
 from knifetip.api.schemas.drawings import DrawingOut, DrawingSummary
 from knifetip.api.schemas.order_details import details_fields
@@ -55,6 +56,17 @@ class Upload:
         """Return a hash of the upload, whose content has the hash ``sha256``."""
         details = json.dumps(self.details, sort_keys=True)
         return fingerprint(self.name, sha256, self.unit, self.profile, details)
+
+    def identity(self, key: str | None) -> RequestIdentity:
+        """Return what the upload has in common with its repetitions.
+
+        Parameters
+        ----------
+        key
+            Idempotency-Key of the request, None if it has none.
+        """
+        sha256 = hashlib.sha256(self.content).hexdigest()
+        return RequestIdentity.of("upload", key, self.fingerprint(sha256).encode())
 
 
 def add_drawing(
@@ -145,7 +157,7 @@ def read_drawing(
     try:
         return service.run(tasks.read, content, interpretation, handles)
     except TaskFailed as reason:
-        raise NotADrawing("reading.crashed", name=name, reason=reason) from reason
+        raise NotADrawing("reading.crashed", name=name, incident=reason.incident) from reason
     except KnifetipError as reason:
         if reason.message.arguments.get("name") != name:
             reason.message = Message("error.in-file", name=name, error=reason.message)
@@ -313,6 +325,9 @@ def drawing_fields(row: Drawing, state: str) -> dict[str, Any]:
         "name": row.name,
         **details_fields(row),
         "created": row.created,
+        "updated": row.updated or row.created,
+        "owner": row.owner,
+        "shared": row.shared,
         "sha256": row.sha256,
         "profile": row.profile,
         "profile_state": state,
@@ -340,6 +355,9 @@ def summary_out(row: Drawing) -> DrawingSummary:
         revision=row.version,
         name=row.name,
         created=rfc3339(row.created),
+        updated=rfc3339(row.updated or row.created),
+        owner=row.owner,
+        shared=row.shared,
         unit=row.summary["unit"] or None,
         width=row.summary["width"],
         height=row.summary["height"],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated, Any
 
 from fastapi import File, Form, Query, Request, Response, UploadFile
@@ -27,9 +28,10 @@ from knifetip.api.drawing_requests import (
     summary_out,
 )
 from knifetip.api.overrides import merge_overrides
+from knifetip.api.ownership import OwnDrawing
 from knifetip.api.parameters import DataFormat, DrawingId, IdempotencyKey
 from knifetip.api.queue import queued
-from knifetip.api.revisions import IfMatch
+from knifetip.api.revisions import IfMatch, check_match
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.drawings import (
     CleaningOut,
@@ -79,7 +81,7 @@ _FILE: dict[str, Any] = {
 
 
 @router.post("", status_code=201)
-@requires(AccessScope.DESIGNER)
+@requires(AccessScope.DESIGNER, AccessScope.ORDER)
 @queued
 def upload_drawing(
     service: ServiceDep,
@@ -159,8 +161,8 @@ async def get_drawing(
     return await answer.send(id, drawing_document(service))
 
 
-@router.patch("/{id}")
-@requires(AccessScope.DESIGNER)
+@router.patch("/{id}", dependencies=[OwnDrawing])
+@requires(AccessScope.DESIGNER, AccessScope.ORDER)
 @queued
 def change_drawing(
     service: ServiceDep,
@@ -172,10 +174,13 @@ def change_drawing(
     """Set the unit of a drawing, classify it with another profile, or change its order details.
 
     The drawing gets a new revision.  It is read and classified again, unless the request changes
-    details of the order only.
+    details of the order or the share only.  Its owner and operators may change it, and all
+    designers if it is shared.
     """
     details = changed_columns(patch)
-    if details and not patch.model_fields_set - set(OrderDetailsPatch.model_fields):
+    if patch.shared is not None:
+        details["shared"] = patch.shared
+    if details and not patch.model_fields_set - {*OrderDetailsPatch.model_fields, "shared"}:
         return change_details(service, response, id, match, details)
 
     def decide(row: Drawing) -> Change:
@@ -196,11 +201,11 @@ def change_drawing(
     return apply_change(service, response, id, match, decide)
 
 
-@router.delete("/{id}", status_code=204)
-@requires(AccessScope.DESIGNER)
-def delete_drawing(service: ServiceDep, id: DrawingId) -> None:
+@router.delete("/{id}", status_code=204, dependencies=[OwnDrawing])
+@requires(AccessScope.DESIGNER, AccessScope.ORDER)
+def delete_drawing(service: ServiceDep, id: DrawingId, match: IfMatch = None) -> None:
     """Delete a drawing; the status is 409 if a job uses the drawing."""
-    service.store.drawings.delete(id)
+    service.store.drawings.delete(id, partial(check_match, match))
 
 
 @router.get("/{id}/edges", response_model=EdgesOut, responses={200: BINARY, **NOT_MODIFIED})
@@ -229,8 +234,8 @@ async def get_picture(
     return await answer.send(id, picture_document(service))
 
 
-@router.patch("/{id}/edges")
-@requires(AccessScope.DESIGNER)
+@router.patch("/{id}/edges", dependencies=[OwnDrawing])
+@requires(AccessScope.DESIGNER, AccessScope.ORDER)
 @queued
 def override_edges(
     service: ServiceDep, response: Response, id: DrawingId, patch: EdgesPatch, match: IfMatch = None

@@ -75,8 +75,8 @@ def _fault(url: str) -> str:
     try:
         parts = urlsplit(url)
         port = parts.port
-    except ValueError as reason:
-        return str(reason)
+    except ValueError:
+        return "its host or its port is not valid"
     if parts.scheme not in _PORTS:
         return "it does not begin with http:// or https://"
     if not parts.hostname:
@@ -85,6 +85,10 @@ def _fault(url: str) -> str:
         return "it contains a user name or a password"
     if port == 0:
         return "it names port 0"
+    # A name of the internet has labels of 1 to 63 characters, and 253 together.
+    labels = parts.hostname.removesuffix(".").split(".")
+    if len(parts.hostname) > 253 or not all(1 <= len(label) <= 63 for label in labels):
+        return "its host has an empty or a too long label"
     return ""
 
 

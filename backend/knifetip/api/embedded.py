@@ -34,6 +34,7 @@ from knifetip.api.app import create_app
 from knifetip.api.client_limits import ClientLimits
 from knifetip.api.connections import ConnectionLimits, limited_protocol, raise_file_limit
 from knifetip.api.drawing_requests import Upload, store_upload
+from knifetip.api.machine_reservation import reserved_machine
 from knifetip.api.oidc.settings import OidcSettings
 from knifetip.api.service import MEGABYTE, Service, Settings
 from knifetip.errors import KnifetipError, StoreError
@@ -145,7 +146,8 @@ def serve(
     Raises
     ------
     StoreError
-        The database cannot be used, or the port is in use.
+        The database cannot be used, the port is in use, or another server has the machine of the
+        embedded gateway.
     SettingsError
         The key or a host is malformed, or the key file cannot be used.
     """
@@ -155,6 +157,7 @@ def serve(
         refused, host = host, "::1" if ":" in host else "127.0.0.1"
     logs.hide(key)
     with ExitStack() as open_sockets:
+        journal = _journal_path(database)
         sockets = _listen(host, port)
         for one in sockets:
             open_sockets.enter_context(one)
@@ -181,6 +184,8 @@ def serve(
             clients=limits.clients,
         )
         taken = sockets[0].getsockname()[1]
+        if parts.simulator:
+            open_sockets.enter_context(reserved_machine(journal, MACHINE, taken))
         shown = f"[{host}]" if ":" in host else host
         lines = [f"knifetip is at http://{shown}:{taken}"]
         if refused:
@@ -202,7 +207,7 @@ def serve(
         server = _Server(app, lines, announce, parts.samples, limits.connections)
         if parts.simulator:
             server.table = _SimulatedMachine(
-                _local(host), taken, parts.speed, _journal_path(database), rules.gateway_key
+                _local(host), taken, parts.speed, journal, rules.gateway_key
             )
         server.run(sockets=sockets)
     if not server.started:

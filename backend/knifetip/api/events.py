@@ -18,7 +18,9 @@ import json
 import logging
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable, Collection, Sequence
-from typing import Annotated
+from contextvars import Context
+from functools import partial
+from typing import Annotated, Any, Final, NamedTuple, ParamSpec, TypeVar
 
 import sqlalchemy.exc
 from fastapi import Header, Query, Request
@@ -27,20 +29,26 @@ from pydantic.json_schema import SkipJsonSchema
 
 from knifetip.api.drawing_requests import summary_out
 from knifetip.api.event_gaps import EventGaps
+from knifetip.api.head_requests import is_head
 from knifetip.api.job_models import job_out, jobs_out
 from knifetip.api.machines import station_out
-from knifetip.api.principal import permission_of
+from knifetip.api.principal import permission_of, principal_of
 from knifetip.api.routing import ScopedRouter, requires
+from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.stations import StationOut
 from knifetip.api.service import Service
 from knifetip.api.waiting import WaitingFor
 from knifetip.api.wake import wake_on_change
 from knifetip.errors import NotFound
+from knifetip.jobs.accounts.key_limits import UNLIMITED, KeyLimits
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job import State
 from knifetip.jobs.tables import Event
 from knifetip.model.stage import Stage
+
+P = ParamSpec("P")
+T = TypeVar("T")
 
 router = ScopedRouter(tags=["events"])
 
@@ -56,6 +64,20 @@ _ACTIVE_STATES = (State.COMPILING.value, State.RUNNING.value, State.HELD.value)
 _log = logging.getLogger("knifetip.api")
 
 
+class Change(NamedTuple):
+    """A message for clients, and whose job, drawing or machine it is about."""
+
+    sent: ServerSentEvent
+    customer: str | None = ""  #: "" for none; None for a message about all customers
+    machine: str = ""  #: of a job or a station; "" for none
+
+    def is_for(self, limits: KeyLimits) -> bool:
+        """Return whether a client with limits may see the message."""
+        if limits.customer and self.customer is not None and self.customer != limits.customer:
+            return False
+        return not self.machine or limits.sees_machine(self.machine)
+
+
 class Stream:
     """Sends every change of a job or drawing in the store to all connected clients.
 
@@ -64,7 +86,7 @@ class Stream:
 
     def __init__(self, service: Service) -> None:
         self._service = service
-        self._listeners: set[asyncio.Queue[ServerSentEvent | None]] = set()
+        self._listeners: dict[asyncio.Queue[ServerSentEvent | None], KeyLimits] = {}
         self._has_listeners = asyncio.Event()
         self._lock = asyncio.Lock()
         self._last = 0
@@ -83,7 +105,7 @@ class Stream:
                 await self._has_listeners.wait()
                 try:
                     async with self._lock:
-                        messages = await asyncio.to_thread(self._new_messages)
+                        messages = await _read(self._new_messages)
                         for message in messages:
                             self._broadcast(message)
                 except Exception:
@@ -112,7 +134,7 @@ class Stream:
         """End the event stream of a client as soon as it is no longer permitted."""
         while await _is_permitted(permission):
             await asyncio.sleep(_PERMISSION_POLL)
-        self._listeners.discard(queue)
+        self._listeners.pop(queue, None)
         # The client must not receive what it has not read so far.
         while not queue.empty():
             queue.get_nowait()
@@ -125,16 +147,18 @@ class Stream:
         """
         self._sent_progress, self._sent_stations = {}, {}
 
-    def _broadcast(self, message: ServerSentEvent) -> None:
-        for queue in list(self._listeners):
+    def _broadcast(self, change: Change) -> None:
+        for queue, limits in list(self._listeners.items()):
+            if not change.is_for(limits):
+                continue
             try:
-                queue.put_nowait(message)
+                queue.put_nowait(change.sent)
             except asyncio.QueueFull:
-                self._listeners.discard(queue)
+                self._listeners.pop(queue, None)
                 queue.get_nowait()
                 queue.put_nowait(None)
 
-    def _new_messages(self) -> list[ServerSentEvent]:
+    def _new_messages(self) -> list[Change]:
         events = self._service.store.events.after(self._last, late=self._gaps.numbers)
         messages = self._messages(events)
         search = self._service.store.jobs.search
@@ -150,7 +174,7 @@ class Stream:
             for row in active
         }
         messages += [
-            _message("job", job_out(self._service.store, row).model_dump_json())
+            _job_message(job_out(self._service.store, row))
             for row in active
             if self._sent_progress.get(row.id) != progress[row.id]
         ]
@@ -162,7 +186,7 @@ class Stream:
         self._last = self._gaps.read(self._last, {event.id for event in events})
         return messages
 
-    def _stations(self) -> list[ServerSentEvent]:
+    def _stations(self) -> list[Change]:
         """Return one event for each station that has changed since the last call."""
         views = self._service.store.stations.all()
         self._watched = any(view.watched for view in views)
@@ -177,9 +201,13 @@ class Stream:
             if self._sent_stations.get(view.row.machine) != now[view.row.machine]
         ]
         self._sent_stations = now
-        return [_message("station", station_out(view).model_dump_json()) for view in changed]
+        return [
+            # It names the job on the machine, which may be one of any customer.
+            Change(_message("station", station_out(view).model_dump_json()), "", view.row.machine)
+            for view in changed
+        ]
 
-    def _queued(self, sent: Collection[str]) -> list[ServerSentEvent]:
+    def _queued(self, sent: Collection[str]) -> list[Change]:
         """Return one event for each queued job whose reason to wait changed since the last call.
 
         The reason is in the fields ``waiting_for`` and ``message`` of a job.  It can change without
@@ -195,21 +223,23 @@ class Stream:
         models = jobs_out(self._service.store, rows)
         waits = {job.id: (job.waiting_for, job.message) for job in models}
         messages = [
-            _message("job", job.model_dump_json())
+            _job_message(job)
             for job in models
             if job.id not in sent and self._waits.get(job.id, waits[job.id]) != waits[job.id]
         ]
         self._waits = waits
         return messages
 
-    def _library_changed(self) -> list[ServerSentEvent]:
+    def _library_changed(self) -> list[Change]:
         """Return an event if an entry or a profile has changed since the last call."""
         store = self._service.store
         before = self._library
         self._library = store.library.newest_versions(), store.profiles.newest_versions()
-        return [] if before in (None, self._library) else [_message("library", "{}")]
+        if before in (None, self._library):
+            return []
+        return [Change(_message("library", "{}"), None)]
 
-    def _messages(self, events: Sequence[Event]) -> list[ServerSentEvent]:
+    def _messages(self, events: Sequence[Event]) -> list[Change]:
         newest = {(event.kind, event.subject): event.id for event in events}
         ids = [subject for kind, subject in newest if kind == "job"]
         store = self._service.store
@@ -219,20 +249,23 @@ class Stream:
         messages = []
         for (kind, subject), number in sorted(newest.items(), key=lambda item: item[1]):
             if kind == "job" and subject in jobs:
-                messages.append(_message("job", jobs[subject].model_dump_json(), number))
+                messages.append(_job_message(jobs[subject], number))
             elif kind == "drawing":
                 messages.append(self._drawing(subject, number))
         return messages
 
-    def _drawing(self, id: str, number: int) -> ServerSentEvent:
+    def _drawing(self, id: str, number: int) -> Change:
         try:
             drawing = summary_out(self._service.store.drawings.get(id))
         except NotFound:
-            return _message("deleted", json.dumps({"drawing": id}), number)
-        return _message("drawing", drawing.model_dump_json(), number)
+            return Change(_message("deleted", json.dumps({"drawing": id}), number))
+        return Change(_message("drawing", drawing.model_dump_json(), number), drawing.customer)
 
     async def listen(
-        self, after: int | None, permission: Callable[[], Awaitable[bool]]
+        self,
+        after: int | None,
+        permission: Callable[[], Awaitable[bool]],
+        limits: KeyLimits = UNLIMITED,
     ) -> AsyncIterator[ServerSentEvent]:
         """Yield server-sent events: past changes, then new changes.
 
@@ -242,24 +275,26 @@ class Stream:
             Number of the event after which changes are yielded; None for only new changes.
         permission
             Returns whether the client may still listen; if not, the iterator ends.
+        limits
+            Limits of the key of the client, which gets changes of what it may see only.
         """
         store = self._service.store
         queue: asyncio.Queue[ServerSentEvent | None] = asyncio.Queue(_BACKLOG)
         async with self._lock:
-            newest = await asyncio.to_thread(store.events.last_id)
-            missed: list[ServerSentEvent] = []
+            newest = await _read(store.events.last_id)
+            missed: list[Change] = []
             read = last = 0
             if not self._listeners:
                 self._last, self._sent_progress = newest, {}
-                await asyncio.to_thread(self._find_gaps, newest)
+                await _read(self._find_gaps, newest)
                 # The client has just fetched jobs and stations: their present state is not sent.
-                await asyncio.to_thread(self._queued, ())
-                await asyncio.to_thread(self._stations)
-                await asyncio.to_thread(self._library_changed)
+                await _read(self._queued, ())
+                await _read(self._stations)
+                await _read(self._library_changed)
             if after is not None and after < self._last:
                 last = self._last
-                missed, read = await asyncio.to_thread(self._missed, after, last)
-            self._listeners.add(queue)
+                missed, read = await _read(self._missed, after, last)
+            self._listeners[queue] = limits
             self._has_listeners.set()
         watch = asyncio.create_task(self._disconnect_when_refused(queue, permission))
         try:
@@ -267,14 +302,15 @@ class Stream:
             yield ServerSentEvent(event="connected", raw_data="{}", retry=_RETRY)
             # After a long absence there may be more than the memory should contain at a time.
             while missed and not watch.done():
-                for message in missed:
-                    yield message
-                missed, read = await asyncio.to_thread(self._missed, read, last)
+                for change in missed:
+                    if change.is_for(limits):
+                        yield change.sent
+                missed, read = await _read(self._missed, read, last)
             while (news := await queue.get()) is not None:
                 yield news
         finally:
             watch.cancel()
-            self._listeners.discard(queue)
+            self._listeners.pop(queue, None)
             if not self._listeners:
                 self._has_listeners.clear()
 
@@ -285,7 +321,7 @@ class Stream:
         self._gaps = EventGaps()
         self._gaps.read(before, {event.id for event in recent if event.id <= newest})
 
-    def _missed(self, after: int, last: int) -> tuple[list[ServerSentEvent], int]:
+    def _missed(self, after: int, last: int) -> tuple[list[Change], int]:
         """Return messages about the first changes after one, and the number of the last of them.
 
         There are none if ``after`` is ``last``, the number of the last change of all.
@@ -297,6 +333,14 @@ class Stream:
         return [], last
 
 
+async def _read(call: Callable[P, T], *args: P.args, **named: P.kwargs) -> T:
+    """Execute a call on another thread, without the limits of the client that is listening.
+
+    What the stream remembers is for all clients; each gets what its limits permit.
+    """
+    return await asyncio.to_thread(Context().run, partial(call, *args, **named))
+
+
 async def _is_permitted(permission: Callable[[], Awaitable[bool]]) -> bool:
     try:
         return await permission()
@@ -305,11 +349,36 @@ async def _is_permitted(permission: Callable[[], Awaitable[bool]]) -> bool:
         return True
 
 
+def _job_message(job: JobOut, number: int | None = None) -> Change:
+    """Return the message with the present state of a job."""
+    return Change(_message("job", job.model_dump_json(), number), job.customer, job.machine)
+
+
 def _message(kind: str, data: str, number: int | None = None) -> ServerSentEvent:
     return ServerSentEvent(event=kind, raw_data=data, id=None if number is None else str(number))
 
 
-@router.get("/events", response_class=EventSourceResponse)
+#: The answer of the stream, which OpenAPI 3.1 has no schema for.
+_ANSWER: Final[dict[int | str, dict[str, Any]]] = {
+    200: {
+        "description": "Server-sent events. `connected`: first, without data. `job`: a `JobOut`. "
+        '`drawing`: a `DrawingSummary`. `deleted`: `{"drawing": ID}`. `station`: a `StationOut`. '
+        "`library`: an entry or a profile changed, without data. The `id` of an event is for "
+        "`Last-Event-ID`",
+        "content": {
+            "text/event-stream": {
+                "schema": {
+                    "type": "string",
+                    "description": "Events with the fields `event`, `data` (JSON) and `id`",
+                },
+                "example": 'event: job\nid: 42\ndata: {"id": "a1b2c3d4e5", "state": "queued"}\n\n',
+            }
+        },
+    }
+}
+
+
+@router.get("/events", response_class=EventSourceResponse, responses=_ANSWER)
 @requires(AccessScope.VIEWER)
 async def get_events(
     request: Request,
@@ -331,8 +400,11 @@ async def get_events(
     ``connected``: a client that lists jobs after it misses no change.  The stream ends when its
     session or its key ends.
     """
+    if is_head(request.scope):
+        return
     stream: Stream = request.app.state.stream
+    limits = principal_of(request).limits
     # An id that is not a number is not from this server; past events are not replayed.
     last_event = int(last) if last is not None and last.isdecimal() and len(last) < 16 else after
-    async for event in stream.listen(last_event, permission_of(request)):
+    async for event in stream.listen(last_event, permission_of(request), limits):
         yield event

@@ -44,7 +44,10 @@ _BODIES: Final[Mapping[str, Any]] = {
     "EdgesPatch": {"overrides": [{"type": "crease", "edges": [0, 1]}]},
     "DrawingPatch": {"external_id": "PO-4711", "notes": "Two samples"},
     "JobPatch": {"external_id": "PO-4711", "priority": 10},
-    "ConfirmIn": {"board": "e-flute", "by": "Ada", "stations": [1, 2]},
+    "ConfirmIn": {
+        "checked": ["board", "sheet", "station-1", "table-clear", "hands-clear"],
+        "by": "Ada",
+    },
     "UserIn": {"name": "ada", "password": "four words are long", "role": "operator"},
     "MoveIn": {"next": _ID, "by": "Ada"},
     "KeyIn": {"title": "ERP", "scopes": ["designer"]},

@@ -18,7 +18,7 @@ from fastapi.responses import PlainTextResponse
 from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.job_models import job_out
 from knifetip.api.parameters import JobId
-from knifetip.api.principal import permission_of
+from knifetip.api.principal import bind_to_machine, permission_of, principal_of
 from knifetip.api.routing import ScopedRouter, requires, unaudited
 from knifetip.api.schemas.gateway import Claim, ClaimIn, FinishIn, HeartbeatIn, HeartbeatOut
 from knifetip.api.schemas.jobs import JobOut
@@ -27,13 +27,14 @@ from knifetip.api.schemas.stations import ActivityIn, StationAnswer, StationIn
 from knifetip.api.service import Service, ServiceDep, bytes_response
 from knifetip.api.tools import worn_stations
 from knifetip.api.wake import wake_on_change
-from knifetip.errors import MachineBusy, StaleVersion, WrongState
+from knifetip.errors import AccessDenied, MachineBusy, StaleVersion, WrongState
+from knifetip.jobs.accounts.acting import acting_owner
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.changes import machine_topic
 from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.job import ON_TABLE, State
-from knifetip.jobs.job_ends import StopPlace
-from knifetip.jobs.station_store import Asked, OperationResult, StationReport
+from knifetip.jobs.station_store import Asked, HeldJog, OperationResult, StationReport
+from knifetip.jobs.stop_place import StopPlace
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
 from knifetip.library.definition import Shelf, machine_of
@@ -61,6 +62,7 @@ async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Cla
     operator confirms the job.  The status is 412 if the machine has changed since the gateway
     loaded its definition.
     """
+    await _check_machine(service, request, claimant.machine)
     deadline = time.monotonic() + claimant.wait
     recorded_at = -_CONTACT_INTERVAL
     permission = permission_of(request)
@@ -84,6 +86,7 @@ async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Cla
                     sha256=job.program_sha256,
                     lines=job.lines,
                     copies=job.copies - job.copies_done,
+                    seconds=job.seconds,
                     confirm=job.state == State.QUEUED,
                     traceparent=job.traceparent,
                 )
@@ -92,6 +95,21 @@ async def claim(service: ServiceDep, request: Request, claimant: ClaimIn) -> Cla
                 break
             await changed.wait(min(_QUEUE_POLL, remaining))
     return Response(status_code=204)
+
+
+async def _check_machine(service: Service, request: Request, machine: str) -> None:
+    """Raise ``AccessDenied`` if the key of a gateway is for another machine.
+
+    A key without a machine is bound to the one for which it is used first.
+    """
+    principal = principal_of(request)
+    principal.limits.check_machine(machine)
+    if principal.binds and not principal.limits.machines:
+        await service.threads.reports(service.store.library.definition, Shelf.MACHINES, machine)
+        await service.threads.reports(service.store.keys.bind, principal.id, machine)
+        request.app.state.accounts.clear_cache()
+        # A claim that waits is permitted as long as its principal stays the same.
+        bind_to_machine(request, machine)
 
 
 def _current_machine(service: ServiceDep, claimant: ClaimIn) -> Machine:
@@ -135,10 +153,12 @@ def _claim_next(service: ServiceDep, claimant: ClaimIn) -> Job | None:
 @router.get("/program/{id}", response_class=PlainTextResponse, responses=NOT_MODIFIED)
 @requires(AccessScope.GATEWAY)
 async def get_gateway_program(service: ServiceDep, id: JobId) -> Response:
-    """Download the program of a job that a gateway has claimed."""
+    """Download the program of a job that the gateway has claimed with its key."""
     job = await service.threads.claims(service.store.jobs.get, id)
     if job.state not in ON_TABLE and not job.confirmation:
         raise WrongState("job.not-running", job=id, state=job.state)
+    if job.claimed_by != acting_owner():
+        raise AccessDenied("gateway.not-claimed", job=id)
     text = await service.threads.claims(service.store.jobs.column, id, "program")
     return bytes_response(text, job.program_sha256, "text/plain; charset=utf-8")
 
@@ -163,6 +183,7 @@ async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
             position=report.position,
             seconds_left=report.seconds_left,
             phase=report.phase,
+            awaits_end=report.awaits_end,
         ),
         partial(worn_stations, service),
     )
@@ -193,6 +214,7 @@ async def report_station(
     at the latest after ``wait`` seconds, a field of the request.  Each operation is sent only once,
     and only if it is younger than 3 s.
     """
+    await _check_machine(service, request, station.machine)
     began = time.monotonic()
     threads = service.threads
     changes = service.store.changes
@@ -203,12 +225,13 @@ async def report_station(
             # A disconnected gateway would never execute the operation.
             gone = service.stopping.is_set() or await request.is_disconnected()
             asked: list[Asked] = []
-            looked = watched
+            looked, jog = watched, None
             if not gone:
-                asked, looked = await threads.reports(_poll_station, service, station.machine)
+                asked, looked, jog = await threads.reports(_poll_station, service, station.machine)
             remaining = began + station.wait - time.monotonic()
             # A person who begins to look at the machine should not see an old report.
-            if gone or asked or (looked and not watched) or remaining <= 0.0:
+            renewed = jog is not None and jog.age < time.monotonic() - began
+            if gone or asked or renewed or (looked and not watched) or remaining <= 0.0:
                 break
             await changed.wait(min(poll, remaining))
     return StationAnswer.model_validate(
@@ -216,6 +239,7 @@ async def report_station(
             "operations": [{**one.request, "id": one.id, "age": one.age} for one in asked],
             "waited": time.monotonic() - began,
             "watched": looked,
+            "jog": None if jog is None else {"id": jog.id, "age": jog.age},
         }
     )
 
@@ -239,6 +263,10 @@ def _store_report(service: Service, station: StationIn) -> bool:
         station.operations,
         None if station.activity is None else _activity(station.activity),
         station.spindle,
+        [notice.message for notice in station.notices],
+        None if station.obstacle is None else station.obstacle.message,
+        station.override,
+        station.outputs_known,
     )
     results = [
         OperationResult(
@@ -252,10 +280,15 @@ def _store_report(service: Service, station: StationIn) -> bool:
     return service.store.stations.is_watched(station.machine)
 
 
-def _poll_station(service: Service, machine: str) -> tuple[list[Asked], bool]:
-    """Return operations that wait for a machine, and whether a person looks at the machine."""
+def _poll_station(service: Service, machine: str) -> tuple[list[Asked], bool, HeldJog | None]:
+    """Return what persons want of a machine.
+
+    Returns
+    -------
+    The operations that wait for it, whether a person looks at it, and the jog that a person holds.
+    """
     stations = service.store.stations
-    return stations.hand_out(machine), stations.is_watched(machine)
+    return stations.hand_out(machine), stations.is_watched(machine), stations.held_jog(machine)
 
 
 def _activity(reported: ActivityIn) -> dict[str, Any]:
@@ -286,6 +319,8 @@ def _finish_job(service: ServiceDep, report: FinishIn) -> JobOut:
         _cause(report.why),
         line=report.line,
         copies_done=report.copies_done,
-        place=None if report.position is None else StopPlace(report.position, report.station),
+        place=None
+        if report.position is None and report.line_at_most is None
+        else StopPlace(report.position, report.station, report.line_at_most),
     )
     return job_out(service.store, row)

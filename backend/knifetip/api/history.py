@@ -9,6 +9,7 @@ from fastapi import Query, Request, Response
 
 from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.job_models import jobs_out
+from knifetip.api.principal import PrincipalDep, demand_all_customers
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.history import HistoryQuery, StatisticsOut, StatisticsQuery
 from knifetip.api.schemas.jobs import JobOut
@@ -60,12 +61,14 @@ def list_history(
 @router.get("/statistics")
 @requires(AccessScope.VIEWER)
 def get_statistics(
-    service: ServiceDep, wanted: Annotated[StatisticsQuery, Query()]
+    service: ServiceDep, principal: PrincipalDep, wanted: Annotated[StatisticsQuery, Query()]
 ) -> list[StatisticsOut]:
     """Get statistics of each machine and period: jobs, sheets, lengths, time and interruptions.
 
-    A run counts for the period in which it ended.  Periods without runs are left out.
+    A run counts for the period in which it ended.  Periods without runs are left out.  The status
+    is 403 for a key that is limited to a customer, because the sums contain all customers.
     """
+    demand_all_customers(principal)
     try:
         zone = ZoneInfo(wanted.zone)
     except (ZoneInfoNotFoundError, ValueError, OSError) as reason:
@@ -91,4 +94,5 @@ def get_statistics(
             lengths={kind: length / 1000.0 for kind, length in one.lengths.items()},
         )
         for one in sums
+        if principal.limits.sees_machine(one.machine)
     ]

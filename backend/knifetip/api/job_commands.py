@@ -6,28 +6,31 @@ from functools import partial
 
 from knifetip.api.exceptions import accept_in_block, chosen_shortfalls
 from knifetip.api.job_models import job_out
+from knifetip.api.ownership import check_own_job, check_withdrawal
 from knifetip.api.parameters import CommandKey, JobId
-from knifetip.api.principal import Principal, PrincipalDep, demand
+from knifetip.api.principal import PrincipalDep
 from knifetip.api.routing import ScopedRouter, requires
-from knifetip.api.schemas.jobs import ConfirmIn, JobOut, ResumeIn
+from knifetip.api.schemas.jobs import ConfirmIn, EndIn, JobOut, ResumeIn
 from knifetip.api.schemas.orders import ExceptionsIn
-from knifetip.api.service import Service, ServiceDep
-from knifetip.jobs.accounts.acting import acting_owner, credited
+from knifetip.api.service import ServiceDep
+from knifetip.jobs.accounts.acting import credited
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job import Actor, ActorKind, State
 from knifetip.jobs.tool_check import ToolCheck
 from knifetip.messages import Message
 from knifetip.model.verdict import Acceptance
 
-_BEFORE_QUEUE = (State.RECEIVED, State.COMPILING, State.READY, State.REFUSED)
-
 router = ScopedRouter(prefix="/jobs", tags=["jobs"])
 
 
 @router.post("/{id}/exceptions")
-@requires(AccessScope.DESIGNER)
+@requires(AccessScope.DESIGNER, AccessScope.ORDER)
 def accept_shortfalls(
-    service: ServiceDep, id: JobId, exceptions: ExceptionsIn, key: CommandKey
+    service: ServiceDep,
+    principal: PrincipalDep,
+    id: JobId,
+    exceptions: ExceptionsIn,
+    key: CommandKey,
 ) -> JobOut:
     """Accept shortfalls of a refused job, each by its edge and the code of its finding.
 
@@ -37,6 +40,8 @@ def accept_shortfalls(
     created with ``release``.  Faults cannot be accepted: the status is then 422.  The status is 409
     if the job is not ``refused``.
     """
+    if AccessScope.DESIGNER not in principal.scopes:
+        check_own_job(service, principal, id)
     chosen = chosen_shortfalls(exceptions)
     acceptance = Acceptance(
         credited(exceptions.by), exceptions.reason, service.store.database.clock()
@@ -57,18 +62,19 @@ def accept_shortfalls(
 
 
 @router.post("/{id}/release")
-@requires(AccessScope.OPERATOR)
-def release_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
+@requires(AccessScope.OPERATOR, AccessScope.ORDER)
+def release_job(service: ServiceDep, principal: PrincipalDep, id: JobId, key: CommandKey) -> JobOut:
     """Queue a job that has the state ``ready``, so that its machine can claim it.
 
     A job that was released before and is queued, on its machine or done stays as it is; the status
-    is 200.
+    is 200.  A key with the scope ``order`` releases the jobs that it has ordered.
     """
+    check_own_job(service, principal, id, tuple(State))
     return job_out(service.store, service.store.operators.release(id, key))
 
 
 @router.post("/{id}/recompile")
-@requires(AccessScope.DESIGNER)
+@requires(AccessScope.DESIGNER, AccessScope.ORDER)
 def recompile_job(
     service: ServiceDep, principal: PrincipalDep, id: JobId, key: CommandKey
 ) -> JobOut:
@@ -82,62 +88,92 @@ def recompile_job(
     return job_out(service.store, service.store.operators.recompile(id, key))
 
 
-@router.post("/{id}/confirm")
+@router.post("/{id}/recheck")
 @requires(AccessScope.OPERATOR)
+def recheck_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
+    """Let the machine take a job again whose program it has not begun.
+
+    Such a job is ``queued`` and has a ``check_refusal``; other jobs of the queue go on.  Correct
+    the cause first.  The status is 409 if no machine has refused the program of the job.
+    """
+    return job_out(service.store, service.store.operators.recheck(id, key))
+
+
+@router.post("/{id}/confirm")
+@requires(AccessScope.STATION)
 def confirm_job(
     service: ServiceDep, id: JobId, key: CommandKey, confirmation: ConfirmIn | None = None
 ) -> JobOut:
-    """Confirm that table, board and tools are ready; then the machine starts.
+    """Confirm what was checked at the machine; then the machine starts.
 
-    A job can make several copies, each on a new sheet.  Between two copies, the request confirms
-    that the next sheet is on the table.  If a gateway claims the job again, a new confirmation is
-    necessary.  The status is 409 if the job does not wait for a confirmation, if the request names
-    another board than the job or not all stations that the program uses, or if a tool is at the end
-    of its life and the request states neither that it was changed nor why it stays in use.
+    `checked` names every one of the `checks` of `GET /api/jobs/{id}/confirmation`, also for the
+    next copy of a job, and if a gateway claims the job again.  The status is 409 if a check is
+    missing, if the job does not wait for a confirmation, or if a tool is at the end of its life and
+    the request states neither that it was changed nor why it stays in use.  An unknown check is
+    refused with 422.
     """
     confirmed = confirmation or ConfirmIn()
     return job_out(
         service.store,
         service.store.operators.confirm(
             id,
-            confirmed.board or "",
+            frozenset(confirmed.checked),
             confirmed.by,
-            ToolCheck(confirmed.stations, confirmed.changed, confirmed.worn_reason.strip()),
+            ToolCheck(confirmed.changed, confirmed.worn_reason.strip()),
             key,
         ),
     )
 
 
 @router.post("/{id}/hold")
-@requires(AccessScope.OPERATOR)
+@requires(AccessScope.OPERATOR, AccessScope.STATION)
 def hold_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
     """Request to hold a job; its state is ``held`` as soon as the machine has stopped."""
     return job_out(service.store, service.store.operators.hold(id, key))
 
 
 @router.post("/{id}/resume")
-@requires(AccessScope.OPERATOR)
+@requires(AccessScope.STATION)
 def resume_job(
     service: ServiceDep, id: JobId, key: CommandKey, resume: ResumeIn | None = None
 ) -> JobOut:
-    """Request to resume a held job.
+    """Request to resume a job that is held in a copy.
 
-    A job can make several copies, each on a new sheet.  If the job is held between two copies,
-    the call also confirms that the sheet of the next copy is on the table.  If its machine does not
-    report the end of a program, the call confirms the end.  The status is 409 if the job went on
-    since the phase that the request names.
+    The machine moves at once, so a person must have stated that hands are clear of it.  The status
+    is 409 without that statement, if the job waits for its confirmation or for a new sheet
+    (`confirm`), if it waits until a person has seen the end of its program (`end`), or if it went
+    on since the phase that the request names.
     """
-    phase = None if resume is None else resume.phase
-    return job_out(service.store, service.store.operators.resume(id, phase, key))
+    asked = ResumeIn() if resume is None else resume
+    operators = service.store.operators
+    row = operators.resume(id, asked.phase, key, hands_clear=asked.hands_clear)
+    return job_out(service.store, row)
+
+
+@router.post("/{id}/end")
+@requires(AccessScope.STATION)
+def confirm_end(
+    service: ServiceDep, id: JobId, key: CommandKey, end: EndIn | None = None
+) -> JobOut:
+    """State that the machine has executed the program, if its controller does not report it.
+
+    A person has seen that the machine is at rest.  The job is then done, or waits for the sheet of
+    its next copy, which starts with a confirmation only.  The status is 409 if the job does not
+    wait for the end of a program, or if it went on since the phase that the request names.
+    """
+    phase = None if end is None else end.phase
+    return job_out(service.store, service.store.operators.confirm_end(id, phase, key))
 
 
 @router.post("/{id}/cancel")
-@requires(AccessScope.DESIGNER)
+@requires(AccessScope.DESIGNER, AccessScope.ORDER, AccessScope.STATION)
 def cancel_job(service: ServiceDep, principal: PrincipalDep, id: JobId, key: CommandKey) -> JobOut:
     """Cancel a job: a running job when the machine has stopped, any other job immediately.
 
     A cancelled job stays as it is; the status is 200.  Designers can cancel the jobs that they have
-    ordered, until these are queued.
+    ordered, until these are queued; a key with the scope ``order`` can cancel those that it has
+    ordered, until they are on a machine; the person at a machine those that are on it or wait for
+    it.
     """
     check_withdrawal(service, principal, id)
     return job_out(service.store, service.store.operators.cancel(id, key))
@@ -162,16 +198,3 @@ def requeue_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
 def scrap_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
     """Give up an interrupted job and free the table of its machine."""
     return job_out(service.store, service.store.interrupted.scrap(id, key))
-
-
-def check_withdrawal(service: Service, principal: Principal, id: str) -> None:
-    """Raise ``AccessDenied`` unless a principal may withdraw a job.
-
-    Operators may do so with all jobs, designers with those that they have ordered and that are not
-    queued yet.
-    """
-    if AccessScope.OPERATOR in principal.scopes:
-        return
-    row = service.store.jobs.get(id)
-    if row.state not in (*_BEFORE_QUEUE, State.CANCELLED) or row.ordered_by != acting_owner():
-        demand(principal, AccessScope.OPERATOR)

@@ -82,7 +82,7 @@ async def create_job(
         Idempotency-Key of the request, None if it has none.
     """
     if order.release:
-        demand(principal, AccessScope.OPERATOR)
+        demand(principal, AccessScope.OPERATOR, AccessScope.ORDER)
     request = RequestKey(key, fingerprint(order.model_dump_json())) if key else None
     found = await create_stored(service, client, order, request)
     response.headers["Location"] = f"/api/jobs/{found.id}"

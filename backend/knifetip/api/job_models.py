@@ -8,12 +8,14 @@ from typing import Any
 from knifetip.api.queue_estimate import Estimate, estimates
 from knifetip.api.schemas.jobs import JobEvent, JobOut
 from knifetip.api.schemas.order_details import OrderDetailsOut, details_fields
+from knifetip.api.tracks_left import first_advice
 from knifetip.api.waiting import Waiting, waiting_of
 from knifetip.jobs.job import State
 from knifetip.jobs.operator_actions import allowed_actions
+from knifetip.jobs.stop_place import executed_at_most
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
-from knifetip.messages import hint, render
+from knifetip.messages import Message, hint, render
 
 
 def job_out(store: Store, row: Job) -> JobOut:
@@ -27,16 +29,29 @@ def jobs_out(store: Store, rows: Sequence[Job]) -> list[JobOut]:
     remaining = store.jobs.remaining_copies(rows)
     estimated = estimates(store, rows)
     return [
-        _job_out(row, waiting, remaining.get(row.id, 0), now, estimated.get(row.id, Estimate()))
+        _job_out(
+            row,
+            waiting,
+            first_advice(store, row, waiting.message or row.message, now),
+            remaining.get(row.id, 0),
+            now,
+            estimated.get(row.id, Estimate()),
+        )
         for row, waiting in zip(rows, waiting_of(store, rows), strict=True)
     ]
 
 
-def _job_out(row: Job, waiting: Waiting, remaining: int, now: float, estimate: Estimate) -> JobOut:
-    message = waiting.message or row.message
+def _job_out(
+    row: Job,
+    waiting: Waiting,
+    message: Message | None,
+    remaining: int,
+    now: float,
+    estimate: Estimate,
+) -> JobOut:
     computed = {
         "verdict", "progress", "waiting_for", "actions", "reason", "hint", "message", "is_rest",
-        "remaining_copies", "queue_position", "estimated_start", "no_estimate",
+        "remaining_copies", "queue_position", "estimated_start", "no_estimate", "stopped_at",
         *OrderDetailsOut.model_fields,
     }  # fmt: skip
     fields: dict[str, Any] = {
@@ -51,6 +66,7 @@ def _job_out(row: Job, waiting: Waiting, remaining: int, now: float, estimate: E
             "reason": render(message) if message else "",
             "hint": hint(message) if message else "",
             "actions": allowed_actions(row, now),
+            "stopped_at": _stop(row),
             "verdict": row.verdict_summary,
             "progress": progress(row),
             "is_rest": row.rest is not None,
@@ -60,6 +76,15 @@ def _job_out(row: Job, waiting: Waiting, remaining: int, now: float, estimate: E
             "no_estimate": estimate.missing,
         }
     )
+
+
+def _stop(row: Job) -> dict[str, Any] | None:
+    """Return the place where the machine stopped a job, and how far it is known."""
+    if row.stopped_at is None:
+        return None
+    line, most = int(row.stopped_at["line"]), executed_at_most(row)
+    place = {name: row.stopped_at[name] for name in ("line", "position", "station")}
+    return {**place, "line_at_most": most, "certain": most <= max(line, row.line)}
 
 
 def progress(row: Job) -> float:

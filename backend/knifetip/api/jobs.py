@@ -8,21 +8,23 @@ from fastapi import Query, Request, Response
 from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import PlainTextResponse
 
-from knifetip.api.conditional import NOT_MODIFIED
+from knifetip.api.conditional import NOT_MODIFIED, TAG_PREFIX
 from knifetip.api.documents import AnswerDep
 from knifetip.api.exceptions import find_same_exceptions
 from knifetip.api.job_creation import create_job
 from knifetip.api.job_documents import verdict_document, verdict_version
 from knifetip.api.job_models import job_events, job_out, jobs_out
+from knifetip.api.job_versions import job_version
 from knifetip.api.parameters import DataFormat, IdempotencyKey, JobId
 from knifetip.api.principal import PrincipalDep
 from knifetip.api.queue import Client
 from knifetip.api.routing import ScopedRouter, requires
+from knifetip.api.schemas.common import ListPage
 from knifetip.api.schemas.jobs import JobEvent, JobOut, JobsQuery
 from knifetip.api.schemas.order_details import details_filter
 from knifetip.api.schemas.orders import JobIn
 from knifetip.api.schemas.verdicts import EarlierExceptions, VerdictOut
-from knifetip.api.service import BINARY, ServiceDep, bytes_response, set_next_page
+from knifetip.api.service import BINARY, ServiceDep, bytes_response, page_of, set_next_page
 from knifetip.api.waiting import language_of
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job_store import JobFilter
@@ -31,7 +33,7 @@ router = ScopedRouter(prefix="/jobs", tags=["jobs"])
 
 
 @router.post("", status_code=201)
-@requires(AccessScope.DESIGNER)
+@requires(AccessScope.DESIGNER, AccessScope.ORDER)
 async def order_job(
     service: ServiceDep,
     principal: PrincipalDep,
@@ -70,20 +72,31 @@ def list_jobs(
 
 @router.get("/{id}", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
-def get_job(service: ServiceDep, id: JobId) -> JobOut:
-    """Get a job with its state and its progress."""
-    return job_out(service.store, service.store.jobs.get(id))
+def get_job(service: ServiceDep, response: Response, id: JobId) -> JobOut:
+    """Get a job with its state and its progress; the ETag is for ``If-Match`` of a change."""
+    row = service.store.jobs.get(id)
+    response.headers[TAG_PREFIX] = job_version(row)
+    return job_out(service.store, row)
 
 
 @router.get("/{id}/events", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
-def get_job_events(service: ServiceDep, id: JobId) -> list[JobEvent]:
-    """List the state changes of a job with their times, causes and descriptions."""
-    return job_events(service.store, id)
+def get_job_events(
+    service: ServiceDep,
+    request: Request,
+    response: Response,
+    id: JobId,
+    wanted: Annotated[ListPage, Query()],
+) -> list[JobEvent]:
+    """List the state changes of a job with their times, causes and descriptions.
+
+    The header `Link` contains the URL of the next page.
+    """
+    return list(page_of(request, response, job_events(service.store, id), wanted))
 
 
 @router.get("/{id}/program", response_class=PlainTextResponse, responses=NOT_MODIFIED)
-@requires(AccessScope.VIEWER, AccessScope.GATEWAY)
+@requires(AccessScope.VIEWER)
 def get_program(service: ServiceDep, id: JobId) -> Response:
     """Download the program of a job, byte for byte as it is sent to the machine."""
     row = service.store.jobs.get(id)

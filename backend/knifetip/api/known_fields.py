@@ -16,7 +16,11 @@ from typing import Any, Final
 from fastapi import Request
 from fastapi.exceptions import RequestValidationError
 
-_FORM: Final = "multipart/form-data"
+from knifetip.errors import UnsupportedMedia
+
+#: Media type of forms.
+FORM: Final = "multipart/form-data"
+_JSON: Final = "application/json"
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +31,14 @@ class OperationFields:
     bodies: tuple[Mapping[str, Any], ...]  #: schemas of the body, one for each media type
     #: Schemas of the parts of a multipart form by name; None if the body is no form.
     form: Mapping[str, Mapping[str, Any]] | None
+    media: tuple[str, ...] = ()  #: media types of the body
+
+    def reads(self, media: str) -> bool:
+        """Return whether the body may have a media type; routes of texts accept any."""
+        if not set(self.media) <= {_JSON, FORM}:
+            return True
+        is_json = media == _JSON or (media.startswith("application/") and media.endswith("+json"))
+        return media in self.media or (_JSON in self.media and is_json)
 
     def has_query(self, name: str) -> bool:
         """Return whether a query parameter is known; ``metadata.KEY`` stands for any key."""
@@ -89,11 +101,12 @@ class KnownFields:
 def _operation(operation: Mapping[str, Any], schemas: Mapping[str, Any]) -> OperationFields:
     content = operation.get("requestBody", {}).get("content", {})
     bodies = [media["schema"] for media in content.values() if "schema" in media]
-    form = content.get(_FORM)
+    form = content.get(FORM)
     return OperationFields(
         tuple(one["name"] for one in operation.get("parameters", []) if one["in"] == "query"),
         tuple(bodies),
         None if form is None else _resolved(form["schema"], schemas).get("properties", {}),
+        tuple(content),
     )
 
 
@@ -116,6 +129,8 @@ async def refuse_unknown(request: Request) -> None:
 
     Raises
     ------
+    UnsupportedMedia
+        The body has another media type than those of the operation.
     RequestValidationError
         The query, the form or the body of an operation without a body has an unknown name.
     """
@@ -123,9 +138,12 @@ async def refuse_unknown(request: Request) -> None:
     operation = known.operation_of(request)
     if operation is None:
         return
+    media = media_of(request)
+    if operation.has_body and not operation.reads(media) and _has_content(request):
+        raise wrong_media(media, operation.media)
     unknown = [("query", name) for name in request.query_params if not operation.has_query(name)]
     empty: list[tuple[str, str]] = []
-    if operation.form is not None and _media(request) == _FORM:
+    if operation.form is not None and media == FORM:
         # FastAPI has parsed the form; this returns the same one.
         form = await request.form()
         unknown += [("body", name) for name in form if name not in operation.form]
@@ -143,19 +161,41 @@ async def refuse_unknown(request: Request) -> None:
         )
 
 
+def wrong_media(media: str, supported: Sequence[str]) -> UnsupportedMedia:
+    """Return the error of a body with a media type that is not supported, or without one.
+
+    Parameters
+    ----------
+    media
+        Media type of the body; "" if the request names none.
+    supported
+        Media types that the operation reads.
+    """
+    if not media:
+        return UnsupportedMedia("request.no-media", supported=supported)
+    return UnsupportedMedia("request.wrong-media", media=media[:80], supported=supported)
+
+
 def names_near(request: Request, place: Sequence[int | str]) -> Sequence[str]:
     """Return the names that a parameter or field at a place of a request may have."""
     known: KnownFields = request.app.state.known_fields
     return known.near(request, place)
 
 
-def _media(request: Request) -> str:
+def _has_content(request: Request) -> bool:
+    """Return whether a request has a body that is not empty."""
+    length = request.headers.get("content-length")
+    return length != "0" and (length is not None or "transfer-encoding" in request.headers)
+
+
+def media_of(request: Request) -> str:
+    """Return the media type of the body of a request, without parameters; "" if it has none."""
     return request.headers.get("content-type", "").partition(";")[0].strip().lower()
 
 
 async def _json_fields(request: Request) -> Sequence[str]:
     """Return the names of the fields of a JSON body; clients send an empty object for no body."""
-    if _media(request) != "application/json":
+    if media_of(request) != _JSON:
         return ()
     try:
         content = json.loads(await request.body() or b"null")

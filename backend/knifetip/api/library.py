@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import asdict
+from typing import Annotated
 
-from fastapi import Response
+from fastapi import Query, Request, Response
 
 from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.parameters import BoardName
+from knifetip.api.principal import PrincipalDep
 from knifetip.api.routing import ScopedRouter, requires
+from knifetip.api.schemas.common import ListPage
 from knifetip.api.schemas.library import BoardOut, CalibrationIn, CalibrationOut, FormatOut
 from knifetip.api.schemas.machines import StationTool
-from knifetip.api.service import ServiceDep
+from knifetip.api.service import ServiceDep, page_of
 from knifetip.formats import FORMATS
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.library import deflection
@@ -24,19 +27,27 @@ router = ScopedRouter(tags=["library"])
 
 @router.get("/formats")
 @requires(AccessScope.VIEWER)
-def list_formats() -> list[FormatOut]:
+def list_formats(
+    request: Request, response: Response, wanted: Annotated[ListPage, Query()]
+) -> list[FormatOut]:
     """List the file formats from which drawings are imported."""
     return [
         FormatOut(name=one.name, title=one.title, extensions=list(one.extensions))
-        for one in FORMATS
+        for one in page_of(request, response, FORMATS, wanted)
     ]
 
 
 @router.get("/boards", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
-def list_boards(service: ServiceDep) -> list[BoardOut]:
-    """List the boards: those of users and those of knifetip's library."""
-    return [_board_out(board) for board in service.store.library.boards()]
+def list_boards(
+    service: ServiceDep, request: Request, response: Response, wanted: Annotated[ListPage, Query()]
+) -> list[BoardOut]:
+    """List the boards: those of users and those of knifetip's library.
+
+    The header `Link` contains the URL of the next page.
+    """
+    boards = page_of(request, response, service.store.library.boards(), wanted)
+    return [_board_out(board) for board in boards]
 
 
 @router.get("/boards/{name}")
@@ -84,9 +95,15 @@ def calibrate(service: ServiceDep, name: BoardName, order: CalibrationIn) -> Cal
 
 @router.get("/tools")
 @requires(AccessScope.VIEWER)
-def list_tools(service: ServiceDep) -> list[StationTool]:
-    """List the tools in the stations of all machines."""
-    return [
+def list_tools(
+    service: ServiceDep,
+    principal: PrincipalDep,
+    request: Request,
+    response: Response,
+    wanted: Annotated[ListPage, Query()],
+) -> list[StationTool]:
+    """List the tools in the stations of all machines; `Link` has the URL of the next page."""
+    found = [
         StationTool.model_validate(
             {
                 "machine": machine.name,
@@ -98,5 +115,7 @@ def list_tools(service: ServiceDep) -> list[StationTool]:
             }
         )
         for machine in service.store.library.machines()
+        if principal.limits.sees_machine(machine.name)
         for station in machine.stations
     ]
+    return list(page_of(request, response, found, wanted))

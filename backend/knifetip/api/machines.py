@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
+from functools import partial
+from typing import Annotated, Any
 
-from fastapi import Response
+from fastapi import Query, Request, Response
 
 from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.parameters import MachineName, OperationId
-from knifetip.api.routing import ScopedRouter, requires
+from knifetip.api.principal import PrincipalDep
+from knifetip.api.routing import ScopedRouter, requires, unaudited
+from knifetip.api.schemas.common import ListPage
 from knifetip.api.schemas.machines import MachineOut
-from knifetip.api.schemas.stations import OperationIn, OperationOut, StationOut
-from knifetip.api.service import Service, ServiceDep
+from knifetip.api.schemas.stations import HandsClearOut, OperationIn, OperationOut, StationOut
+from knifetip.api.schemas.times import rfc3339
+from knifetip.api.service import Service, ServiceDep, page_of
 from knifetip.api.waiting import ABSENT
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.station_store import StationView
@@ -30,13 +34,28 @@ FRAME_SHARE = 0.1
 
 @router.get("", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
-def list_machines(service: ServiceDep) -> list[MachineOut]:
-    """List the machines with their current jobs: those of users and those of the library."""
+def list_machines(
+    service: ServiceDep,
+    principal: PrincipalDep,
+    request: Request,
+    response: Response,
+    wanted: Annotated[ListPage, Query()],
+) -> list[MachineOut]:
+    """List the machines with their current jobs: those of users and those of the library.
+
+    A key that is limited to machines gets these only.  The header `Link` contains the URL of the
+    next page.
+    """
+    machines = [
+        machine
+        for machine in service.store.library.machines()
+        if principal.limits.sees_machine(machine.name)
+    ]
     connected = service.store.machines.connected_machines(ABSENT)
     on_table = service.store.machines.jobs_on_tables()
     return [
         _machine_out(machine, machine.name in connected, on_table.get(machine.name))
-        for machine in service.store.library.machines()
+        for machine in page_of(request, response, machines, wanted)
     ]
 
 
@@ -60,35 +79,70 @@ async def _check_machine(service: Service, name: str) -> None:
 
 @router.get("/{name}/station")
 @requires(AccessScope.VIEWER)
-async def get_station(service: ServiceDep, name: MachineName) -> StationOut:
+async def get_station(
+    service: ServiceDep, principal: PrincipalDep, name: MachineName
+) -> StationOut:
     """Get the state of a machine for the person at it: its controller, its alarm and its position.
 
     While this request is repeated every few seconds, the gateway reports more often, and the stream
     of events contains an event ``station`` for each change.
     """
     await _check_machine(service, name)
-    return station_out(await service.threads.reports(service.store.stations.get, name))
+    found = station_out(await service.threads.reports(service.store.stations.get, name))
+    # The job may be one of another customer.
+    return found.model_copy(update={"job": ""}) if principal.limits.customer else found
+
+
+@router.post("/{name}/hands-clear")
+@requires(AccessScope.STATION)
+async def state_hands_clear(service: ServiceDep, name: MachineName) -> HandsClearOut:
+    """State that hands are clear of a machine.
+
+    Operations that move the machine need such a statement that is younger than a minute. It ends
+    when a job starts or is resumed. A request can contain the statement itself, for this request
+    only: `hands_clear`.
+    """
+    await _check_machine(service, name)
+    seconds = await service.threads.reports(service.store.stations.state_hands_clear, name)
+    until = service.store.database.clock() + seconds
+    return HandsClearOut(until=rfc3339(until), seconds=seconds)
 
 
 @router.post("/{name}/operations", status_code=202)
-@requires(AccessScope.OPERATOR)
+@requires(AccessScope.STATION)
 async def ask_for_operation(
     service: ServiceDep, name: MachineName, request: OperationIn
 ) -> OperationOut:
     """Ask for an operation of a machine, such as unlock, home or jog; the machine does it at once.
 
-    It is refused with status 409 while a job is running or held on the machine.  It expires 3 s
-    after the request, and is never executed later.  The emergency stop of the machine does
-    not depend on this route.
+    It is refused with status 409 while a job is running or held on the machine, and if it moves the
+    machine and nobody has stated that hands are clear.  A jog moves while it is renewed.  An
+    operation expires 3 s after the request, and is never executed later.  The emergency stop of the
+    machine does not depend on this route.
     """
     await _check_machine(service, name)
-    asked = request.model_dump(exclude_none=True)
+    asked = request.model_dump(exclude_none=True, exclude={"hands_clear"})
     if request.operation == "frame":
         asked |= {"share": request.share or FRAME_SHARE}
         asked |= await service.threads.reports(_box_of_sheet, service, name)
     if request.operation == "tool_check":
         asked |= await service.threads.reports(_height_above_board, service, name)
-    return _operation_out(await service.threads.reports(service.store.stations.ask, name, asked))
+    ask = partial(service.store.stations.ask, hands_clear=request.hands_clear)
+    return _operation_out(await service.threads.reports(ask, name, asked))
+
+
+@router.post("/{name}/operations/{id}/renew")
+@requires(AccessScope.STATION)
+@unaudited
+async def renew_jog(service: ServiceDep, name: MachineName, id: OperationId) -> OperationOut:
+    """State that the button of a jog is still held.
+
+    Repeat it about every 0.3 s.  The machine stops 1 s after the last statement, or earlier at the
+    end of the distance, or with `stop_jog` when the button is released.  The status is 409 if the
+    jog was stopped or refused.
+    """
+    await _check_machine(service, name)
+    return _operation_out(await service.threads.reports(service.store.stations.renew, name, id))
 
 
 def _box_of_sheet(service: Service, machine: str) -> dict[str, Any]:
@@ -133,11 +187,15 @@ def station_out(view: StationView) -> StationOut:
             "connected": alive and row.connected,
             "state": row.state if alive else "",
             "alarm": row.alarm if alive else None,
+            "obstacle": row.obstacle if alive else None,
             "position": row.position if alive else None,
             "outputs": row.outputs if alive else [],
+            "outputs_known": alive and row.outputs_known,
             "operations": row.operations if alive else [],
             "spindle": row.spindle if alive else None,
+            "override": row.override if alive else None,
             "activity": _activity(row.activity) if alive and row.activity else None,
+            "notices": row.notices if alive else [],
             "job": view.job,
             "seen_seconds_ago": view.age,
         }

@@ -17,6 +17,7 @@ from starlette.routing import BaseRoute
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from knifetip.api.client_limits import Clients
+from knifetip.api.principal import PrincipalDep, demand_all_customers
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.service import Service, ServiceDep
 from knifetip.jobs.accounts.scopes import AccessScope
@@ -103,6 +104,10 @@ def add_numbers(metrics: Metrics, service: Service, clients: Clients) -> None:
             "event_listeners": ("Open streams of events.", clients.listeners.total()),
             "processes": ("Greatest number of worker processes.", size),
             "processes_busy": ("Worker processes that execute a task.", busy),
+            "processes_started_total": (
+                "Worker processes started so far.",
+                service.pool.processes_started,
+            ),
             "work_waiting": ("Requests that wait for a worker process.", service.work.waiting),
             "orders_waiting": ("Orders that wait to be stored.", service.orders.waiting),
             "leases_expired_total": (
@@ -116,8 +121,9 @@ def add_numbers(metrics: Metrics, service: Service, clients: Clients) -> None:
 
 @router.get("/metrics", include_in_schema=False)
 @requires(AccessScope.VIEWER)
-async def get_metrics(request: Request, service: ServiceDep) -> Response:
+async def get_metrics(request: Request, service: ServiceDep, principal: PrincipalDep) -> Response:
     """Get the metrics of this server in the text format of Prometheus."""
+    demand_all_customers(principal)
     metrics: Metrics = request.app.state.metrics
     # The threads of the shared pool may all be occupied by uploads.
     text = await service.threads.reports(generate_latest, metrics.registry)

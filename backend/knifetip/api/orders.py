@@ -2,35 +2,31 @@
 
 from __future__ import annotations
 
-import hashlib
 from functools import partial
 from typing import Annotated, Any, Final
 
 from fastapi import Depends, Request, Response
+from fastapi.concurrency import run_in_threadpool
 from fastapi.exceptions import RequestValidationError
 from pydantic import ValidationError
 from starlette.datastructures import UploadFile
-from starlette.exceptions import HTTPException
 
-from knifetip.api.drawing_requests import Upload, drawing_name, store_upload, summary_out
-from knifetip.api.job_creation import create_stored, place_order
+from knifetip.api.control_characters import items_with_own_results
+from knifetip.api.drawing_requests import summary_out
+from knifetip.api.job_creation import create_stored
 from knifetip.api.job_models import job_out
+from knifetip.api.known_fields import media_of, names_near, wrong_media
+from knifetip.api.order_batches import execute_orders
 from knifetip.api.parameters import IdempotencyKey
-from knifetip.api.principal import PrincipalDep, demand
+from knifetip.api.principal import Principal, PrincipalDep, demand
 from knifetip.api.queue import Client, queued
 from knifetip.api.routing import ScopedRouter, requires
 from knifetip.api.schemas.jobs import JobOut
-from knifetip.api.schemas.order_details import details_columns
-from knifetip.api.schemas.orders import JobIn
 from knifetip.api.schemas.orders_with_files import OrderIn, OrderOut, OrderResult, OrdersIn
-from knifetip.api.service import Service, ServiceDep, fingerprint
-from knifetip.errors import KnifetipError, OpenQuestions, RequestError
-from knifetip.jobs.accounts.acting import note_refusal
+from knifetip.api.sent_orders import SentOrder, create_sent_job, job_order, store_drawing
+from knifetip.api.service import Service, ServiceDep
 from knifetip.jobs.accounts.scopes import AccessScope
-from knifetip.jobs.process_pool import TaskFailed
-from knifetip.jobs.request_key import RequestKey
-from knifetip.jobs.tables import Drawing, Job
-from knifetip.messages import Message
+from knifetip.jobs.tables import Drawing
 
 router = ScopedRouter(prefix="/orders", tags=["orders"])
 
@@ -65,36 +61,13 @@ _BODY: Final[dict[str, Any]] = {
 }
 
 
-class SentOrder:
-    """An order as it was sent: its fields, and its file if it has one."""
-
-    def __init__(self, order: OrderIn, name: str = "", content: bytes | None = None) -> None:
-        self.order = order
-        if order.file is not None:
-            if content is not None:
-                raise RequestError("request.one-drawing")
-            name, content = order.file.name, order.file.decoded()
-        if (content is None) == (order.drawing is None):
-            raise RequestError("request.one-drawing")
-        self.name = drawing_name(name)
-        self.content = content
-
-    def key(self, text: str | None) -> RequestKey | None:
-        """Return the key of the order with a hash of its content, None without a key."""
-        if text is None:
-            return None
-        digest = hashlib.sha256(self.content or b"").hexdigest()
-        fields = self.order.model_dump_json(exclude={"file"})
-        return RequestKey(text, fingerprint("order", self.name, digest, fields))
-
-
 async def _sent_order(request: Request) -> SentOrder:
     """Return the order in the form or in the JSON of a request."""
-    media = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+    media = media_of(request)
     if media == "application/json":
         return SentOrder(_parsed(await request.body(), ("body",)))
     if media != _FORM:
-        raise HTTPException(415)
+        raise wrong_media(media, ("application/json", _FORM))
     async with request.form() as form:
         file, text = form.get("file"), form.get("order")
         missing = [
@@ -125,7 +98,7 @@ def _parsed(text: bytes, place: tuple[str, ...]) -> OrderIn:
 
 
 @router.post("", status_code=201, openapi_extra=_BODY)
-@requires(AccessScope.DESIGNER)
+@requires(AccessScope.DESIGNER, AccessScope.ORDER)
 async def place_order_with_file(
     service: ServiceDep,
     principal: PrincipalDep,
@@ -142,93 +115,51 @@ async def place_order_with_file(
     it is listed by the ``external_id`` of the order.  A repetition with the same
     ``Idempotency-Key`` creates the job as soon as the questions are answered.
     """
-    if sent.order.release:
-        demand(principal, AccessScope.OPERATOR)
+    _permit(principal, sent.order)
     client = Client.of(request)
     if sent.content is None:
-        drawing = await service.orders.run(partial(_drawing, service, sent, key), client)
-        order = _job_order(sent.order, drawing.id)
+        drawing = await service.orders.run(partial(store_drawing, service, sent, key), client)
+        order = job_order(sent.order, drawing.id)
         job = await create_stored(service, client, order, sent.key(key))
     else:
-        drawing, job = await service.work.run(partial(_with_file, service, sent, key), client)
+        identity = await run_in_threadpool(sent.identity, key)
+        call = partial(_with_file, service, sent, key)
+        drawing, job = await service.work.run(call, client, identity)
     response.headers["Location"] = f"/api/jobs/{job.id}"
     return OrderOut(drawing=summary_out(drawing), job=job)
 
 
+def _permit(principal: Principal, order: OrderIn) -> None:
+    """Raise ``AccessDenied`` if the sender of an order may not release its job."""
+    if order.release:
+        demand(principal, AccessScope.OPERATOR, AccessScope.ORDER)
+
+
 def _with_file(service: Service, sent: SentOrder, key: str | None) -> tuple[Drawing, JobOut]:
     """Store the drawing and the job of an order with a file."""
-    drawing = _drawing(service, sent, key)
-    return drawing, job_out(service.store, _job(service, sent, drawing, sent.key(key)))
+    drawing = store_drawing(service, sent, key)
+    job = create_sent_job(service, sent, drawing, sent.key(key))
+    return drawing, job_out(service.store, job)
 
 
 @router.post("/batch")
-@requires(AccessScope.DESIGNER)
+@requires(AccessScope.DESIGNER, AccessScope.ORDER)
+@items_with_own_results("orders")
 @queued
 def place_orders(
-    service: ServiceDep, principal: PrincipalDep, batch: OrdersIn, key: IdempotencyKey = None
+    service: ServiceDep,
+    principal: PrincipalDep,
+    request: Request,
+    batch: OrdersIn,
+    key: IdempotencyKey = None,
 ) -> list[OrderResult]:
     """Execute up to 100 orders, one after the other, and return a result for each.
 
-    An order that is refused does not prevent the others; the status is 200 as soon as the request
-    can be read.  With an ``Idempotency-Key``, a repetition of the request creates nothing twice,
-    and repeats the refused orders.
+    An order that is invalid, refused or fails does not prevent the others; the status is 200 as
+    soon as the request is JSON with a list of 1 to 100 orders.  After a failure of the database or
+    of the disk, the orders that follow are not tried; their results state it.  With an
+    ``Idempotency-Key``, a repetition of the request creates nothing twice, and repeats the orders
+    that were invalid, refused or not tried.
     """
-    if any(order.release for order in batch.orders):
-        demand(principal, AccessScope.OPERATOR)
-    return [
-        _result(service, index, order, None if key is None else f"{fingerprint(key)}/{index}")
-        for index, order in enumerate(batch.orders)
-    ]
-
-
-def _result(service: Service, index: int, order: OrderIn, key: str | None) -> OrderResult:
-    """Execute one of several orders; return its result."""
-    drawing: Drawing | None = None
-    job: Job | None = None
-    problem: Message | None = None
-    questions: tuple[Any, ...] = ()
-    try:
-        sent = SentOrder(order)
-        drawing = _drawing(service, sent, key)
-        job = _job(service, sent, drawing, sent.key(key))
-    except KnifetipError as reason:
-        note_refusal()
-        problem = reason.message
-        questions = tuple(reason.questions) if isinstance(reason, OpenQuestions) else ()
-    except TaskFailed as reason:
-        problem = Message("job.compile-crashed", reason=reason)
-    return OrderResult.model_validate(
-        {
-            "index": index,
-            "drawing": None if drawing is None else drawing.id,
-            "job": None if job is None else job_out(service.store, job),
-            "problem": problem,
-            "questions": questions,
-        }
-    )
-
-
-def _drawing(service: Service, sent: SentOrder, key: str | None) -> Drawing:
-    """Return the drawing of an order; its file is stored with the details of the order."""
-    order = sent.order
-    if sent.content is None:
-        return service.store.drawings.get(order.drawing or "")
-    details = details_columns(order)
-    profile = order.profile or "default"
-    upload = Upload(sent.name, sent.content, order.unit or "", profile, details)
-    return store_upload(service, upload, key)
-
-
-def _job(service: Service, sent: SentOrder, drawing: Drawing, key: RequestKey | None) -> Job:
-    """Return the job of an order; a repeated order returns that of the first."""
-    earlier = service.store.jobs.find(key) if key else None
-    if earlier is not None:
-        return earlier
-    return place_order(service, _job_order(sent.order, drawing.id), key)
-
-
-def _job_order(order: OrderIn, drawing: str) -> JobIn:
-    """Return the order of a job that an order contains, for a stored drawing."""
-    choices = order.model_copy(update={"drawing": drawing})
-    fields = {name: getattr(choices, name) for name in JobIn.model_fields if name != "revision"}
-    return JobIn.model_construct(**fields)
+    names, permit = partial(names_near, request), partial(_permit, principal)
+    return execute_orders(service, batch.orders, key, names, permit)

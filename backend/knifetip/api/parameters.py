@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final, Literal
+from typing import Annotated, Any, Final, Literal
 
 from fastapi import Depends, Header, Path, Query, Request
 from pydantic import JsonValue
@@ -13,18 +13,32 @@ from knifetip.fields import LISTED
 from knifetip.jobs.request_key import RequestKey
 from knifetip.library.definition import NAME_PATTERN
 
+IDEMPOTENCY_KEY: Final = "Idempotency-Key"
+LONGEST_KEY: Final = 200
 IdempotencyKey = Annotated[
     str | SkipJsonSchema[None],  # a header is never null
     Header(
-        alias="Idempotency-Key",
+        alias=IDEMPOTENCY_KEY,
         min_length=1,
-        max_length=200,
+        max_length=LONGEST_KEY,
         description="Text chosen by the client, such as a UUID. A request that is repeated with "
         "the same key has no further effect and gets the drawing or the job of the first; with "
         "the same key and another content it is refused with 422. Each user and each API key has "
         "keys of its own",
     ),
 ]
+#: The header of a request whose answer is kept: see ``repeated_requests``.
+KEPT_ANSWER: Final[dict[str, Any]] = {
+    "name": IDEMPOTENCY_KEY,
+    "in": "header",
+    "required": False,
+    "description": "Text chosen by the client, such as a UUID. A request that is repeated with the "
+    "same key is not executed again; it gets the answer of the first, with the header "
+    "`Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if "
+    "the first answer had a secret, which is not kept, or if its outcome is not known. Answers "
+    "are kept for seven days",
+    "schema": {"type": "string", "minLength": 1, "maxLength": LONGEST_KEY},
+}
 
 
 async def _command_key(request: Request, key: IdempotencyKey = None) -> RequestKey | None:

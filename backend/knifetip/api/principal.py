@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Awaitable, Callable, Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Annotated, Any, Final
 
 from fastapi import Depends, Request
 
 from knifetip.errors import AccessDenied
-from knifetip.jobs.accounts.scopes import ALL_SCOPES, ROLES, AccessScope
+from knifetip.jobs.accounts.key_limits import UNLIMITED, KeyLimits
+from knifetip.jobs.accounts.scopes import (
+    ALL_SCOPES,
+    AccessScope,
+    scopes_of_role,
+)
 
 
 class PrincipalKind(StrEnum):
@@ -18,6 +23,7 @@ class PrincipalKind(StrEnum):
 
     USER = "user"  #: a user who has signed in
     KEY = "key"  #: an API key
+    DEVICE = "device"  #: a browser that was paired with a machine
     LOCAL = "local"  #: a program on this computer, while no administrator exists
     SERVER_KEY = "server-key"  #: the key with which the server was started
     NONE = "none"  #: not authenticated
@@ -31,12 +37,16 @@ class Principal:
     name: str = ""  #: name of the user, or title of the API key
     id: str = ""  #: id of the user or of the API key; "" for the others
     scopes: frozenset[AccessScope] = frozenset()
+    limits: KeyLimits = UNLIMITED  #: of an API key
+    binds: bool = False  #: a key of a gateway that is bound to machines, now or at its first use
 
 
 ANONYMOUS: Final = Principal(PrincipalKind.NONE, "anonymous")
 LOCAL: Final = Principal(PrincipalKind.LOCAL, "local", scopes=ALL_SCOPES)
 #: People have it in their browsers, so it does not open the routes of gateways.
-SERVER_KEY: Final = Principal(PrincipalKind.SERVER_KEY, "server key", scopes=frozenset(ROLES))
+SERVER_KEY: Final = Principal(
+    PrincipalKind.SERVER_KEY, "server key", scopes=scopes_of_role(AccessScope.ADMIN)
+)
 #: The gateway that runs in the process of the server.
 EMBEDDED_GATEWAY: Final = Principal(
     PrincipalKind.KEY, "embedded gateway", scopes=frozenset({AccessScope.GATEWAY})
@@ -55,12 +65,11 @@ def missing_scope(principal: Principal, needed: Collection[AccessScope]) -> Acce
 
     Returns
     -------
-    The least of the needed scopes: first those that are roles, then ``gateway``.
+    The least of the needed scopes: first those that are roles, then the others.
     """
     if not needed or principal.scopes.intersection(needed):
         return None
-    roles = [role for role in ROLES if role in needed]
-    return roles[0] if roles else AccessScope.GATEWAY
+    return min(needed, key=list(AccessScope).index)
 
 
 def demand(principal: Principal, *needed: AccessScope) -> None:
@@ -75,10 +84,23 @@ def demand(principal: Principal, *needed: AccessScope) -> None:
         )
 
 
+def demand_all_customers(principal: Principal) -> None:
+    """Raise ``AccessDenied`` if a principal may see one customer only: sums show all of them."""
+    if principal.limits.customer:
+        raise AccessDenied("key.limited", customer=principal.limits.customer)
+
+
 def principal_of(request: Request) -> Principal:
     """Return the principal of a request, which the access control has found."""
     principal: Principal = request.scope.get("state", {}).get("principal", ANONYMOUS)
     return principal
+
+
+def bind_to_machine(request: Request, machine: str) -> None:
+    """Limit the principal of a request to a machine, to which its key has just been bound."""
+    principal = principal_of(request)
+    limits = replace(principal.limits, machines=frozenset({machine}))
+    request.scope["state"]["principal"] = replace(principal, limits=limits)
 
 
 def is_refused(scope: Mapping[str, Any]) -> bool:

@@ -14,6 +14,9 @@ from knifetip.api.schemas.common import Problem
 from knifetip.messages import Message, printable
 
 PROBLEM = "application/problem+json"
+#: URIs of the types of errors: that of the class of an error, or none beyond its HTTP status.
+TYPE_PREFIX = "urn:knifetip:problem:"
+TYPE_PATTERN = f"^(about:blank|{TYPE_PREFIX}[a-z]+(-[a-z]+)*)$"
 
 
 def problem(

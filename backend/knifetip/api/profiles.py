@@ -6,22 +6,26 @@ and jobs keep the rules of the profile version with which they were made.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Annotated, Any
 
-from fastapi import Request, Response
+from fastapi import Query, Request, Response
 from pydantic import ValidationError
 from starlette.convertors import StringConvertor, register_url_convertor
 
 from knifetip.api.conditional import NOT_MODIFIED
 from knifetip.api.parameters import DrawingId, NewProfileName, ProfileName
+from knifetip.api.principal import Principal, PrincipalDep
 from knifetip.api.queue import queued
 from knifetip.api.routing import ScopedRouter, requires
+from knifetip.api.schemas.common import ListPage
 from knifetip.api.schemas.profiles import PreviewOut, ProfileIn, ProfileOut, ProposalOut
 from knifetip.api.schemas.times import rfc3339
 from knifetip.api.service import (
+    Service,
     ServiceDep,
     bytes_response,
     check_library_name,
+    page_of,
     require_customer_profile,
 )
 from knifetip.api.versions import TOML, TOML_RESPONSE, Body, VersionMatch, version_of
@@ -58,19 +62,33 @@ _FORMS: dict[str, Any] = {
 
 @router.get("/profiles", responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
-def list_profiles(service: ServiceDep) -> list[ProfileOut]:
-    """List the classification profiles: first those of customers, then those of the library."""
-    stored = service.store.profiles.all()
+def list_profiles(
+    service: ServiceDep,
+    principal: PrincipalDep,
+    request: Request,
+    response: Response,
+    wanted: Annotated[ListPage, Query()],
+) -> list[ProfileOut]:
+    """List the classification profiles: first those of customers, then those of the library.
+
+    A key that is limited to a customer gets those of the library only.  The header `Link` contains
+    the URL of the next page.
+    """
+    stored = [] if principal.limits.customer else service.store.profiles.all()
     names = {row.name for row in stored}
     shipped = [name for name in load.names("profiles") if name not in names]
-    return [_stored_out(row) for row in stored] + [_shipped_out(name) for name in shipped]
+    found: list[Profile | str] = [*stored, *shipped]
+    return [
+        _shipped_out(one) if isinstance(one, str) else _stored_out(one)
+        for one in page_of(request, response, found, wanted)
+    ]
 
 
 @router.get("/profiles/{name}.toml", response_class=Response, responses=TOML_RESPONSE)
 @requires(AccessScope.VIEWER)
-def export_profile(service: ServiceDep, name: ProfileName) -> Response:
+def export_profile(service: ServiceDep, principal: PrincipalDep, name: ProfileName) -> Response:
     """Download a profile as TOML."""
-    row = service.store.profiles.get(name)
+    row = _stored(service, principal, name)
     text = (
         load.library_text("profiles", check_library_name("profiles", name))
         if row is None
@@ -82,9 +100,11 @@ def export_profile(service: ServiceDep, name: ProfileName) -> Response:
 
 @router.get("/profiles/{name:profile}")
 @requires(AccessScope.VIEWER)
-def get_profile(service: ServiceDep, response: Response, name: ProfileName) -> ProfileOut:
+def get_profile(
+    service: ServiceDep, principal: PrincipalDep, response: Response, name: ProfileName
+) -> ProfileOut:
     """Get a classification profile; the first rule that matches an edge is used."""
-    row = service.store.profiles.get(name)
+    row = _stored(service, principal, name)
     profile = (
         _shipped_out(check_library_name("profiles", name)) if row is None else _stored_out(row)
     )
@@ -167,6 +187,11 @@ def learn_from_corrections(service: ServiceDep, id: DrawingId) -> list[ProposalO
         interpretation_of(row, row.overrides),
     )
     return [ProposalOut.model_validate(proposal) for proposal in proposals]
+
+
+def _stored(service: Service, principal: Principal, name: str) -> Profile | None:
+    """Return a profile of a customer, which a key for one customer may not read; None for none."""
+    return None if principal.limits.customer else service.store.profiles.get(name)
 
 
 def fields_of(profile: ProfileIn) -> dict[str, Any]:

@@ -11,7 +11,7 @@ from knifetip.jobs.machine_queues import is_waiting
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 
-NoEstimate: TypeAlias = Literal["", "hold", "compile", "interrupted", "gateway"]
+NoEstimate: TypeAlias = Literal["", "hold", "check", "compile", "interrupted", "gateway"]
 
 
 class Estimate(NamedTuple):
@@ -41,6 +41,8 @@ def estimates(store: Store, rows: Sequence[Job]) -> dict[str, Estimate]:
             missing: NoEstimate = ""
             if row.on_hold:
                 missing = "hold"
+            elif row.check_refusal is not None:
+                missing = "check"
             elif row.id in outdated:
                 missing = "compile"
             elif blocked:
@@ -73,7 +75,8 @@ def start_times(rows: Sequence[Job], outdated: Container[str] = ()) -> list[floa
     starts: list[float | None] = []
     total = 0.0
     for row in rows:
-        if row.on_hold or blocked or (is_waiting(row) and row.id in outdated):
+        kept = row.on_hold or row.check_refusal is not None
+        if kept or blocked or (is_waiting(row) and row.id in outdated):
             starts.append(None)
             continue
         starts.append(total)

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated
 
 from fastapi import Header, Response
 from pydantic.json_schema import SkipJsonSchema
 
 from knifetip.api.job_models import job_out, jobs_out
+from knifetip.api.job_versions import JobMatch, check_job_match
+from knifetip.api.ownership import check_own_job
 from knifetip.api.parameters import JobId, MachineName
+from knifetip.api.principal import PrincipalDep
 from knifetip.api.queue import queued
 from knifetip.api.queue_estimate import remaining_seconds, start_times
 from knifetip.api.routing import ScopedRouter, requires
@@ -20,7 +24,7 @@ from knifetip.errors import KnifetipError, PlanError
 from knifetip.jobs import tasks
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.compile_service import compile_arguments, kernels_for
-from knifetip.jobs.job import Actor, ActorKind
+from knifetip.jobs.job import Actor, ActorKind, State
 from knifetip.jobs.machine_queues import is_waiting
 from knifetip.jobs.process_pool import TaskFailed
 from knifetip.jobs.queue_store import Place, WaitingChange, check_transferable, order_version
@@ -43,8 +47,13 @@ IfMatch = Annotated[
 
 @router.get("/machines/{name}/queue")
 @requires(AccessScope.VIEWER)
-def get_queue(service: ServiceDep, response: Response, name: MachineName) -> QueueOut:
-    """Get the queue of a machine in the order in which the jobs run, with estimated times."""
+def get_queue(
+    service: ServiceDep, principal: PrincipalDep, response: Response, name: MachineName
+) -> QueueOut:
+    """Get the queue of a machine in the order in which the jobs run, with estimated times.
+
+    A key that is limited to a customer gets the entries of this customer, at their places.
+    """
     service.store.library.machine(name)
     rows = service.store.queues.jobs(name)
     waiting = [row for row in rows if is_waiting(row)]
@@ -65,6 +74,7 @@ def get_queue(service: ServiceDep, response: Response, name: MachineName) -> Que
                 for index, (row, model) in enumerate(
                     zip(rows, jobs_out(service.store, rows), strict=True)
                 )
+                if principal.limits.sees_job(row.customer, row.machine)
             ],
         }
     )
@@ -90,8 +100,14 @@ def _tag(match: str) -> str:
 
 
 @router.patch("/jobs/{id}")
-@requires(AccessScope.OPERATOR)
-def change_job(service: ServiceDep, id: JobId, change: WaitingChangeIn) -> JobOut:
+@requires(AccessScope.OPERATOR, AccessScope.ORDER)
+def change_job(
+    service: ServiceDep,
+    principal: PrincipalDep,
+    id: JobId,
+    change: WaitingChangeIn,
+    match: JobMatch = None,
+) -> JobOut:
     """Change priority, copies or hold of a job that no machine works on yet, or order details.
 
     The details of the order can be changed in every state of the job; fields that the request does
@@ -99,11 +115,15 @@ def change_job(service: ServiceDep, id: JobId, change: WaitingChangeIn) -> JobOu
 
     A job with a new priority comes after the other jobs of that priority.  A job on hold stays in
     the queue, and its machine takes other jobs first.  A job that waits for the confirmation of the
-    operator returns to the queue when it is put on hold.
+    operator returns to the queue when it is put on hold.  A key with the scope ``order`` changes
+    the jobs that it has ordered.
     """
+    check_own_job(service, principal, id, tuple(State))
     values = WaitingChange(change.priority, change.copies, change.on_hold)
     details = changed_columns(change)
-    row = service.store.queues.change(id, values, _actor(change.by), details)
+    row = service.store.queues.change(
+        id, values, _actor(change.by), details, partial(check_job_match, match)
+    )
     return job_out(service.store, row)
 
 
@@ -128,7 +148,7 @@ def transfer_job(service: ServiceDep, id: JobId, target: TransferIn) -> JobOut:
     except KnifetipError as reason:
         raise _does_not_fit(row, target.machine, reason.message) from reason
     except TaskFailed as reason:
-        crash = Message("job.compile-crashed", reason=reason)
+        crash = Message("job.compile-crashed", incident=reason.incident)
         raise _does_not_fit(row, target.machine, crash) from reason
     if result.message is not None:
         raise _does_not_fit(row, target.machine, result.message)

@@ -15,6 +15,7 @@ from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job_store import Continuation
 from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.rest_record import ExecutedWork, Ranges, RestRecord
+from knifetip.jobs.stop_place import executed_at_most
 from knifetip.jobs.tables import Job
 from knifetip.model.acceptance import Exceptions
 from knifetip.model.verdict import Acceptance
@@ -35,7 +36,7 @@ def get_tracks(service: ServiceDep, id: JobId) -> list[TrackOut]:
     """
     row = service.store.jobs.get(id)
     path, tracks = unpack_toolpath(service.store.jobs.column(id, "toolpath"))
-    states = tracks.states(row.line)
+    states = tracks.states(row.line, executed_at_most(row))
     result = []
     for number, state in enumerate(states):
         first, last = int(tracks.first_row[number]), int(tracks.last_row[number])
@@ -69,11 +70,14 @@ def continue_job(
 
     The other job must have ended or be interrupted.  The program of the new job makes tracks of the
     other program in their order; it is verified against what is still uncut, and the other tracks
-    must not be made again.  Its program is refused if it works on a piece of board that executed
-    lines have cut out, also where it makes their tracks again, unless `uncut` is set.  When the new
-    job is queued, an interrupted job becomes ``continued`` and frees its table.  The operator must
-    confirm the new job on every machine before it starts.  The status is 409 if the other job is on
-    its machine, if a third job continues its sheet, or if no copies remain to be made.
+    must not be made again.  If the machine may have executed more lines than it reported
+    (``stopped_at.certain`` of the other job is false), `made` must list the tracks that the
+    operator has found complete; otherwise the status is 422 (``rest.statement-needed``).  Its
+    program is refused if it works on a piece of board that executed lines have cut out, also where
+    it makes their tracks again, unless `uncut` is set.  When the new job is queued, an interrupted
+    job becomes ``continued`` and frees its table.  The operator must confirm the new job on every
+    machine before it starts.  The status is 409 if the other job is on its machine, if a third job
+    continues its sheet, or if no copies remain to be made.
     """
     request = RequestKey(key, fingerprint(id, choice.model_dump_json())) if key else None
     row = service.store.jobs.find(request) if request else None
@@ -97,7 +101,15 @@ def _rest_record(service: Service, parent: Job, choice: RestIn) -> RestRecord:
     selected = select_rest(
         tracks,
         parent.line,
-        RestChoice(choice.from_track, choice.from_line, choice.station, choice.made, choice.uncut),
+        RestChoice(
+            choice.from_track,
+            choice.from_line,
+            choice.station,
+            choice.made if isinstance(choice.made, bool) else tuple(choice.made),
+            choice.uncut,
+        ),
+        parent.id,
+        executed_at_most(parent),
     )
     earlier = () if parent.rest is None else RestRecord.from_json(parent.rest).made
     ends = np.flatnonzero(np.diff(selected.tracks) != 1)

@@ -56,9 +56,9 @@ def check_match(match: str | None, row: Drawing) -> None:
     row
         The drawing.
     """
-    if match is None or "*" in _tags(match):
+    if match is None or "*" in tags(match):
         return
-    revisions = [tag.partition("-")[0] for tag in _tags(match)]
+    revisions = [tag.partition("-")[0] for tag in tags(match)]
     if str(row.version) not in revisions:
         raise StaleRevision(row.id, row.version, ", ".join(revisions)[:40])
 
@@ -87,11 +87,12 @@ def is_known(tag: str, none_match: str | None) -> bool:
     none_match
         The header, or None if the request has no such header; the result is then False.
     """
-    tags = list(_tags(none_match or ""))
-    return "*" in tags or tag.strip('"') in tags
+    known = list(tags(none_match or ""))
+    return "*" in known or tag.strip('"') in known
 
 
-def _tags(header: str) -> Iterator[str]:
+def tags(header: str) -> Iterator[str]:
+    """Yield the ETags in a header, without quotation marks."""
     for word in header.split(","):
         # A compressing proxy marks ETags as weak; the revision is the same.
         yield word.strip().removeprefix("W/").strip('"')

@@ -12,15 +12,20 @@ A request whose principal has none of the declared scopes is refused before its 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import cached_property
 from typing import Any, Final, NamedTuple, TypeVar
 
 from fastapi import APIRouter, Request
 from fastapi.routing import APIRoute, iter_route_contexts
+from starlette.datastructures import Headers
 from starlette.routing import BaseRoute, compile_path
 from starlette.types import Message, Receive, Scope, Send
 
 from knifetip.api.conditional import conditional
+from knifetip.api.parameters import IDEMPOTENCY_KEY
 from knifetip.api.principal import Principal, PrincipalKind, demand, missing_scope, principal_of
+from knifetip.api.repeated_requests import answer_once, keeps_keys
+from knifetip.errors import LibraryError
 from knifetip.jobs.accounts.acting import DONE, FAILED, REFUSED, Acting, acting_as
 from knifetip.jobs.accounts.scopes import AccessScope
 
@@ -29,6 +34,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 _DECLARED: Final = "needed_scopes"
 _UNAUDITED: Final = "unaudited"
 _ENDPOINT: Final = "endpoint"
+_MACHINES: Final = "/api/machines/"
 _SAFE: Final = ("GET", "HEAD", "OPTIONS")
 
 
@@ -64,6 +70,17 @@ def unaudited(endpoint: F) -> F:
 class ScopedRoute(APIRoute):
     """A route that refuses requests of principals without its scope."""
 
+    @cached_property
+    def keeps_answers(self) -> bool:
+        """Whether the answers of requests with an Idempotency-Key are kept: of most POST requests.
+
+        Others store the key themselves.  Reports of gateways have no keys, and strangers must not
+        fill the disk.
+        """
+        needed = needed_scopes(self.endpoint)
+        is_for_keys = bool(needed) and needed != (AccessScope.GATEWAY,)
+        return self.methods == {"POST"} and is_for_keys and not keeps_keys(self)
+
     async def handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request, or raise ``AccessDenied`` if the scope of its principal is missing.
 
@@ -76,13 +93,15 @@ class ScopedRoute(APIRoute):
         scope.setdefault("state", {})[_ENDPOINT] = self.endpoint
         principal = principal_of(Request(scope))
         needed = needed_scopes(self.endpoint)
+        acting = _acting(self, scope, principal)
         if scope["method"] in _SAFE:
-            demand(principal, *needed)
+            acting.audited = False
             if 304 in self.responses:
                 send = conditional(scope, send)
-            await super().handle(scope, receive, send)
+            with acting_as(acting):
+                _demand(principal, needed, scope)
+                await super().handle(scope, receive, send)
             return
-        acting = _acting(self, scope, principal)
         outcome = REFUSED if missing_scope(principal, needed) else FAILED
         audited = outcome == REFUSED or not getattr(self.endpoint, _UNAUDITED, False)
         # A stranger, who may sign out, must not fill the disk with entries.
@@ -95,10 +114,23 @@ class ScopedRoute(APIRoute):
 
         try:
             with acting_as(acting):
-                demand(principal, *needed)
-                await super().handle(scope, receive, send_audited)
+                _demand(principal, needed, scope)
+                if self.keeps_answers and IDEMPOTENCY_KEY in Headers(scope=scope):
+                    await answer_once(super().handle, scope, receive, send_audited)
+                else:
+                    await super().handle(scope, receive, send_audited)
         finally:
             await _write_entry(scope, acting, outcome)
+
+
+def _demand(principal: Principal, needed: tuple[AccessScope, ...], scope: Scope) -> None:
+    """Raise an error if a principal lacks the scope of a request, or may not see its machine."""
+    demand(principal, *needed)
+    if scope["path"].startswith(_MACHINES):
+        name = str(scope.get("path_params", {}).get("name", ""))
+        if name and not principal.limits.sees_machine(name):
+            known = sorted(principal.limits.machines)
+            raise LibraryError("library.unknown", shelf="machine", name=name[:80], known=known)
 
 
 def endpoint_of(scope: Scope) -> Callable[..., Any] | None:
@@ -124,6 +156,7 @@ def _acting(route: APIRoute, scope: Scope, principal: Principal) -> Acting:
         subject_kind=kind,
         subject="/".join(values),
         peer=client[0] if client else "",
+        limits=principal.limits,
     )
 
 
@@ -169,6 +202,7 @@ class ScopedOperation(NamedTuple):
     path: str
     name: str
     needed: tuple[AccessScope, ...]
+    keeps_answers: bool = False  #: of requests with an Idempotency-Key
 
 
 def scoped_operations(routes: Iterable[BaseRoute]) -> Iterator[ScopedOperation]:
@@ -189,7 +223,8 @@ def scoped_operations(routes: Iterable[BaseRoute]) -> Iterator[ScopedOperation]:
         # Without the convertors of parameters, which the description does not have either.
         path = compile_path(context.path or "")[1]
         for method in sorted(context.methods or ()):
-            yield ScopedOperation(method, path, route.name.strip("_"), needed)
+            name = route.name.strip("_")
+            yield ScopedOperation(method, path, name, needed, route.keeps_answers)
 
 
 def methods_at(routes: Iterable[BaseRoute], path: str) -> list[str]:
@@ -201,4 +236,4 @@ def methods_at(routes: Iterable[BaseRoute], path: str) -> list[str]:
     for context in iter_route_contexts(list(routes)):
         if context.path is not None and compile_path(context.path)[0].match(path):
             found |= set(context.methods or ())
-    return sorted(found)
+    return sorted({*found, "HEAD"} if "GET" in found else found)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
@@ -18,9 +18,11 @@ from knifetip.api.access_rules import AccessRules
 from knifetip.api.answered_questions import AnsweredQuestions
 from knifetip.api.client_limits import ClientLimits
 from knifetip.api.oidc.settings import OidcSettings
-from knifetip.api.queue import WAITING, WorkQueue, is_client_gone
+from knifetip.api.queue import WAITING, WorkQueue
+from knifetip.api.schemas.common import ListPage
 from knifetip.api.threads import GatewayThreads
 from knifetip.errors import LibraryError, WrongState
+from knifetip.jobs.accounts.acting import acting_limits
 from knifetip.jobs.changes import ALL
 from knifetip.jobs.compile_service import LIMIT
 from knifetip.jobs.process_pool import ProcessPool
@@ -81,13 +83,15 @@ class Service:
     def run(self, task: Callable[..., T], *arguments: object) -> T:
         """Run ``task`` with the given arguments in a worker process, wait, and return its result.
 
+        The task runs to its end even if the client of the request has gone.
+
         Raises
         ------
         KnifetipError
             The task raised this error, the task exceeded its time limit or memory limit, or the
             worker process died.
         TaskCancelled
-            The server was stopped, or the client of the request has gone.
+            The server was stopped.
         TaskFailed
             The task raised an exception that is not a KnifetipError.
         """
@@ -96,7 +100,7 @@ class Service:
 
             def watch(stage: Stage, _fraction: float) -> bool:
                 stages.enter(stage)
-                return not is_client_gone()
+                return True
 
             return self.pool.run(task, *arguments, limit=self.settings.limit, watch=watch)
 
@@ -169,7 +173,8 @@ def customer_rules(service: Service, name: str) -> str:
         return row.text
     known = load.names("profiles")
     if name not in known:
-        known = [*(row.name for row in service.store.profiles.all()), *known]
+        if not acting_limits().customer:
+            known = [*(row.name for row in service.store.profiles.all()), *known]
         raise LibraryError("library.unknown", name=name[:80], known=known[:40], shelf="profile")
     return ""
 
@@ -206,6 +211,26 @@ def set_next_page(
     ]
     query = urlencode([*kept, ("cursor", cursor), ("limit", limit)])
     response.headers["Link"] = f'<{request.url.path}?{query}>; rel="next"'
+
+
+def page_of(
+    request: Request, response: Response, rows: Sequence[T], wanted: ListPage
+) -> Sequence[T]:
+    """Return the wanted part of a list, and set the header ``Link`` to the next one.
+
+    Parameters
+    ----------
+    request, response
+        The request, and the response that gets the header.
+    rows
+        The whole list.
+    wanted
+        Begin and length of the part.
+    """
+    first = wanted.cursor or 0
+    end = first + wanted.limit
+    set_next_page(request, response, end if end < len(rows) else None, wanted.limit)
+    return rows[first:end]
 
 
 def bytes_response(content: bytes, tag: str, media: str, attachment: str = "") -> Response:

@@ -11,6 +11,7 @@ import hashlib
 import hmac
 import html
 import re
+from collections.abc import Sequence
 from typing import Final, NamedTuple
 from urllib.parse import parse_qs, urlencode
 
@@ -18,9 +19,11 @@ from fastapi import Response
 from fastapi.responses import HTMLResponse
 from starlette.requests import Request
 
+from knifetip.jobs.accounts.pairing_store import DEVICE_LIFETIME
 from knifetip.jobs.accounts.session_store import LIFETIME as USER_LIFETIME
 
 PATH = "/sign-in"
+PAIR_PATH = "/pair"
 OIDC_PATH = "/sign-in/oidc"  #: begins a sign-in at the provider
 LIFETIME = 30 * 24 * 3600  #: lifetime of a session (s)
 _PORT: Final = re.compile(r":([0-9]{1,5})$")
@@ -38,9 +41,11 @@ _PAGE = """<!doctype html>
 <html lang="en"><meta charset="utf-8"><title>knifetip: sign in</title>
 <meta name="viewport" content="width=device-width, initial-scale=1">{refresh}
 <body style="font: 16px/1.5 system-ui; max-width: 24rem; margin: 4rem auto; padding: 0 1rem">
+<main>
 <h1>knifetip</h1>
 <p role="alert" style="color: #b00020">{fault}</p>
 {forms}
+</main>
 </html>
 """
 _STYLE = "font: inherit; width: 100%; box-sizing: border-box; padding: 0.4rem"
@@ -60,6 +65,19 @@ _KEY_FORM = """<form method="post" action="{path}">
 </form>
 <p>The key, or a link with it, is in the server's start log.</p>"""
 _PROVIDER_LINK = """<p><a href="{path}">Sign in with {title}</a></p>"""
+_PAIR_LINK = """<p><a href="{path}">Pair this device with a machine</a></p>"""
+_PAIR_FORM = """<h2>Pair this device with a machine</h2>
+<p>An administrator makes the code: under the machine, <em>Paired devices</em>. It is for one device
+and for ten minutes.</p>
+<form method="post" action="{path}">
+<p><label for="code">Code</label><br>
+<input id="code" name="code" autocomplete="off" autocapitalize="characters" spellcheck="false"
+required autofocus maxlength="20" style="{style}; font-size: 1.6rem; letter-spacing: 0.1em"></p>
+<p><label for="device">Name of this device</label><br>
+<input id="device" name="device" autocomplete="off" maxlength="100"
+placeholder="Tablet at the table" style="{style}"></p>
+<button style="font: inherit; padding: 0.6rem 1.4rem">Pair</button>
+</form>"""
 _AGAIN = "again"  # query parameter of the second attempt
 
 
@@ -117,16 +135,27 @@ async def given_fields(request: Request) -> dict[str, str] | None:
         return None if key is None else {"key": key}
     if request.method != "POST" or path != PATH:
         return None
+    # A password may begin or end with a space.
+    return {
+        name: text if name == "password" else text.strip()
+        for name, text in (await _form(request, ("key", "name", "password"))).items()
+    }
+
+
+async def pairing_fields(request: Request) -> dict[str, str]:
+    """Return the fields of a request to pair a device: ``code``, and ``device`` for its name."""
+    return await _form(request, ("code", "device"))
+
+
+async def _form(request: Request, names: Sequence[str]) -> dict[str, str]:
+    """Return the fields of a form that have one of some names; none if it is too long."""
     body = b""
     async for block in request.stream():
         body += block
         if len(body) > _LONGEST:
             return {}
     fields = parse_qs(body.decode("ascii", "replace"))
-    names = ("key", "name", "password")
-    found: dict[str, str] = {name: fields[name][0] for name in names if name in fields}
-    # A password may begin or end with a space.
-    return {name: text if name == "password" else text.strip() for name, text in found.items()}
+    return {name: fields[name][0] for name in names if name in fields}
 
 
 def wants_page(request: Request) -> bool:
@@ -152,6 +181,11 @@ def user_cookie(request: Request, token: str) -> Cookie:
     return Cookie(session_cookie(request), token, int(USER_LIFETIME))
 
 
+def device_cookie(request: Request, token: str) -> Cookie:
+    """Return the cookie of a paired device."""
+    return Cookie(session_cookie(request), token, int(DEVICE_LIFETIME))
+
+
 def session_cookie(request: Request) -> str:
     """Return the name of the cookie of a user's session.
 
@@ -174,17 +208,26 @@ def set_cookie(request: Request, answer: Response, cookie: Cookie) -> None:
     )
 
 
-def welcome(request: Request, cookie: Cookie) -> Response:
+def welcome(request: Request, cookie: Cookie, place: str = "") -> Response:
     """Return a page that sets the session cookie and then loads the same URL without the key.
 
     After a sign-in at a provider it loads the page of the server.
+
+    Parameters
+    ----------
+    request
+        The request.
+    cookie
+        The session cookie.
+    place
+        Fragment of the URL: the view that the page opens; "" for the first one.
     """
     # Not a redirect: after a link from another site a browser would follow it without the cookie.
     path, rest = "/", ""
     if request.method != "POST" and not request.url.path.startswith(OIDC_PATH):
         path = "/" + request.url.path.lstrip("/")
         rest = urlencode([pair for pair in request.query_params.multi_items() if pair[0] != "key"])
-    url = f"{path}?{rest}" if rest else path
+    url = (f"{path}?{rest}" if rest else path) + place
     refresh = _refresh(url)
     answer = HTMLResponse(
         f'<!doctype html><html lang="en"><meta charset="utf-8"><title>knifetip</title>{refresh}'
@@ -241,9 +284,23 @@ def sign_in_page(ways: SignInMethods, fault: str = "", *, again: str = "") -> Re
         if ways.password:
             form = f"<details><summary>Use the key of the server</summary>{form}</details>"
         forms.append(form)
+    forms.append(_PAIR_LINK.format(path=PAIR_PATH))
     refresh = _refresh(again) if again else ""
     body = _PAGE.format(fault=html.escape(fault), forms="\n".join(forms), refresh=refresh)
     return HTMLResponse(body, 401, headers=_HEADERS)
+
+
+def pairing_page(fault: str = "") -> Response:
+    """Return the page on which a device is paired with a machine.
+
+    Parameters
+    ----------
+    fault
+        Error message on the page; "" for none.
+    """
+    form = _PAIR_FORM.format(path=PAIR_PATH, style=_STYLE)
+    body = _PAGE.format(fault=html.escape(fault), forms=form, refresh="")
+    return HTMLResponse(body, 401 if fault else 200, headers=_HEADERS)
 
 
 def _refresh(url: str) -> str:

@@ -43,8 +43,8 @@ _COMPRESSED = {".js", ".css", ".svg"}
 class Site(StaticFiles):
     """ASGI application that serves the folder of the built page.
 
-    A path without a file gets ``index.html``, because it can be a route of the page.  Paths of the
-    API get the status 404, and so do paths without a file if their last part contains a dot.
+    The page is one file: its routes are in the fragment of the URL, which the server does not get.
+    Every other path without a file gets the status 404.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -58,10 +58,9 @@ class Site(StaticFiles):
         return await self.get_response("docs.html", {**request.scope, "path": "/docs.html"})
 
     async def get_response(self, path: str, scope: Scope) -> Response:
-        """Return a file of the built page, or ``index.html`` for a route of the page.
+        """Return a file of the built page; ``/`` is the page itself.
 
-        A path without a file is a route of the page if its last part contains no dot.  If the page
-        has not been built, the response is a page that explains how to build it.
+        If the page has not been built, the response is a page that explains how to build it.
 
         Parameters
         ----------
@@ -73,8 +72,8 @@ class Site(StaticFiles):
         Raises
         ------
         HTTPException
-            404 for a path of the API, and for a path without a file that is not a route of the
-            page; 405 for methods other than GET and HEAD.
+            404 for a path of the API, and for a path without a file; 405 for methods other than GET
+            and HEAD.
         """
         # ``path`` is normalized: "/api/../page" is then no path of the API.
         if (scope["path"] + "/").startswith("/api/") or "\0" in path:
@@ -83,12 +82,9 @@ class Site(StaticFiles):
             raise HTTPException(405, headers={"Allow": "GET, HEAD"})
         if not self._index.is_file():
             return HTMLResponse(_UNBUILT, headers={"Cache-Control": "no-store", **_PAGE_HEADERS})
-        try:
-            response = await super().get_response(path, scope)
-        except HTTPException as error:
-            if error.status_code != 404 or "." in path.rsplit("/", 1)[-1]:
-                raise
-            response = await super().get_response("index.html", scope)
+        if scope["path"].startswith("//"):
+            raise HTTPException(404)  # normalized, it would be another path
+        response = await super().get_response(path, scope)
         is_asset = path.startswith("assets/") and "." in path.rsplit("/", 1)[-1]
         response.headers["Cache-Control"] = _FOREVER if is_asset else "no-cache"
         if isinstance(response, NotModifiedResponse):

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Annotated
+
+from fastapi import Query, Request, Response
 
 from knifetip.api.parameters import MachineName, StationNumber
 from knifetip.api.routing import ScopedRouter, requires
+from knifetip.api.schemas.common import ListPage, PageQuery
 from knifetip.api.schemas.history import ToolChangeIn, ToolEventOut, ToolLifeIn, ToolUseOut
-from knifetip.api.service import Service, ServiceDep
+from knifetip.api.service import Service, ServiceDep, page_of, set_next_page
 from knifetip.errors import NotFound
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job import Actor, ActorKind
@@ -19,16 +23,35 @@ router = ScopedRouter(prefix="/machines/{name}/tools", tags=["tools"])
 
 @router.get("")
 @requires(AccessScope.VIEWER)
-def list_machine_tools(service: ServiceDep, name: MachineName) -> list[ToolUseOut]:
+def list_machine_tools(
+    service: ServiceDep,
+    request: Request,
+    response: Response,
+    name: MachineName,
+    wanted: Annotated[ListPage, Query()],
+) -> list[ToolUseOut]:
     """List the tools of a machine with the lengths that they have worked, and their lives."""
-    return tools_out(service.store.tools.uses(_machine(service, name)))
+    uses = service.store.tools.uses(_machine(service, name))
+    return tools_out(page_of(request, response, uses, wanted))
 
 
 @router.get("/events")
 @requires(AccessScope.VIEWER)
-def list_tool_events(service: ServiceDep, name: MachineName) -> list[ToolEventOut]:
-    """List the last changes of the tools of a machine and of their lives, newest first."""
+def list_tool_events(
+    service: ServiceDep,
+    request: Request,
+    response: Response,
+    name: MachineName,
+    wanted: Annotated[PageQuery, Query()],
+) -> list[ToolEventOut]:
+    """List the changes of the tools of a machine and of their lives, newest first.
+
+    The header `Link` contains the URL of the next page.
+    """
     _machine(service, name)
+    events = service.store.tools.events(name, wanted.cursor, wanted.limit)
+    last = events[-1].id if len(events) == wanted.limit else None
+    set_next_page(request, response, last, wanted.limit)
     return [
         ToolEventOut.model_validate(
             {
@@ -39,7 +62,7 @@ def list_tool_events(service: ServiceDep, name: MachineName) -> list[ToolEventOu
                 "length": event.length / 1000.0,
             }
         )
-        for event in service.store.tools.events(name)
+        for event in events
     ]
 
 

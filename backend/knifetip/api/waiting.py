@@ -7,6 +7,7 @@ The field ``waiting_for`` is one of
 - ``machine``: the job is next, but its machine has not claimed it,
 - ``turn``: other jobs of the machine come first,
 - ``hold``: an operator put the job on hold in the queue,
+- ``check``: the machine has refused the program; an operator decides what follows,
 - ``compile``: the machine or the board has changed, so the job must be compiled again,
 - empty: the job does not wait.
 """
@@ -20,6 +21,7 @@ from knifetip.errors import LibraryError
 from knifetip.jobs.job import Confirmation, State
 from knifetip.jobs.library_store import LibraryStore
 from knifetip.jobs.machine_queues import Queue
+from knifetip.jobs.station_store import StationView
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.languages.language import Language
@@ -27,7 +29,7 @@ from knifetip.languages.registry import find_language
 from knifetip.messages import Message
 from knifetip.model.sheet import Sheet
 
-WaitingFor = Literal["", "confirmation", "sheet", "machine", "turn", "hold", "compile"]
+WaitingFor = Literal["", "confirmation", "sheet", "machine", "turn", "hold", "check", "compile"]
 
 #: Seconds without a request after which a gateway counts as absent.
 ABSENT = 6.0
@@ -44,11 +46,12 @@ def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
     """Return the reasons why jobs wait, one per job; queries the store only if a job is queued."""
     machines = {row.machine for row in jobs if row.state == State.QUEUED}
     queues = store.machines.queues(machines, ABSENT) if machines else {}
+    stations = store.stations.views(machines) if machines else {}
     changes = store.library.changes([row for row in jobs if _can_be_outdated(row)])
     return [
         Waiting("compile", Message("waiting.outdated", changes=changes[row.id]))
         if row.id in changes
-        else _waiting(store, row, queues.get(row.machine))
+        else _waiting(store, row, queues.get(row.machine), stations.get(row.machine))
         for row in jobs
     ]
 
@@ -58,20 +61,20 @@ def _can_be_outdated(row: Job) -> bool:
     return row.state in (State.READY, State.QUEUED) or row.confirmation == Confirmation.SHEET
 
 
-def _waiting(store: Store, row: Job, queue: Queue | None) -> Waiting:
+def _waiting(store: Store, row: Job, queue: Queue | None, station: StationView | None) -> Waiting:
     library = store.library
     if row.confirmation == Confirmation.AWAITED:
         machine, board = library.titles(row)
-        code = "waiting.for-start" if row.state == State.QUEUED else "waiting.unconfirmed-run"
+        code = "waiting.for-start" if _begins(row) else "waiting.unconfirmed-run"
         required: dict[str, str | Message | None] = {
             "machine": machine,
             "board": board,
             "sheet": _sheet(row),
             "tools": _tools(row),
         }
-        if row.rest is not None and row.state == State.QUEUED:
+        if row.rest is not None and _begins(row):
             return Waiting("confirmation", Message("waiting.for-rest", job=row.resumes, **required))
-        if row.state == State.QUEUED:
+        if _begins(row):
             required["unfinished"] = _unfinished(store.gateways.unfinished_sheet(row))
         return Waiting("confirmation", Message(code, **required))
     if row.confirmation == Confirmation.SHEET:
@@ -83,11 +86,16 @@ def _waiting(store: Store, row: Job, queue: Queue | None) -> Waiting:
             sheet=_sheet(row),
         )
         return Waiting("sheet", message)
-    if row.state == State.HELD and store.stations.reports_nothing(row.machine):
+    if row.state == State.HELD and row.awaits_end:
         return Waiting("", Message("waiting.for-end", machine=library.titles(row)[0]))
     if row.state == State.QUEUED and queue is not None:
-        return _queued(library, row, queue)
+        return _queued(library, row, queue, station)
     return Waiting()
+
+
+def _begins(row: Job) -> bool:
+    """Return whether nothing of the present copy of a job was sent to its machine."""
+    return row.state == State.QUEUED or (row.state == State.HELD and row.line == 0)
 
 
 def _unfinished(job: str) -> Message | None:
@@ -113,19 +121,37 @@ def _tools(row: Job) -> Message | None:
     return Message("waiting.tools", tools=tools) if tools else None
 
 
-def _queued(library: LibraryStore, row: Job, queue: Queue) -> Waiting:
+def _queued(library: LibraryStore, row: Job, queue: Queue, station: StationView | None) -> Waiting:
     title, _ = library.titles(row)
     if row.confirmation == Confirmation.GIVEN:
         return Waiting("machine", Message("waiting.confirmed", machine=title))
+    if row.check_refusal is not None:
+        refused = Message("waiting.check-refused", machine=title, reason=row.check_refusal)
+        return Waiting("check", refused)
     if row.on_hold:
         return Waiting("hold", Message("waiting.on-hold", machine=title))
     if row.id != queue.first:
-        return Waiting("turn", Message("waiting.for-turn", machine=title))
+        taken = queue.ahead and _taken(title, queue)
+        return Waiting("turn", taken or Message("waiting.for-turn", machine=title))
     if queue.ahead:
         return Waiting("machine", _taken(title, queue))
+    if station is not None and station.alive:
+        obstacle = _obstacle(station, title)
+        return Waiting("machine", obstacle or Message("waiting.for-machine", machine=title))
     if not queue.connected:
         return Waiting("machine", _no_gateway(library, row, title))
     return Waiting("machine", Message("waiting.for-machine", machine=title))
+
+
+def _obstacle(station: StationView, title: str) -> Message | None:
+    """Return why a machine whose gateway is connected takes no job; None if it is free."""
+    row = station.row
+    if not row.connected:
+        reason = row.notices[0] if row.notices else None
+        code = "waiting.for-controller" if reason is None else "waiting.controller-not-connected"
+        return Message(code, machine=title, **({} if reason is None else {"reason": reason}))
+    reason = row.alarm or row.obstacle
+    return None if reason is None else Message("waiting.obstacle", machine=title, reason=reason)
 
 
 def _taken(title: str, queue: Queue) -> Message:

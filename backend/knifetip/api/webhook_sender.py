@@ -1,15 +1,18 @@
 """Sends the pending deliveries of webhooks, signed as Standard Webhooks prescribes.
 
 Every server sends; the leases of ``WebhookQueue`` ensure that no two of them send one delivery at
-the same time.  A server sends one delivery at a time to each endpoint.
+the same time.  A server sends some deliveries to each endpoint at the same time, but only one of
+those of one job or drawing.
 """
 
 from __future__ import annotations
 
 import asyncio
 import logging
+import re
 import ssl
 import time
+from collections import Counter
 from collections.abc import Awaitable
 from contextlib import suppress
 from datetime import UTC, datetime
@@ -35,7 +38,7 @@ TIME_LIMIT: Final = 15.0
 #: Bytes of an answer that are read.
 ANSWER_LIMIT: Final = 16_384
 
-_AT_ONCE = 4  # endpoints to which a server sends at the same time
+_AT_ONCE = 16  # deliveries that a server sends at the same time
 _POLL = 1.0  # seconds between two queries while deliveries are pending
 _IDLE_POLL = 5.0  # seconds between two queries otherwise, for events of other servers
 _CLEAN = 3600.0  # seconds between two deletions of old deliveries
@@ -51,7 +54,7 @@ class WebhookSender:
         self._changes = service.store.changes
         self._private = service.settings.webhook_private
         self._clock = service.store.database.clock
-        self._sending: dict[int, asyncio.Task[None]] = {}
+        self._sending: dict[asyncio.Task[None], int] = {}  # the endpoint of each
         self._done = asyncio.Event()
         self._cleaned = -_CLEAN
 
@@ -67,9 +70,9 @@ class WebhookSender:
                         _log.exception("the webhooks could not be read")
                     await self._wait(changed.wait(pause))
         finally:
-            for task in self._sending.values():
+            for task in self._sending:
                 task.cancel()
-            await asyncio.gather(*self._sending.values(), return_exceptions=True)
+            await asyncio.gather(*self._sending, return_exceptions=True)
 
     async def _wait(self, change: Awaitable[object]) -> None:
         """Wait for a change in the store or for the end of an attempt."""
@@ -85,10 +88,13 @@ class WebhookSender:
     async def _send_due(self) -> float:
         """Begin to send the due deliveries; return the time until the next query (s)."""
         while len(self._sending) < _AT_ONCE:
-            claimed = await asyncio.to_thread(self._queue.claim, tuple(self._sending))
+            in_flight = Counter(self._sending.values())
+            claimed = await asyncio.to_thread(self._queue.claim, in_flight)
             if claimed is None:
                 break
-            self._sending[claimed.webhook] = asyncio.create_task(self._send(claimed))
+            task = asyncio.create_task(self._send(claimed))
+            self._sending[task] = claimed.webhook
+            task.add_done_callback(self._end)
         if time.monotonic() - self._cleaned >= _CLEAN:
             self._cleaned = time.monotonic()
             await asyncio.to_thread(self._queue.delete_old)
@@ -117,9 +123,10 @@ class WebhookSender:
         except Exception:
             # The delivery is sent again when its lease has expired.
             _log.exception("the result of the webhook %s was not stored", claimed.id)
-        finally:
-            del self._sending[claimed.webhook]
-            self._done.set()
+
+    def _end(self, task: asyncio.Task[None]) -> None:
+        del self._sending[task]
+        self._done.set()
 
 
 async def attempt_delivery(
@@ -150,8 +157,16 @@ async def attempt_delivery(
     except TimeoutError:
         fault = f"no complete answer within {TIME_LIMIT:.0f} s"
     except (httpx.HTTPError, httpx.InvalidURL, OSError, RequestError, UnicodeError) as reason:
-        fault = str(reason) or type(reason).__name__
+        fault = _cause(reason)
     return DeliveryAttempt(now, status, time.monotonic() - start, _visible(fault[:_SHOWN]), answer)
+
+
+def _cause(reason: Exception) -> str:
+    """Return why an endpoint was not reached, without numbers and words of the programs here."""
+    if isinstance(reason, UnicodeError):
+        return "the host of the URL is not valid"
+    text = getattr(reason, "strerror", None) or str(reason)
+    return re.sub(r"^\[Errno -?\d+\] ", "", text) or "the connection failed"
 
 
 def _visible(text: str) -> str:

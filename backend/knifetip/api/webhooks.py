@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from fastapi import Path, Query, Request, Response
+from fastapi import Depends, Path, Query, Request, Response
 
 from knifetip.api.egress import check_url
-from knifetip.api.principal import principal_of
+from knifetip.api.principal import Principal, PrincipalDep, principal_of
 from knifetip.api.routing import ScopedRouter, requires
+from knifetip.api.schemas.common import ListPage
 from knifetip.api.schemas.webhooks import (
     DeliveriesQuery,
     DeliveryOut,
@@ -19,50 +20,82 @@ from knifetip.api.schemas.webhooks import (
     WebhookOut,
     WebhookPatch,
 )
-from knifetip.api.service import ServiceDep, set_next_page
+from knifetip.api.service import ServiceDep, page_of, set_next_page
+from knifetip.jobs.accounts.acting import acting_owner
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.store import Store
+from knifetip.jobs.webhook_store import unknown_webhook_error
 from knifetip.jobs.webhook_tables import Webhook, WebhookDelivery
 
 router = ScopedRouter(prefix="/webhooks", tags=["webhooks"])
 
-WebhookId = Annotated[str, Path(max_length=200, description="Id of the webhook")]
+
+def _own_webhook(
+    service: ServiceDep,
+    principal: PrincipalDep,
+    id: Annotated[str, Path(max_length=200, description="Id of the webhook")],
+) -> str:
+    """Return the id of a webhook that the sender may manage; other ones are unknown to it."""
+    row = service.store.webhooks.get(id)
+    if not _is_own(principal, row):
+        raise unknown_webhook_error(id)
+    return id
+
+
+def _is_own(principal: Principal, row: Webhook) -> bool:
+    """Return whether a principal may manage a webhook: administrators manage all of them."""
+    return AccessScope.ADMIN in principal.scopes or row.owner == acting_owner() != ""
+
+
+WebhookId = Annotated[str, Depends(_own_webhook)]
 DeliveryId = Annotated[str, Path(max_length=200, description="Id of the delivery")]
 _HOUR = 3600.0
 
 
 @router.post("", status_code=201)
-@requires(AccessScope.ADMIN)
+@requires(AccessScope.ADMIN, AccessScope.WEBHOOKS)
 def add_webhook(
     service: ServiceDep, request: Request, response: Response, new: WebhookIn
 ) -> NewWebhookOut:
     """Add an endpoint to which events of jobs and drawings are sent.
 
     Only this answer contains the secret with which the requests are signed (Standard Webhooks).
+    If the key of the request is limited to a customer or to machines, the endpoint gets the events
+    of their jobs and drawings only.
     """
     url = check_url(new.url, private=service.settings.webhook_private)
     who = principal_of(request).name
     row = service.store.webhooks.add(url, new.description, new.event_types, who)
-    response.headers["Location"] = f"/api/webhooks/{row.id}"
-    return _with_secret(service.store, row)
+    return _with_secret(service.store, response, row)
 
 
 @router.get("")
-@requires(AccessScope.ADMIN)
-def list_webhooks(service: ServiceDep) -> list[WebhookOut]:
-    """List the endpoints, oldest first, each with its newest delivery."""
-    return [_webhook_out(service.store, row) for row in service.store.webhooks.all()]
+@requires(AccessScope.ADMIN, AccessScope.WEBHOOKS)
+def list_webhooks(
+    service: ServiceDep,
+    principal: PrincipalDep,
+    request: Request,
+    response: Response,
+    wanted: Annotated[ListPage, Query()],
+) -> list[WebhookOut]:
+    """List the endpoints, oldest first, each with its newest delivery.
+
+    A key with the scope ``webhooks`` gets those that it has added.  The header `Link` contains the
+    URL of the next page.
+    """
+    rows = [row for row in service.store.webhooks.all() if _is_own(principal, row)]
+    return [_webhook_out(service.store, row) for row in page_of(request, response, rows, wanted)]
 
 
 @router.get("/{id}")
-@requires(AccessScope.ADMIN)
+@requires(AccessScope.ADMIN, AccessScope.WEBHOOKS)
 def get_webhook(service: ServiceDep, id: WebhookId) -> WebhookOut:
     """Get an endpoint."""
     return _webhook_out(service.store, service.store.webhooks.get(id))
 
 
 @router.patch("/{id}")
-@requires(AccessScope.ADMIN)
+@requires(AccessScope.ADMIN, AccessScope.WEBHOOKS)
 def change_webhook(service: ServiceDep, id: WebhookId, patch: WebhookPatch) -> WebhookOut:
     """Change URL, description or event types of an endpoint, or switch it off and on."""
     changes = patch.model_dump(exclude_none=True)
@@ -72,27 +105,28 @@ def change_webhook(service: ServiceDep, id: WebhookId, patch: WebhookPatch) -> W
 
 
 @router.delete("/{id}", status_code=204)
-@requires(AccessScope.ADMIN)
+@requires(AccessScope.ADMIN, AccessScope.WEBHOOKS)
 def delete_webhook(service: ServiceDep, id: WebhookId) -> None:
     """Delete an endpoint and its deliveries."""
     service.store.webhooks.delete(id)
 
 
 @router.post("/{id}/rotate-secret")
-@requires(AccessScope.ADMIN)
+@requires(AccessScope.ADMIN, AccessScope.WEBHOOKS)
 def rotate_webhook_secret(
-    service: ServiceDep, id: WebhookId, rotation: RotationIn | None = None
+    service: ServiceDep, response: Response, id: WebhookId, rotation: RotationIn | None = None
 ) -> NewWebhookOut:
     """Give an endpoint a new secret; for a time, requests are signed with the former one, too.
 
     Only this answer contains the new secret.
     """
     overlap = (rotation or RotationIn()).overlap_hours * _HOUR
-    return _with_secret(service.store, service.store.webhooks.rotate_secret(id, overlap))
+    row = service.store.webhooks.rotate_secret(id, overlap)
+    return _with_secret(service.store, response, row)
 
 
 @router.post("/{id}/test", status_code=202)
-@requires(AccessScope.ADMIN)
+@requires(AccessScope.ADMIN, AccessScope.WEBHOOKS)
 def test_webhook(service: ServiceDep, id: WebhookId) -> DeliveryOut:
     """Send an event of the type ``webhook.test`` to an endpoint, whatever it subscribes to.
 
@@ -102,7 +136,7 @@ def test_webhook(service: ServiceDep, id: WebhookId) -> DeliveryOut:
 
 
 @router.get("/{id}/deliveries")
-@requires(AccessScope.ADMIN)
+@requires(AccessScope.ADMIN, AccessScope.WEBHOOKS)
 def list_webhook_deliveries(
     service: ServiceDep,
     request: Request,
@@ -121,7 +155,7 @@ def list_webhook_deliveries(
 
 
 @router.get("/{id}/deliveries/{delivery}")
-@requires(AccessScope.ADMIN)
+@requires(AccessScope.ADMIN, AccessScope.WEBHOOKS)
 def get_webhook_delivery(
     service: ServiceDep, id: WebhookId, delivery: DeliveryId
 ) -> SentDeliveryOut:
@@ -131,7 +165,7 @@ def get_webhook_delivery(
 
 
 @router.post("/{id}/replay", status_code=202)
-@requires(AccessScope.ADMIN)
+@requires(AccessScope.ADMIN, AccessScope.WEBHOOKS)
 def replay_dead_letters(service: ServiceDep, id: WebhookId) -> list[DeliveryOut]:
     """Send all dead letters of an endpoint again; list what is pending, at most 100, newest first.
 
@@ -141,7 +175,7 @@ def replay_dead_letters(service: ServiceDep, id: WebhookId) -> list[DeliveryOut]
 
 
 @router.post("/{id}/deliveries/{delivery}/replay", status_code=202)
-@requires(AccessScope.ADMIN)
+@requires(AccessScope.ADMIN, AccessScope.WEBHOOKS)
 def replay_webhook_delivery(
     service: ServiceDep, id: WebhookId, delivery: DeliveryId
 ) -> DeliveryOut:
@@ -155,17 +189,21 @@ def _webhook_out(store: Store, row: Webhook) -> WebhookOut:
         {
             **_columns(row),
             "previous_secret_until": store.webhooks.overlap_end(row),
+            "paused_until": store.webhooks.pause_end(row),
             "last_delivery": None if last is None else delivery_out(last),
         }
     )
 
 
-def _with_secret(store: Store, row: Webhook) -> NewWebhookOut:
+def _with_secret(store: Store, response: Response, row: Webhook) -> NewWebhookOut:
+    response.headers["Cache-Control"] = "no-store"
+    response.headers["Location"] = f"/api/webhooks/{row.id}"
     return NewWebhookOut(**dict(_webhook_out(store, row)), secret=row.secret)
 
 
 def _columns(row: Webhook) -> dict[str, object]:
-    names = set(WebhookOut.model_fields) - {"last_delivery", "previous_secret_until"}
+    calculated = {"last_delivery", "paused_until", "previous_secret_until"}
+    names = set(WebhookOut.model_fields) - calculated
     return {name: getattr(row, name) for name in names}
 
 

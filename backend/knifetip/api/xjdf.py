@@ -47,7 +47,7 @@ class XjdfQuery(XjdfDefaults):
 
 
 @router.post("/xjdf", status_code=201, openapi_extra=_body(XJDF))
-@requires(AccessScope.DESIGNER)
+@requires(AccessScope.DESIGNER, AccessScope.ORDER)
 async def order_by_xjdf(
     service: ServiceDep,
     principal: PrincipalDep,
@@ -66,12 +66,12 @@ async def order_by_xjdf(
     """
     client = Client.of(request)
     package = await _open(service, request, client, content, "XJDF")
-    submission = XjdfSubmission(package.root, package, wanted, wanted.release)
+    submission = XjdfSubmission(package.root, package, wanted, wanted.release, _host(request))
     return await place_xjdf(service, principal, client, response, submission, key)
 
 
 @router.post("/xjmf", response_class=Response, responses=_answer(XJMF), openapi_extra=_body(XJMF))
-@requires(AccessScope.DESIGNER)
+@requires(AccessScope.DESIGNER, AccessScope.ORDER)
 async def answer_xjmf(
     service: ServiceDep,
     principal: PrincipalDep,
@@ -90,11 +90,15 @@ async def answer_xjmf(
     client = Client.of(request)
     package = await _open(service, request, client, content, "XJMF")
     messages = await service.orders.run(partial(read_messages, package.root), client)
-    context = MessageContext(service, principal, client, package, defaults, key)
+    context = MessageContext(service, principal, client, package, defaults, key, _host(request))
     answers = [await answer_messages(context, message) for message in messages]
     if any(answer.code is not ReturnCode.SUCCESS for answer in answers):
         note_refusal()
     return Response(write_answers(answers, service.store.database.clock()), media_type=XJMF)
+
+
+def _host(request: Request) -> str:
+    return request.headers.get("host", "")
 
 
 async def _open(

@@ -11,6 +11,7 @@ from xml.etree.ElementTree import Element
 
 from knifetip.api.xjdf_xml import children, parse
 from knifetip.errors import RequestError
+from knifetip.messages.characters import TextKind, control_character, printable
 
 #: Processes that a machine can execute; an order with others is refused.
 PROCESSES: Final = ("Cutting", "ShapeCutting", "Creasing")
@@ -19,7 +20,7 @@ PROCESSES: Final = ("Cutting", "ShapeCutting", "Creasing")
 DEFAULT_JOB_PRIORITY: Final = 50
 MAX_JOB_PRIORITY: Final = 100
 
-_DRAWING: Final = re.compile(r"(?:https?://[^/?#]+)?/?api/(?:v\d+/)?drawings/([a-z0-9]{1,32})")
+_DRAWING: Final = re.compile(r"(?:https?://([^/?#]+)/|/)?api/(?:v\d+/)?drawings/([a-z0-9]{1,32})")
 #: Resources that name the file of a die layout.
 _WITH_FILE: Final = ("DieLayout", "ShapeDef", "CuttingParams")
 
@@ -39,11 +40,19 @@ class XjdfOrder:
     board: str  #: Resource/@ExternalID of the input medium
 
 
-def read_order(content: bytes) -> XjdfOrder:
+def read_order(content: bytes, host: str = "") -> XjdfOrder:
     """Return the order in an XJDF document.
 
     Elements and attributes outside the subset are disregarded, except processes: an order for
     folding, for example, is refused.
+
+    Parameters
+    ----------
+    content
+        The document.
+    host
+        Name and port of this server, as the request names it; "" for a document without drawings on
+        a server.
 
     Raises
     ------
@@ -54,7 +63,7 @@ def read_order(content: bytes) -> XjdfOrder:
     root = parse(content, "XJDF")
     _check_processes(root)
     nodes = _resources(root, "NodeInfo", "Input")
-    drawing, file = _drawing(root)
+    drawing, file = _drawing(root, host)
     return XjdfOrder(
         drawing=drawing,
         file=file,
@@ -87,7 +96,7 @@ def _check_processes(root: Element) -> None:
             raise RequestError("xjdf.bad-value", place="XJDF/@Types", value=process[:100])
 
 
-def _drawing(root: Element) -> tuple[str, str]:
+def _drawing(root: Element, host: str) -> tuple[str, str]:
     """Return the id of the ordered drawing, or the URL of its file in the package."""
     urls = [
         file.get("URL", "")
@@ -98,7 +107,9 @@ def _drawing(root: Element) -> tuple[str, str]:
     ]
     url = _required(_one(urls, "FileSpec/@URL"), "FileSpec/@URL of an input DieLayout")
     if match := _DRAWING.fullmatch(url):
-        return match[1], ""
+        if match[1] is not None and match[1].lower() != host.lower():
+            raise RequestError("xjdf.foreign-drawing", url=url[:200], host=host)
+        return match[2], ""
     parts = urlsplit(url)
     relative = not parts.scheme and not parts.netloc and not parts.path.startswith("/")
     if not (relative or parts.scheme == "cid"):
@@ -168,13 +179,20 @@ def _attributes(root: Element, name: str, attribute: str) -> list[str]:
 
 def _one(values: list[str], place: str) -> str:
     """Return the only value that is not empty, "" if there is none."""
-    found = {value.strip() for value in values} - {""}
+    found = {_readable(value, place) for value in values} - {""}
     if len(found) > 1:
         raise RequestError("xjdf.twice", place=place)
     return found.pop() if found else ""
 
 
 def _required(value: str, place: str) -> str:
-    if not value.strip():
+    if not (readable := _readable(value, place)):
         raise RequestError("xjdf.missing", place=place)
+    return readable
+
+
+def _readable(value: str, place: str) -> str:
+    """Return a value without blanks around it; refuse one with control characters."""
+    if control_character(value, TextKind.LINE):
+        raise RequestError("xjdf.bad-value", place=place, value=printable(value)[:100])
     return value.strip()

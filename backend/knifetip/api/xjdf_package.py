@@ -33,6 +33,7 @@ _ZIP_ENTRY = b"PK\x01\x02"  # begins each entry of the directory
 _MOST_ENTRIES = 10_000  # entries of a directory that is read: each one takes memory
 #: Methods of compression that XJDF permits.  The others may need much memory, too.
 _METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
+_DAMAGED: Final = "it is no ZIP file, or it is damaged or encrypted"
 _ZIP_FAULTS = (
     *(zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError),
     *(RuntimeError, NotImplementedError, LookupError),
@@ -101,7 +102,7 @@ class ZipPackage:
         try:
             self._zip = zipfile.ZipFile(BytesIO(content))
         except _ZIP_FAULTS as reason:
-            raise RequestError("xjdf.bad-package", reason=str(reason)[:200]) from reason
+            raise RequestError("xjdf.bad-package", reason=_DAMAGED) from reason
         # Not ``is_dir``, which fails for an empty name.
         entries = [one for one in self._zip.infolist() if not one.filename.endswith("/")]
         if len(entries) > _MOST_FILES:
@@ -129,7 +130,7 @@ class ZipPackage:
             with self._zip.open(self._entries[name]) as file:
                 content = file.read(limit + 1)
         except _ZIP_FAULTS as reason:
-            raise RequestError("xjdf.bad-package", reason=str(reason)[:200]) from reason
+            raise RequestError("xjdf.bad-package", reason=_DAMAGED) from reason
         if len(content) > limit:
             raise RequestError("xjdf.too-large", name=name, limit=limit >> 20)
         return content
@@ -156,7 +157,8 @@ class MimePackage:
         try:
             self._read(head + content)
         except _MIME_FAULTS as reason:
-            raise RequestError("xjdf.bad-package", reason=type(reason).__name__) from reason
+            reason_text = "its parts cannot be read"
+            raise RequestError("xjdf.bad-package", reason=reason_text) from reason
 
     def _read(self, text: bytes) -> None:
         message = BytesParser(policy=policy.HTTP).parsebytes(text)

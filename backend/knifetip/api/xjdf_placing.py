@@ -8,6 +8,7 @@ from typing import NamedTuple
 from urllib.parse import unquote, urlsplit
 
 from fastapi import Response
+from fastapi.concurrency import run_in_threadpool
 from fastapi.exceptions import RequestValidationError
 from pydantic import Field, ValidationError
 
@@ -47,6 +48,7 @@ class XjdfSubmission(NamedTuple):
     package: XjdfPackage  #: files to which the document refers
     defaults: XjdfDefaults
     release: bool  #: whether the job is queued when its program is accepted
+    host: str = ""  #: name and port of this server, as the request names it
 
 
 async def place_xjdf(
@@ -80,16 +82,20 @@ async def place_xjdf(
         The drawing, the machine or the board is unknown, or the order is not permitted.
     """
     defaults = submission.defaults
-    order = await service.orders.run(partial(read_order, submission.document), client)
+    order = await service.orders.run(
+        partial(read_order, submission.document, submission.host), client
+    )
     job = _job_order(order, defaults, release=submission.release)
     if submission.release:
-        demand(principal, AccessScope.OPERATOR)
+        demand(principal, AccessScope.OPERATOR, AccessScope.ORDER)
     if order.file:
         content = await service.orders.run(partial(submission.package.file, order.file), client)
         name = drawing_name(PurePosixPath(unquote(urlsplit(order.file).path)).name)
         profile = defaults.profile or "default"
         upload = Upload(name, content, profile=profile, details=details_columns(job))
-        drawing = await service.work.run(partial(store_upload, service, upload, key), client)
+        identity = await run_in_threadpool(upload.identity, key)
+        call = partial(store_upload, service, upload, key)
+        drawing = await service.work.run(call, client, identity)
         job = job.model_copy(update={"drawing": drawing.id})
     return await create_job(service, principal, client, response, job, key)
 

@@ -35,8 +35,16 @@ def parse(content: bytes, root: str) -> Element:
         raise RequestError("xjdf.too-large", name=root, limit=LARGEST >> 20)
     try:
         found: Element = ElementTree.fromstring(content, forbid_dtd=True)
-    except (ParseError, DefusedXmlException, ValueError, LookupError) as reason:
-        raise RequestError("xjdf.unreadable", reason=str(reason)[:200]) from reason
+    except DefusedXmlException as reason:
+        text = "it declares a document type or an entity, which is not accepted"
+        raise RequestError("xjdf.unreadable", reason=text) from reason
+    except ParseError as reason:
+        line, column = reason.position
+        text = f"it is not well-formed in line {line}, column {column + 1}"
+        raise RequestError("xjdf.unreadable", reason=text) from reason
+    except (ValueError, LookupError) as reason:
+        text = "its character encoding is not known"
+        raise RequestError("xjdf.unreadable", reason=text) from reason
     if found.tag != f"{{{NAMESPACE}}}{root}":
         raise RequestError(
             "xjdf.not-xjdf", element=found.tag[:100], wanted=root, namespace=NAMESPACE

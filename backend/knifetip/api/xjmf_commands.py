@@ -11,7 +11,7 @@ from xml.etree.ElementTree import Element
 from fastapi import Response
 from fastapi.exceptions import RequestValidationError
 
-from knifetip.api.job_commands import check_withdrawal
+from knifetip.api.ownership import check_own_job, check_withdrawal
 from knifetip.api.principal import Principal, demand
 from knifetip.api.queue import Client
 from knifetip.api.service import Service
@@ -29,12 +29,14 @@ from knifetip.errors import (
     ServerBusy,
     WrongState,
 )
+from knifetip.fields import fault_message
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job import ENDED, LEASED, OPERATOR, State
 from knifetip.jobs.job_store import JobFilter
 from knifetip.jobs.order_details import DetailsFilter
 from knifetip.jobs.queue_store import WaitingChange
 from knifetip.jobs.tables import Job
+from knifetip.messages import render
 
 _MOST_ENTRIES = 200  # entries of a queue that a response contains
 #: Attributes of a QueueFilter that commands may have; the last two select nothing.
@@ -52,6 +54,7 @@ class MessageContext:
     package: XjdfPackage  #: files to which the messages refer
     defaults: XjdfDefaults
     key: str | None  #: Idempotency-Key of the request, None if it has none
+    host: str = ""  #: name and port of this server, as the request names it
 
 
 class _Refusal(Exception):
@@ -85,8 +88,11 @@ async def answer_messages(context: MessageContext, message: XjmfMessage) -> Xjmf
     except _Refusal as reason:
         return XjmfAnswer(message, reason.code, reason.comments)
     except RequestValidationError as reason:
-        texts = [f"{'.'.join(map(str, one['loc']))}: {one['msg']}" for one in reason.errors()]
-        return XjmfAnswer(message, ReturnCode.INVALID_PARAMETERS, texts[:10])
+        texts = [
+            render(fault_message(one, ".".join(map(str, one["loc"]))[:200]))
+            for one in reason.errors()[:10]
+        ]
+        return XjmfAnswer(message, ReturnCode.INVALID_PARAMETERS, texts)
     except KnifetipError as reason:
         return XjmfAnswer(message, _code_of(reason), [reason.text, *filter(None, [reason.hint])])
 
@@ -116,7 +122,13 @@ async def _submit(context: MessageContext, message: XjmfMessage) -> list[Element
         context.principal,
         context.client,
         Response(),
-        XjdfSubmission(document, context.package, context.defaults, activation == "Active"),
+        XjdfSubmission(
+            document,
+            context.package,
+            context.defaults,
+            activation == "Active",
+            context.host,
+        ),
         key,
     )
     return [queue_entry(context.service.store.jobs.get(job.id))]
@@ -168,7 +180,7 @@ def _state_code(row: Job, operation: str) -> ReturnCode:
 
 def _hold(context: MessageContext, row: Job) -> None:
     """Keep a waiting job in the queue, so that no machine claims it."""
-    demand(context.principal, AccessScope.OPERATOR)
+    check_own_job(context.service, context.principal, row.id)
     if row.on_hold:
         raise _Refusal(ReturnCode.ALREADY_SO, "The job is already held.")
     context.service.store.queues.change(row.id, WaitingChange(on_hold=True), OPERATOR)
@@ -182,9 +194,10 @@ def _suspend(context: MessageContext, row: Job) -> None:
 
 def _resume(context: MessageContext, row: Job) -> None:
     """Resume a job on its machine, end its hold in the queue, or release it."""
-    demand(context.principal, AccessScope.OPERATOR)
+    check_own_job(context.service, context.principal, row.id)
     store = context.service.store
     if row.state == State.HELD:
+        demand(context.principal, AccessScope.STATION)
         store.operators.resume(row.id)
         return
     if not row.on_hold and row.state != State.READY:

@@ -4,9 +4,10 @@
 outcome of every drawn edge.
 
 Order of steps: remove overlaps, fit lines and arcs to flattened curves, remove debris, close gaps,
-merge edges that continue each other.  The steps are repeated, at most four times, until no edge is
-split, merged, moved or removed as debris.  An edge that was moved to close a gap is not moved a
-second time.  At last the pieces of folds in the waste are dropped (``trim_folds``).
+merge edges that continue each other, merge edges that nearly coincide.  The steps are repeated, at
+most four times, until no edge is split, merged, moved or removed as debris.  An edge that was moved
+to close a gap is not moved a second time.  At last the pieces of folds in the waste are dropped
+(``trim_folds``).
 
 The module ``state`` assigns the parts of drawn edges to cleaned edges in every step; ``outcomes``
 reports from that assignment what happened to each drawn edge.
@@ -73,6 +74,8 @@ def clean(dieline: Dieline) -> Cleaned:
         dieline.line_type[solid],
         np.zeros(count),
         np.zeros(count, np.bool_),
+        # Readings of older versions do not state how far an edge is from its curve.
+        np.where(np.isfinite(dieline.fit_error[solid]), dieline.fit_error[solid], 0.0),
         every,
         np.zeros(len(every)),
         np.ones(len(every)),
@@ -87,6 +90,8 @@ def clean(dieline: Dieline) -> Cleaned:
             state.merge(curves_only=True)
         state.remove_debris_and_gaps()
         state.merge()
+        if state.has_near and state.merges_near:
+            was_split |= state.merge_near(dieline)
         if state.ends is ends and not was_split:
             break
     state.trim_folds(dieline)

@@ -103,3 +103,23 @@ def range_of(rows: F64_2, i: int, piece: F64_1) -> tuple[float, float]:
             most = common
             best = at
     return best + low, best + high
+
+
+@kernel
+def part_beside(edge: F64_2, longer: F64_2) -> tuple[float, float, bool]:
+    """Return the part of an edge that is beside a longer edge, as fractions 0 … 1 of the edge, and
+    whether the longer edge has the opposite direction.
+
+    In contrast to ``range_of``, the two edges may be curved differently.  ``edge`` and ``longer``
+    are (1, 5): x0, y0, x1, y1, bulge.
+    """
+    low, high = range_of(longer, 0, edge[0])
+    span = place_of(longer, 0, edge[0, 2], edge[0, 3]) - place_of(longer, 0, edge[0, 0], edge[0, 1])
+    if abs(longer[0, 4]) >= BULGE:
+        turn = 2.0 * math.pi / abs(4.0 * math.atan(longer[0, 4]))
+        span -= turn * round(span / turn)
+    size = max(high - low, 1e-12)
+    begin, end = max(0.0, -low / size), min(1.0, (1.0 - low) / size)
+    if span < 0.0:
+        begin, end = 1.0 - end, 1.0 - begin
+    return begin, end, span < 0.0

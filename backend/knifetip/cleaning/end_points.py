@@ -14,7 +14,7 @@ import numpy as np
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.tolerance import MEET
 from knifetip.geometry.union_find import find, flatten, union
-from knifetip.kernels import F64_2, U64, inline_kernel, kernel
+from knifetip.kernels import F64_2, I64_1, U64, inline_kernel, kernel
 
 #: Largest number of points in a cell that a point is compared with: it bounds the time for crowded
 #: drawings.
@@ -53,6 +53,24 @@ def find_end_points(ends: F64, max_distance: float) -> EndPoints:
         return EndPoints(ends, np.zeros(0, np.int64), np.zeros((0, 2), np.int64))
     place, pairs = _find(np.ascontiguousarray(points), max_distance, MEET)
     return EndPoints(ends, place, pairs)
+
+
+@kernel
+def connected_edges(place: I64_1) -> Any:
+    """Return the lowest of the edges with which each of k edges is connected, (k,).
+
+    ``place`` (2k,) is the point of each end; edges are connected if ends of them share a point.
+    """
+    count = len(place) // 2
+    edge_at = np.full(len(place), -1, np.int64)
+    parent = np.arange(count)
+    for end in range(len(place)):
+        if edge_at[place[end]] < 0:
+            edge_at[place[end]] = end // 2
+        else:
+            union(parent, edge_at[place[end]], end // 2)
+    flatten(parent)
+    return parent
 
 
 @inline_kernel

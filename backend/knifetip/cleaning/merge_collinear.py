@@ -1,10 +1,13 @@
-"""merge_collinear: merge collinear lines, concentric arcs and segments of flattened curves.
+"""merge_collinear: merge collinear lines, concentric arcs and the chords of curves.
 
 Two edges are merged only if they have the same line type and no third edge ends at the point where
 they meet or near it (within ``GAP``).  Lines become one line if every joint is within ``JOIN``
 (0.002 mm) of it; arcs that turn in the same direction become one arc within the same distance.
-Three or more edges shorter than ``FINE`` (0.05 mm) are treated as a flattened curve: they are
-replaced by a line or an arc within ``FITTED`` (0.005 mm) of them.
+Chords of a curve are replaced by lines, arcs or a circle (``fit_curves``): four or more, or three
+or more edges shorter than ``FINE`` (0.05 mm).  The distance of the chords from the edge that
+replaces them, and the distance of the edges from the curve of the file that import has
+approximated, are together at most ``CURVE`` (0.0035 mm): the part of a program's tolerance that
+fitted curves may use.
 """
 
 from __future__ import annotations
@@ -16,10 +19,22 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.cleaning.end_points import EndPoints
+from knifetip.cleaning.fit_curves import (
+    FEW_CHORDS,
+    FEW_FINE,
+    SMOOTH_TURN,
+    divide_circle,
+    fit_arc,
+    fit_circle,
+    greatest_distance,
+    longest_arc,
+    longest_line,
+    mark_smooth,
+)
 from knifetip.geometry import arc
 from knifetip.geometry.chain import follow_links
 from knifetip.geometry.columns import F64, I32, U8, Bool
-from knifetip.geometry.tolerance import BULGE, GAP, JOIN, SAME
+from knifetip.geometry.tolerance import BULGE, CURVE, GAP, JOIN, POINT
 from knifetip.kernels import (
     F64_1,
     F64_2,
@@ -31,15 +46,16 @@ from knifetip.kernels import (
     OutBool_1,
     OutF64_1,
     OutI32_1,
+    inline_kernel,
     kernel,
 )
 
 #: Segments shorter than this belong to a flattened curve (mm).
 FINE: Final = GAP
-#: Largest distance of a flattened curve from the line or arc that replaces it (mm).
-FITTED: Final = SAME / 2.0
-#: Least number of segments of a curve.
-_FEW: Final = 3
+#: Cosine of a turn that is none (0.0026°).
+_STRAIGHT: Final = 1.0 - 1e-9
+#: Cosine of the angle between the sides of an acute corner (30°).
+_ACUTE: Final = math.cos(math.radians(30.0))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -53,12 +69,18 @@ class Merged:
     bulge: F64  #: (m,)
     kind: U8  #: (m,) LineType
     merged_edge: I32  #: (k,) merged edge that contains each edge
-    deviation: F64  #: (m,) greatest distance of its parts from the merged edge (mm)
-    fitted: Bool  #: (m,) whether the merged edge replaces a flattened curve
+    fit_error: F64  #: (m,) distance of the edge from the curve that was drawn or read (mm)
+    fitted: Bool  #: (m,) whether the merged edge replaces chords of a curve
 
 
 def merge_collinear(
-    ends: F64, bulge: F64, kind: U8, end_points: EndPoints, *, curves_only: bool = False
+    ends: F64,
+    bulge: F64,
+    kind: U8,
+    fit_error: F64,
+    end_points: EndPoints,
+    *,
+    curves_only: bool = False,
 ) -> Merged:
     """Return k edges after merging those that continue each other.
 
@@ -71,47 +93,45 @@ def merge_collinear(
         Start and end points of the edges (mm).
     bulge, kind : (k,)
         Bulges and line types of the edges.
+    fit_error : (k,)
+        Distances of the edges from the curves that were drawn or read (mm).
     end_points
         Points that the ends of the edges share, and pairs of ends that are near each other.
     curves_only
-        Whether only segments of flattened curves are merged.
+        Whether only edges shorter than ``FINE`` are merged.
     """
     count = len(bulge)
     length = arc.length(ends[:, 0], ends[:, 1], bulge)
     fine = length < FINE
     link = _continuations(end_points.place, end_points.pairs, kind, fine, curves_only)
     order, flipped, first, round_ = follow_links(link)
-    rows = np.column_stack([ends.reshape(-1, 4), bulge])
-    begin, code, off = _split_runs(rows, length, order, flipped, first, round_, JOIN, FITTED, FINE)
+    rows = np.column_stack([ends.reshape(-1, 4), bulge, fit_error])
+    acute = _at_acute_corners(rows, end_points.place)
+    begin, new, is_curve = _split_runs(
+        rows, length, acute, order, flipped, first, round_, JOIN, CURVE, FINE
+    )
     size = np.diff(np.append(begin, count))
     if (size == 1).all():
         every = np.arange(count, dtype=np.int32)
-        return Merged(ends, bulge, kind, every, np.zeros(count), np.zeros(count, np.bool_))
+        return Merged(ends, bulge, kind, every, fit_error, np.zeros(count, np.bool_))
     group = np.repeat(np.arange(len(begin)), size)
     least = np.minimum.reduceat(order, begin)
     rank = np.argsort(np.argsort(least, kind="stable"), kind="stable").astype(np.int32)
     several = size > 1
-    head, tail = begin[several], (begin + size)[several] - 1
-    start = ends[order[head], flipped[head].astype(np.int64)]
-    finish = ends[order[tail], 1 - flipped[tail]]
     position = np.empty(count, np.int64)
     position[order] = np.arange(count)
     back = flipped[position[least[several]]]
-    new_ends, new_bulge = ends[least].copy(), bulge[least].copy()
+    start, finish, code = new[several, :2], new[several, 2:4], new[several, 4]
+    new_ends, new_bulge, error = ends[least].copy(), bulge[least].copy(), fit_error[least].copy()
     new_ends[several, 0] = np.where(back[:, None], finish, start)
     new_ends[several, 1] = np.where(back[:, None], start, finish)
-    new_bulge[several] = np.where(back, -code[several], code[several])
+    new_bulge[several] = np.where(back, -code, code)
+    error[several] = new[several, 5]
     where = np.argsort(rank)
     of = np.empty(count, np.int32)
     of[order] = rank[group]
-    curve = np.bincount(group[fine[order]], minlength=len(begin)) >= _FEW
     return Merged(
-        new_ends[where],
-        new_bulge[where],
-        kind[least][where],
-        of,
-        off[where],
-        curve[where],
+        new_ends[where], new_bulge[where], kind[least][where], of, error[where], is_curve[where]
     )
 
 
@@ -168,9 +188,39 @@ def _continuations(
 
 
 @kernel
+def _at_acute_corners(rows: F64_2, place: I64_1) -> Any:
+    """Return the mask of the edges with an end at a corner of less than 30°, (k,).
+
+    An arc that bulges by the tolerance could cross the other side of such a corner.
+
+    Parameters
+    ----------
+    rows : (k, 6)
+        Edges: x0, y0, x1, y1, bulge, and distance from the curve of the file (mm).
+    place : (2k,)
+        Index of the point of each end; ends that meet have the same point.
+    """
+    acute = np.zeros(len(rows), np.bool_)
+    last = np.full(len(place), -1, np.int64)
+    for end in range(len(place)):
+        other = last[place[end]]
+        last[place[end]] = end
+        if other < 0 or other // 2 == end // 2:
+            continue
+        ax, ay = _direction(rows[end // 2], end % 2 == 1)
+        bx, by = _direction(rows[other // 2], other % 2 == 1)
+        # Both directions point along their edges: an end at the start leaves the corner.
+        if (ax * bx + ay * by) * (1.0 if end % 2 == other % 2 else -1.0) > _ACUTE:
+            acute[end // 2] = True
+            acute[other // 2] = True
+    return acute
+
+
+@kernel
 def _oriented(row: F64_1, back: bool, out: OutF64_1) -> None:
     if back:
         out[0], out[1], out[2], out[3], out[4] = row[2], row[3], row[0], row[1], -row[4]
+        out[5] = row[5]
     else:
         out[:] = row
 
@@ -179,6 +229,7 @@ def _oriented(row: F64_1, back: bool, out: OutF64_1) -> None:
 def _split_runs(
     rows: F64_2,
     length: F64_1,
+    acute: Bool_1,
     order: OutI32_1,
     flipped: OutBool_1,
     first: I32_1,
@@ -193,14 +244,16 @@ def _split_runs(
 
     Parameters
     ----------
-    rows : (k, 5)
-        Edges: x0, y0, x1, y1, bulge.
+    rows : (k, 6)
+        Edges: x0, y0, x1, y1, bulge, and distance from the curve of the file (mm).
     length : (k,)
         Lengths of the edges (mm).
+    acute : (k,)
+        Whether each edge ends at an acute corner, so that it belongs to no fitted curve.
     order, flipped : (k,)
         Edges in the order of the runs, and whether each is traversed from its end to its start.
         In both arrays the edges of a closed run are rotated in place, so that the run starts at its
-        sharpest corner.
+        sharpest corner, or with its longest line.
     first : (r + 1,)
         Index into ``order`` of the first edge of each of r runs, followed by the number k.
     closed : (r,)
@@ -208,35 +261,37 @@ def _split_runs(
     join
         Largest distance of collinear lines, or of concentric arcs, from their replacement (mm).
     fitted
-        Largest distance of a flattened curve from its replacement (mm).
+        Largest distance of a replacement from the curve that was drawn or read (mm).
     fine
         Edges shorter than this belong to a flattened curve (mm).
 
     Returns
     -------
-    begin, bulge, deviation
-        For each group: index into ``order`` of its first edge, bulge of the line or arc that
-        replaces the group, and greatest distance of the group from it (mm).
+    begin, new, is_curve
+        For each of m groups: index into ``order`` of its first edge, (m,); the edge that replaces
+        it, in the direction of the run, as a row like those of ``rows``, (m, 6); and whether it
+        replaces chords of a curve, (m,).
     """
     count = len(order)
     begin = np.empty(count, np.int64)
-    code = np.empty(count)
-    off = np.zeros(count)
-    run = np.empty((count, 5))
-    size = np.empty(count)
+    new = np.empty((count, 6))
+    is_curve = np.zeros(count, np.bool_)
+    run, size, along = np.empty((count, 6)), np.empty(count), np.empty(count + 1)
+    stays = np.empty(count, np.bool_)
+    until, part, arcs = np.empty(count, np.int64), np.empty(3, np.int64), np.empty((3, 5))
     groups = 0
     for r in range(len(first) - 1):
         low, high = first[r], first[r + 1]
         many = high - low
         if many == 1:
             begin[groups] = low
-            code[groups] = rows[order[low], 4]
             groups += 1
             continue
         for i in range(many):
             _oriented(rows[order[low + i]], flipped[low + i], run[i])
+            size[i] = length[order[low + i]]
         if closed[r]:
-            shift = _sharpest(run, many)
+            shift = _first_segment(run, size, many)
             if shift:
                 turned = np.roll(order[low:high], -shift)
                 order[low:high] = turned
@@ -244,43 +299,90 @@ def _split_runs(
                 for i in range(many):
                     flipped[low + i] = again[i] == 1
                     _oriented(rows[order[low + i]], flipped[low + i], run[i])
+                    size[i] = length[order[low + i]]
+        along[0] = 0.0
         for i in range(many):
-            size[i] = length[order[low + i]]
+            along[i + 1] = along[i] + size[i]
+            stays[i] = acute[order[low + i]]
+        is_smooth = mark_smooth(run, size, stays, many, fitted, fine, until)
+        if closed[r] and is_smooth and until[0] == many:
+            carried = run[:many, 5].max()
+            x, y, radius, far = fit_circle(run, many, fitted - carried)
+            number = 0
+            if far < math.inf:
+                number = divide_circle(run, many, x, y, radius, part, arcs)
+            for k in range(number):
+                begin[groups] = low + part[k]
+                new[groups, :5] = arcs[k]
+                new[groups, 5] = carried + far
+                is_curve[groups] = True
+                groups += 1
+            if number:
+                continue
         i = 0
         while i < many:
-            j, b, far = _longest_fit(run, size, i, many, join, fitted, fine)
+            begin[groups] = low + i
+            j = _longest_fit(run, size, along, until, i, many, join, fitted, fine, new[groups])
             if i == 0 and j == many and closed[r]:
                 # A whole circle stays in parts: one edge cannot start where it ends.
                 for k in range(many):
                     begin[groups] = low + k
-                    code[groups] = run[k, 4]
+                    new[groups] = run[k]
                     groups += 1
                 break
-            begin[groups] = low + i
-            code[groups] = b
-            off[groups] = far
+            is_curve[groups] = j < 0
+            j = abs(j)
             groups += 1
+            if is_curve[groups - 1]:
+                rest = _balance(run, along, i, j, until[i], fitted, new[groups - 1], new[groups])
+                if rest > 0:
+                    begin[groups] = low + (i + rest) // 2
+                    is_curve[groups] = True
+                    groups += 1
+                    j = rest
             i = j
-    return begin[:groups].copy(), code[:groups].copy(), off[:groups].copy()
+    return begin[:groups].copy(), new[:groups].copy(), is_curve[:groups].copy()
 
 
 @kernel
-def _sharpest(run: F64_2, count: int) -> int:
-    """Return the index of the segment that starts at the sharpest corner of a closed run.
+def _first_segment(run: F64_2, size: F64_1, count: int) -> int:
+    """Return the index of the segment with which a closed run starts.
 
-    The first ``count`` rows of ``run`` are the segments of the closed run: x0, y0, x1, y1, bulge.
+    It is the one after the sharpest corner.  If there are only smooth joints, it is the first one
+    of the line that contains the longest segment, so that no arc is divided there.
+
+    Parameters
+    ----------
+    run : (k, 6)
+        The first ``count`` rows are the segments of the closed run: x0, y0, x1, y1, bulge, distance
+        from the curve of the file (mm).
+    size : (k,)
+        Lengths of the segments (mm).
     """
-    best = 0
+    best, longest = 0, 0
     least = 2.0
     for i in range(count):
-        before = run[i - 1] if i else run[count - 1]
-        ax, ay = _direction(before, True)
-        bx, by = _direction(run[i], False)
-        cosine = ax * bx + ay * by
+        cosine = _turn(run, i, count)
         if cosine < least - 1e-6:
             least = cosine
             best = i
-    return best
+        if size[i] > size[longest] + POINT:
+            longest = i
+    if least < 1.0 / math.hypot(1.0, SMOOTH_TURN):
+        return best
+    for _ in range(count):
+        if _turn(run, longest, count) < _STRAIGHT:
+            break
+        longest = (longest - 1) % count
+    return longest
+
+
+@kernel(allocates=False)
+def _turn(run: F64_2, i: int, count: int) -> float:
+    """Return the cosine of the turn at the start of segment ``i`` of a closed run."""
+    ax, ay = _direction(run[i - 1] if i else run[count - 1], True)
+    bx, by = _direction(run[i], False)
+    return ax * bx + ay * by
 
 
 @kernel
@@ -296,20 +398,31 @@ def _direction(row: F64_1, last: bool) -> tuple[float, float]:
 
 @kernel
 def _longest_fit(
-    run: F64_2, size: F64_1, i: int, count: int, join: float, fitted: float, fine: float
-) -> tuple[int, float, float]:
+    run: F64_2,
+    size: F64_1,
+    along: F64_1,
+    until: I64_1,
+    i: int,
+    count: int,
+    join: float,
+    fitted: float,
+    fine: float,
+    out: OutF64_1,
+) -> int:
     """Fit the longest possible line or arc to the segments of a run, from segment ``i`` on.
 
     A run is a chain of segments.  Returns the index of the first segment that the line or arc does
-    not replace, the bulge of the line or arc, and the greatest distance of the replaced segments
-    from it (mm).
+    not replace; it is negative if the line or arc replaces chords of a curve.
 
     Parameters
     ----------
-    run : (k, 5)
-        Segments in order: x0, y0, x1, y1, bulge; only the first ``count`` rows are used.
-    size : (k,)
-        Lengths of the segments (mm).
+    run : (k, 6)
+        Segments in order: x0, y0, x1, y1, bulge, distance from the curve of the file (mm); only the
+        first ``count`` rows are used.
+    size, along : (k,) and (k + 1,)
+        Lengths of the segments, and length of the run before each of them (mm).
+    until : (k,)
+        For each segment, the index after the last segment of its smooth run.
     i
         Index of the first segment to replace.
     count
@@ -317,18 +430,21 @@ def _longest_fit(
     join
         Largest distance of collinear lines, or of concentric arcs, from their replacement (mm).
     fitted
-        Largest distance of a flattened curve from its replacement (mm).
+        Largest distance of a replacement from the curve that was drawn or read (mm).
     fine
         Segments shorter than this belong to a flattened curve (mm).
+    out : (6,)
+        Receives the line or arc, as a row like those of ``run``.
     """
     best = i + 1
     bulge = run[i, 4]
     far = 0.0
     if i + 1 < count:
+        carried = run[i, 5]
         if abs(bulge) < BULGE:
-            end = _longest_line(run, i, count, join)
+            end = longest_line(run, i, count, _remaining(join, fitted, carried))
             if end > best:
-                best, bulge, far = end, 0.0, _deviation(run, i, end, 0.0)
+                best, bulge, far = end, 0.0, greatest_distance(run, i, end, 0.0)
         else:
             turn = run[i, 4] > 0.0
             end = i + 1
@@ -339,170 +455,89 @@ def _longest_fit(
                 if abs(sum_) > math.pi / 4.0 + 1e-9:
                     break
                 code = math.tan(sum_)
-                off = _deviation(run, i, end + 1, code)
-                if off > join:
+                off = greatest_distance(run, i, end + 1, code)
+                carried = max(carried, run[end, 5])
+                if off > _remaining(join, fitted, carried):
                     break
                 end += 1
                 best, bulge, far = end, code, off
-    if size[i] < fine:
-        limit = i
-        while limit < count and size[limit] < fine:
-            limit += 1
-        if limit - i >= 3:
-            end = _longest_line(run, i, limit, fitted)
-            if end >= i + 3 and end > best:
-                best, bulge, far = end, 0.0, _deviation(run, i, end, 0.0)
-            end, code, off = _longest_arc(run, size, i, limit, fitted)
-            if end >= i + 3 and end > best:
-                best, bulge, far = end, code, off
-    return best, bulge, far
+    is_curve = False
+    limit = until[i]
+    few = FEW_FINE if size[i] < fine else FEW_CHORDS
+    if limit >= i + few and limit > best:
+        carried = run[i:limit, 5].max()
+        tolerance = fitted - carried
+        end = longest_line(run, i, limit, tolerance) if tolerance > join else best
+        if end >= i + few and end > best:
+            off = greatest_distance(run, i, end, 0.0)
+            if off <= tolerance:
+                best, bulge, far, is_curve = end, 0.0, off, True
+        end, code, off = longest_arc(run, along, i, limit, tolerance)
+        # Chords at the end of a curve are no line, although one would be near enough.
+        is_nearer = is_curve and end == best and off < 0.5 * far
+        if end >= i + few and (end > best or is_nearer):
+            best, bulge, far, is_curve = end, code, off, True
+    out[0], out[1], out[2], out[3] = run[i, 0], run[i, 1], run[best - 1, 2], run[best - 1, 3]
+    out[4] = bulge
+    out[5] = run[i:best, 5].max()
+    if far > POINT:
+        out[5] += far
+    return -best if is_curve else best
+
+
+@inline_kernel
+def _remaining(join: float, fitted: float, carried: float) -> float:
+    """Return by how much an edge may be moved that is ``carried`` mm away from a curve (mm)."""
+    return min(join, fitted - carried) if carried > 0.0 else join
 
 
 @kernel
-def _longest_line(run: F64_2, i: int, limit: int, tolerance: float) -> int:
-    """Fit the longest line that starts where segment ``i`` of ``run`` starts.
+def _balance(
+    run: F64_2,
+    along: F64_1,
+    i: int,
+    j: int,
+    limit: int,
+    fitted: float,
+    one: OutF64_1,
+    other: OutF64_1,
+) -> int:
+    """Divide the last chords of a smooth run equally between two arcs.
 
-    All joints between the replaced segments are within ``tolerance`` mm of the line.  Segments from
-    index ``limit`` on are not replaced.  Returns the index of the first segment that is not
-    replaced.
+    The chords ``i`` … ``j - 1`` are replaced by one arc, which leaves fewer than ``FEW_CHORDS`` of
+    the run, too few for an arc of their own.  A smooth run may end with a line that is no chord:
+    the last segment is left out if no two arcs fit otherwise.
+
+    Parameters
+    ----------
+    run, along
+        Segments, and length of the run before each of them (mm), as for ``_longest_fit``.
+    limit
+        Index after the last segment of the smooth run.
+    fitted
+        Largest distance of a replacement from the curve that was drawn or read (mm).
+    one, other : (6,)
+        Receive the two arcs, which meet after half of the chords.
+
+    Returns
+    -------
+    The index of the first segment that the two arcs do not replace; 0 if there are no such arcs.
     """
-    x, y = run[i, 0], run[i, 1]
-    low, high = -math.inf, math.inf
-    base = math.atan2(run[i, 3] - y, run[i, 2] - x)
-    reached = 0.0
-    end = i
-    best = i + 1
-    while end < limit and abs(run[end, 4]) < BULGE:
-        dx, dy = run[end, 2] - x, run[end, 3] - y
-        far = math.hypot(dx, dy)
-        if far <= reached:
-            break
-        way = math.atan2(dy, dx) - base
-        way = (way + math.pi) % (2.0 * math.pi) - math.pi
-        if abs(way) > 0.5 * math.pi:
-            break
-        end += 1
-        if low <= way <= high:
-            best = end
-        slack = math.asin(tolerance / far) if far > tolerance else math.pi
-        low = max(low, way - slack)
-        high = min(high, way + slack)
-        if low > high:
-            break
-        reached = far
-    return best
-
-
-@kernel
-def _longest_arc(
-    run: F64_2, size: F64_1, i: int, limit: int, tolerance: float
-) -> tuple[int, float, float]:
-    """Fit the longest arc that starts where segment ``i`` of ``run`` starts.
-
-    The replaced segments are within ``tolerance`` mm of the arc.  Segments from index ``limit`` on
-    are not replaced.  ``size`` contains the lengths of the segments (mm).  The number of replaced
-    segments is found by doubling and bisection.
-
-    Returns the index of the first segment that is not replaced, the bulge of the arc, and the
-    greatest distance of the replaced segments from it (mm).  If no arc fits, the index is ``i``,
-    and bulge and distance are 0.
-    """
-    good, code, off = i, 0.0, 0.0
-    step = 4
-    bad = limit + 1
-    while True:
-        end = min(i + step, limit)
-        b = _arc_bulge(run, size, i, end)
-        far = _deviation(run, i, end, b) if abs(b) <= 1.0 else math.inf
-        if far <= tolerance:
-            good, code, off = end, b, far
-            if end == limit:
-                return good, code, off
-            step *= 2
-        else:
-            bad = end
-            break
-    low = good if good > i else i + 2
-    while bad - low > 1:
-        end = (low + bad) // 2
-        b = _arc_bulge(run, size, i, end)
-        far = _deviation(run, i, end, b) if abs(b) <= 1.0 else math.inf
-        if far <= tolerance:
-            low, good, code, off = end, end, b, far
-        else:
-            bad = end
-    return good, code, off
-
-
-@kernel
-def _arc_bulge(run: F64_2, size: F64_1, i: int, end: int) -> float:
-    """Return the bulge of the arc that replaces the segments ``run[i]`` … ``run[end - 1]``.
-
-    The arc passes through the start of the first segment, the end of the last segment, and the
-    joint near the middle of their length.  ``size`` contains the lengths of the segments (mm).
-    """
-    total = 0.0
-    for k in range(i, end):
-        total += size[k]
-    half = 0.0
-    mid = i
-    while mid < end - 2 and half + size[mid] < 0.5 * total:
-        half += size[mid]
-        mid += 1
-    px, py = run[mid, 2], run[mid, 3]
-    ax, ay = run[i, 0] - px, run[i, 1] - py
-    bx, by = run[end - 1, 2] - px, run[end - 1, 3] - py
-    # The inscribed angle at the joint is π minus half the sweep.
-    angle = math.atan2(ax * by - ay * bx, ax * bx + ay * by)
-    open_ = math.pi - abs(angle)
-    bulge = math.tan(0.5 * open_)
-    return -bulge if angle > 0.0 else bulge
-
-
-@kernel
-def _deviation(run: F64_2, i: int, end: int, bulge: float) -> float:
-    """Return the greatest distance (mm) of some segments from the line or arc that replaces them.
-
-    The segments are ``run[i]`` … ``run[end - 1]``.  The line or arc has the bulge ``bulge``, and
-    connects the start of the first segment to the end of the last segment.  The distance is
-    measured at the midpoint and at the end of each segment.  It is infinite if these points do not
-    follow each other along the line or arc, or if the start and the end coincide.
-    """
-    x0, y0, x1, y1 = run[i, 0], run[i, 1], run[end - 1, 2], run[end - 1, 3]
-    dx, dy = x1 - x0, y1 - y0
-    chord = math.hypot(dx, dy)
-    if chord == 0.0:
-        return math.inf
-    worst = 0.0
-    before = -1.0
-    straight = abs(bulge) < 1e-7
-    cx = cy = radius = sweep = 0.0
-    mx = my = 0.0
-    if not straight:
-        lean = (1.0 - bulge * bulge) / (4.0 * bulge)
-        cx = 0.5 * (x0 + x1) - lean * dy
-        cy = 0.5 * (y0 + y1) + lean * dx
-        radius = chord * (1.0 + bulge * bulge) / (4.0 * abs(bulge))
-        sweep = 4.0 * math.atan(bulge)
-        mx = 0.5 * (x0 + x1) + 0.5 * bulge * dy - cx
-        my = 0.5 * (y0 + y1) - 0.5 * bulge * dx - cy
-    for k in range(2 * i, 2 * end):
-        s = k // 2
-        if k % 2:
-            x, y = run[s, 2], run[s, 3]
-        else:
-            b = run[s, 4]
-            x = 0.5 * (run[s, 0] + run[s, 2]) + 0.5 * b * (run[s, 3] - run[s, 1])
-            y = 0.5 * (run[s, 1] + run[s, 3]) - 0.5 * b * (run[s, 2] - run[s, 0])
-        if straight:
-            off = abs((x - x0) * dy - (y - y0) * dx) / chord
-            place = ((x - x0) * dx + (y - y0) * dy) / (chord * chord)
-        else:
-            off = abs(math.hypot(x - cx, y - cy) - radius)
-            px, py = x - cx, y - cy
-            place = 0.5 + math.atan2(mx * py - my * px, mx * px + my * py) / sweep
-        worst = max(worst, off)
-        if place <= before or place < -1e-3 or place > 1.0 + 1e-3:
-            return math.inf
-        before = place
-    return worst
+    if not 0 < limit - j < FEW_CHORDS:
+        return 0
+    carried = run[i:limit, 5].max()
+    for last in range(limit, max(j, limit - 2), -1):
+        middle = (i + last) // 2
+        b, far = fit_arc(run, along, i, middle, fitted - carried)
+        if far == math.inf:
+            continue
+        code, off = fit_arc(run, along, middle, last, fitted - carried)
+        if off == math.inf:
+            continue
+        one[2:4] = run[middle - 1, 2:4]
+        one[4], one[5] = b, carried + far
+        other[:2] = run[middle, :2]
+        other[2:4] = run[last - 1, 2:4]
+        other[4], other[5] = code, carried + off
+        return last
+    return 0

@@ -11,9 +11,11 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
+from knifetip.cleaning.deviation import edge_rows, measure_deviation
 from knifetip.cleaning.state import CleaningState
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.geometry.tolerance import SAME
 from knifetip.model.cleaned import Cleaned, CleaningReason, Stretches
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import ImportOutcome
@@ -86,6 +88,7 @@ def report_outcomes(dieline: Dieline, length: F64, at_work: Bool, state: Cleanin
     target = np.append(slot, -1)[edge]
     # A cleaned edge approximates the curves of all drawn edges that it replaces.
     fit_error = dieline.fit_error[shown]
+    fit_error[slot] = state.fit_error
     np.maximum.at(fit_error, target[target >= 0], dieline.fit_error[row[target >= 0]])
     cleaned = replace(
         dieline,
@@ -120,7 +123,16 @@ def report_outcomes(dieline: Dieline, length: F64, at_work: Bool, state: Cleanin
     )
     moved = np.zeros(count)
     np.maximum.at(moved, source, state.moved)
-    deviation = _deviation(dieline, ends, bulge, row, low, high, target)
+    deviation = np.zeros(count)
+    far = measure_deviation(
+        edge_rows(dieline.ends, dieline.bulge), edge_rows(ends, bulge), row, low, high, target
+    )
+    np.maximum.at(deviation, row, far)
+    # A stretch that nearly coincides with another edge is moved to it.
+    near = live & overlapping & (far > SAME)
+    np.maximum.at(moved, row[near], far[near])
+    is_near = np.zeros(count, np.bool_)
+    is_near[row[near]] = True
     target_row = _main_row(row, size, target, overlapping, count)
     target_row[~at_work] = np.flatnonzero(~at_work)
     outcome, reason = _outcomes(
@@ -128,6 +140,7 @@ def report_outcomes(dieline: Dieline, length: F64, at_work: Bool, state: Cleanin
         _FinalRows(row, edge, overlapping, slot, source, target_row),
         _Lengths(kept, merged, moved, summed(state.off_panel[order])),
         at_work,
+        is_near,
     )
     return Cleaned(
         cleaned,
@@ -207,7 +220,7 @@ def _main_row(row: I64, size: F64, target: I64, overlapping: Bool, count: int) -
 
 
 def _outcomes(
-    state: CleaningState, final_rows: _FinalRows, lengths: _Lengths, at_work: Bool
+    state: CleaningState, final_rows: _FinalRows, lengths: _Lengths, at_work: Bool, is_near: Bool
 ) -> tuple[U8, U8]:
     """Return the outcome and the reason for it, as codes, for each of n drawn edges, (n,) each.
 
@@ -224,6 +237,8 @@ def _outcomes(
         Kept length, merged length and displacement of each drawn edge (mm).
     at_work : (n,)
         Mask of the drawn edges whose line type is cut or creased.
+    is_near : (n,)
+        Mask of the drawn edges of which a part was moved to an edge that it nearly coincided with.
     """
     row, edge, overlapping, slot, source, target_row = final_rows
     kept, merged, moved, off_panel = lengths
@@ -248,7 +263,7 @@ def _outcomes(
     reason[away] = np.where(
         kept[away] > 0.0,
         np.where(curve[away], CleaningReason.FITTED, CleaningReason.JOINED),
-        CleaningReason.TWICE,
+        np.where(is_near[away], CleaningReason.NEAR, CleaningReason.TWICE),
     )
     lost = at_work & (target_row < 0)
     reason[lost] = np.where(off_panel[lost] > 0.0, CleaningReason.OFF_PANEL, CleaningReason.SPECK)
@@ -257,43 +272,3 @@ def _outcomes(
     outcome[away] = ImportOutcome.MERGED
     outcome[lost] = ImportOutcome.DROPPED
     return outcome, reason
-
-
-def _deviation(
-    dieline: Dieline, ends: F64, bulge: F64, row: I64, low: F64, high: F64, target: I64
-) -> F64:
-    """Return the greatest distance of each drawn edge from its cleaned edges, (n,) mm.
-
-    The distance is measured at five points of each stretch of the drawn edge.  It is 0 for a drawn
-    edge that is unchanged, or that became debris.
-
-    Parameters
-    ----------
-    dieline
-        The n drawn edges.
-    ends, bulge : (m, 2, 2) mm and (m,)
-        The cleaned edges.
-    row, low, high, target : (q,)
-        For each of q stretches: its drawn edge, its start and its end as fractions of that edge's
-        length, and the row of its cleaned edge (-1 for debris).
-    """
-    off = np.zeros(len(dieline))
-    live = target >= 0
-    same = bulge[target] == dieline.bulge[row]
-    # By column, since reductions of rows of four numbers are slow.
-    for after, before in zip(ends.reshape(-1, 4).T, dieline.ends.reshape(-1, 4).T, strict=True):
-        same &= after[target] == before[row]
-    some = np.flatnonzero(live & ~same)
-    start, end, bent = (
-        dieline.ends[row[some], 0],
-        dieline.ends[row[some], 1],
-        dieline.bulge[row[some]],
-    )
-    at, to = ends[target[some]], bulge[target[some]]
-    for fraction in (0.0, 0.25, 0.5, 0.75, 1.0):
-        place = low[some] + fraction * (high[some] - low[some])
-        point = arc.point_at(start, end, bent, place)
-        along = arc.nearest_fraction(at[:, 0], at[:, 1], to, point)
-        gap = point - arc.point_at(at[:, 0], at[:, 1], to, along)
-        np.maximum.at(off, row[some], np.hypot(*gap.T))
-    return off

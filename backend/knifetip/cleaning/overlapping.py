@@ -6,6 +6,10 @@ the circle of the longer arc.  The common length must be greater than ``SAME``. 
 less than ``SAME`` apart in the direction of the edges, one end replaces the other, so the whole
 distance between them must be at most ``SAME`` too.
 
+Edges that are farther apart, but nearly coincide, are found by the same rule with ``GAP`` in place
+of ``SAME``, except that an end need not be near an end of the other edge.  A line and an arc nearly
+coincide if the line is a chord of the arc, within ``GAP`` (module ``chords_on_arcs``).
+
 Bounding boxes are searched for pairs of edges that may overlap.  The bounding box of a line is
 computed in a frame that is rotated nearly to the direction of the line, so that the box is thin.
 """
@@ -17,6 +21,7 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
+from knifetip.cleaning.chords_on_arcs import find_chords
 from knifetip.cleaning.edge_parameter import circle_of, middle_of, range_of, size_of
 from knifetip.geometry.capacity import reserve_i64_2
 from knifetip.geometry.columns import F64, I64
@@ -26,8 +31,8 @@ from knifetip.geometry.spatial_index.box_tree import (
     next_overlap,
     start_query,
 )
-from knifetip.geometry.tolerance import ANGLE, BULGE, SAME
-from knifetip.kernels import F64_1, F64_2, I64_1, OutF64_2, kernel
+from knifetip.geometry.tolerance import ANGLE, BULGE, GAP, POINT, SAME
+from knifetip.kernels import F64_1, F64_2, I64_1, OutF64_2, inline_kernel, kernel
 
 #: Angle between neighbouring frames (degrees).
 _FAN: Final = 2.0
@@ -39,30 +44,52 @@ _CROWD: Final = 64
 _LOOKS: Final = 2048
 
 
-def find_overlapping(ends: F64, bulge: F64) -> tuple[I64, I64]:
-    """Return the pairs of edges that overlap: first edge, (p,), and second edge, (p,), of p pairs.
+class Overlapping(NamedTuple):
+    """The p pairs of edges that overlap, and whether further edges nearly coincide."""
+
+    first: I64  #: (p,) first edge of each pair
+    second: I64  #: (p,) second edge of each pair
+    has_near: bool  #: whether two edges are farther apart than ``SAME``, and within ``GAP``
+
+
+def find_overlapping(ends: F64, bulge: F64, *, is_near: bool = False) -> Overlapping:
+    """Return the pairs of edges that overlap.
 
     Each pair is returned once.  To bound the time, the search for the partners of an edge ends
     after ``_CROWD`` partners or ``_LOOKS`` examined edges, so that pairs may be missing if very
-    many edges overlap.  ``ends``, (k, 2, 2) mm, and ``bulge``, (k,), describe the k edges.
+    many edges overlap.
+
+    Parameters
+    ----------
+    ends, bulge : (k, 2, 2) mm and (k,)
+        Start and end points, and bulges, of the k edges.
+    is_near
+        Whether edges that nearly coincide, within ``GAP``, are pairs.
     """
     none = np.zeros(0, np.int64)
     if len(bulge) < 2:
-        return none, none
+        return Overlapping(none, none, False)
     low = np.array([ends[:, :, 0].min(), ends[:, :, 1].min()])
     moved = ends - low
     reach = 4.0 * (float(np.abs(moved).max()) + 1.0)
     rows = np.column_stack([moved.reshape(-1, 4), bulge])
-    boxes, bucket, angle, width = _frame_boxes(rows, np.radians(_FAN), np.radians(ANGLE), SAME)
-    shelf = np.floor(boxes[:, 1] / np.where(bucket == _ARCS, reach / 64.0, SAME))
+    boxes, bucket, angle, width = _frame_boxes(rows, np.radians(_FAN), np.radians(ANGLE), GAP)
+    shelf = np.floor(boxes[:, 1] / np.where(bucket == _ARCS, reach / 64.0, GAP))
     order = np.lexsort((boxes[:, 0], shelf, bucket))
     frames = _Frames(boxes, bucket, angle, width)
-    found = _overlapping(rows, frames, order, reach, math.radians(_FAN), SAME)
+    found, has_near = _overlapping(
+        rows, frames, order, reach, math.radians(_FAN), SAME, GAP - POINT, is_near
+    )
     one, two = order[found[:, 0]], order[found[:, 1]]
+    if is_near or not has_near:
+        line, on = find_chords(rows, GAP - POINT)
+        has_near |= len(line) > 0
+        if is_near:
+            one, two = np.concatenate([one, line]), np.concatenate([two, on])
     # Sorting is faster here than numpy's ``unique``, which hashes: there may be millions.
     pair = np.sort(np.minimum(one, two) * len(bulge) + np.maximum(one, two))
     pair = pair[np.append(True, pair[1:] != pair[:-1])] if len(pair) else pair
-    return pair // len(bulge), pair % len(bulge)
+    return Overlapping(pair // len(bulge), pair % len(bulge), bool(has_near))
 
 
 @kernel
@@ -151,9 +178,17 @@ class _Frames(NamedTuple):
 
 @kernel
 def _overlapping(
-    edges: F64_2, frames: _Frames, order: I64_1, reach: float, fan: float, same: float
+    edges: F64_2,
+    frames: _Frames,
+    order: I64_1,
+    reach: float,
+    fan: float,
+    same: float,
+    gap: float,
+    is_near: bool,
 ) -> Any:
-    """Return the pairs of edges that overlap, (p, 2), as indices in ``order``.
+    """Return the pairs of edges that overlap, (p, 2), as indices in ``order``, and whether further
+    edges nearly coincide.
 
     Parameters
     ----------
@@ -167,9 +202,12 @@ def _overlapping(
         Distance by which the boxes of successive frames are moved apart.
     fan : radians
         Angle between the directions of neighbouring frames.
-    same : mm
-        Largest distance of two edges that overlap.
+    same, gap : mm
+        Largest distance of two edges that overlap, and of two edges that nearly coincide.
+    is_near
+        Whether edges that nearly coincide are pairs.
     """
+    has_near = False
     count = len(order)
     rows, boxes = np.empty((count, 5)), np.empty((count, 4))
     bucket = np.empty(count, np.int64)
@@ -183,6 +221,10 @@ def _overlapping(
             boxes[i, column] = frames.boxes[at, column]
         boxes[i, 1] += bucket[i] * reach
         boxes[i, 3] += bucket[i] * reach
+    circle = np.empty((count, 3))
+    for i in range(count):
+        if bucket[i] == _ARCS:
+            circle[i, 0], circle[i, 1], circle[i, 2], _ = circle_of(rows, i)
     tree, stack = build_tree(boxes), new_stack()
     other = np.empty((1, 4))
     found = np.empty((64, 2), np.int64)
@@ -199,7 +241,7 @@ def _overlapping(
                 if look * off < fan / 2.0 - width[i]:
                     continue
                 shelf = (bucket[i] + look) % _ARCS
-                _box(rows, i, shelf * fan, same, other, 0)
+                _box(rows, i, shelf * fan, gap, other, 0)
                 other[0, 1] += shelf * reach
                 other[0, 3] += shelf * reach
                 box = other[0]
@@ -214,19 +256,41 @@ def _overlapping(
                 )
                 if j < 0:
                     break
-                if i != j and _do_overlap(rows, i, j, same):
+                if i == j:
+                    continue
+                if bucket[i] == _ARCS and _are_apart(rows, circle, i, j, gap):
+                    continue
+                if is_near:
+                    overlap = _do_overlap(rows, i, j, gap, True)
+                else:
+                    overlap = _do_overlap(rows, i, j, same, False)
+                    if not overlap and not has_near:
+                        has_near = _do_overlap(rows, i, j, gap, True)
+                if overlap:
                     found = reserve_i64_2(found, size + 1)
                     found[size, 0], found[size, 1] = i, j
                     size += 1
                     partners += 1
-    return found[:size].copy()
+    return found[:size].copy(), has_near
+
+
+@inline_kernel
+def _are_apart(rows: F64_2, circle: F64_2, i: int, j: int, gap: float) -> bool:
+    """Return whether each of two arcs starts more than ``gap`` mm off the circle of the other.
+
+    ``circle`` (k, 3) is centre and radius of each arc in ``rows`` (mm).
+    """
+    one = math.hypot(rows[j, 0] - circle[i, 0], rows[j, 1] - circle[i, 1]) - circle[i, 2]
+    other = math.hypot(rows[i, 0] - circle[j, 0], rows[i, 1] - circle[j, 1]) - circle[j, 2]
+    return bool(min(abs(one), abs(other)) > gap)
 
 
 @kernel
-def _do_overlap(rows: F64_2, i: int, j: int, same: float) -> bool:
+def _do_overlap(rows: F64_2, i: int, j: int, same: float, is_near: bool) -> bool:
     """Return whether the edges ``rows[i]`` and ``rows[j]`` overlap along more than ``same`` mm.
 
-    ``rows`` (k, 5) are edges: x0, y0, x1, y1, bulge.
+    ``rows`` (k, 5) are edges: x0, y0, x1, y1, bulge.  With ``is_near``, the ends of the edges may
+    be farther apart than ``same`` if the edges are not.
     """
     if (abs(rows[i, 4]) >= BULGE) != (abs(rows[j, 4]) >= BULGE):
         return False
@@ -244,7 +308,7 @@ def _do_overlap(rows: F64_2, i: int, j: int, same: float) -> bool:
             y = rows[j, 2 * end + 1] - rows[i, 1]
             if abs(y * dx - x * dy) > same:
                 return False
-            if _is_end_moved_too_far(
+            if not is_near and _is_end_moved_too_far(
                 rows, i, rows[j, 2 * end : 2 * end + 2], y * dx - x * dy, same
             ):
                 return False
@@ -257,7 +321,7 @@ def _do_overlap(rows: F64_2, i: int, j: int, same: float) -> bool:
         for end in range(2):
             point = rows[j, 2 * end : 2 * end + 2]
             across = math.hypot(point[0] - cx, point[1] - cy) - radius
-            if _is_end_moved_too_far(rows, i, point, across, same):
+            if not is_near and _is_end_moved_too_far(rows, i, point, across, same):
                 return False
     low, high = range_of(rows, i, rows[j])
     return (min(high, 1.0) - max(low, 0.0)) * length > same

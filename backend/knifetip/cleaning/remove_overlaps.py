@@ -5,28 +5,34 @@ processed from the longest to the shortest.  An edge that is processed later los
 overlap an earlier edge, if the line type of the earlier edge makes them superfluous: for example, a
 cut makes a crease superfluous.  The module ``priority`` contains these rules.  A part is removed
 only at a position at which another edge remains.
+
+Edges overlap if they are within ``SAME``.  In a second pass, those that nearly coincide, within
+``GAP``, are treated alike: no part of them is moved by more than ``GAP``, and what lies beyond the
+end of the other edge is dropped if it is at most as long as ``GAP``.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from knifetip.cleaning.edge_parameter import place_of, range_of, size_of
+from knifetip.cleaning.deviation import distance_to_edge, point_on_edge
+from knifetip.cleaning.edge_parameter import part_beside, place_of, range_of, size_of
 from knifetip.cleaning.overlapping import find_overlapping
 from knifetip.cleaning.priority import COVERS, PRIORITY
 from knifetip.errors import DrawingTooLarge
 from knifetip.geometry import arc
 from knifetip.geometry.capacity import reserve_f64_2, reserve_i64_2
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
-from knifetip.geometry.tolerance import BULGE, POINT, SAME
+from knifetip.geometry.tolerance import BULGE, GAP, POINT, SAME
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.kernels import (
     F64_2,
     I64_1,
+    Bool_1,
     Bool_2,
     OutF64_1,
     OutF64_2,
@@ -39,6 +45,8 @@ from knifetip.kernels import (
 #: number grows with the square of that of edges.
 _STRETCHES: Final = 1_000_000
 _TO_AN_EDGE: Final = 16
+#: Chains of edges whose lengths differ by less than about this fraction are alike.
+_ALIKE: Final = 0.01
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -55,11 +63,24 @@ class Pieces:
     edge: I32  #: (q,) edge of each stretch
     begin: F64  #: (q,) start of each stretch, 0 … 1 of the length of its edge
     end: F64  #: (q,) end of each stretch, 0 … 1
-    piece: I32  #: (q,) piece that covers each stretch
+    piece: I32  #: (q,) piece that covers each stretch; -1 if it is dropped
     is_foreign: Bool  #: (q,) whether that piece belongs to another edge
+    moved: F64  #: (m,) distance by which an end of the piece was moved to another edge (mm)
+    has_near: bool = False  #: whether edges nearly coincide that do not overlap
 
 
-def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
+class NearEdges(NamedTuple):
+    """How k edges that nearly coincide are merged.
+
+    A whole chain of connected edges is processed before the next one, so that the edges of two
+    copies do not alternate: the longest first, of nearly equal ones that with the fewest edges.
+    """
+
+    chain_of: I64  #: (k,) number of the chain of each edge
+    is_fixed: Bool  #: (k,) whether the edge remains although it nearly coincides with another
+
+
+def remove_overlaps(ends: F64, bulge: F64, kind: U8, near: NearEdges | None = None) -> Pieces:
     """Return the pieces of k edges that remain after overlaps are removed.
 
     Parameters
@@ -68,6 +89,8 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
         Start and end points of the edges (mm).
     bulge, kind : (k,)
         Bulges and line types of the edges.
+    near, optional
+        If it is given, edges that nearly coincide are merged, too.
 
     Raises
     ------
@@ -75,13 +98,14 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
         Too many edges overlap.
     """
     count = len(bulge)
+    is_near = near is not None
     twin = _duplicates(ends, bulge, kind)
     every = np.arange(count, dtype=np.int32)
     alone = np.flatnonzero(twin == every)
     if len(alone) == count:
-        first, second = find_overlapping(ends, bulge)
+        first, second, has_near = find_overlapping(ends, bulge, is_near=is_near)
     else:
-        first, second = find_overlapping(ends[alone], bulge[alone])
+        first, second, has_near = find_overlapping(ends[alone], bulge[alone], is_near=is_near)
     if len(first) == 0:
         number = np.full(count, -1, np.int32)
         number[alone] = np.arange(len(alone))
@@ -94,10 +118,26 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
             np.ones(count),
             number[twin],
             twin != every,
+            np.zeros(len(alone)),
+            has_near,
         )
     size = np.round(arc.length(ends[alone, 0], ends[alone, 1], bulge[alone]) / POINT)
     # Of equal edges the first drawn remains.
-    order = np.lexsort((np.arange(len(alone)), -size, -PRIORITY[kind[alone]]))
+    keys = [np.arange(len(alone)), -size, -PRIORITY[kind[alone]].astype(np.float64)]
+    is_fixed = np.zeros(len(alone), np.bool_)
+    if near is not None:
+        chain_of, is_fixed = near.chain_of[alone], near.is_fixed[alone]
+        total = np.bincount(chain_of, size)
+        count_of = np.bincount(chain_of)
+        # Of chains of nearly equal length, a circle goes before the polygon beside it.
+        scale = np.round(np.log(np.maximum(total, 1.0)) / _ALIKE)
+        keys[2:2] = [
+            chain_of,
+            -np.round(total * POINT / SAME)[chain_of],
+            count_of[chain_of],
+            -scale[chain_of],
+        ]
+    order = np.lexsort(keys)
     both = np.concatenate([first, second])
     other = np.concatenate([second, first])
     by_edge = np.argsort(both, kind="stable")
@@ -111,7 +151,9 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
         other[by_edge],
         bounds,
         COVERS,
-        SAME,
+        is_fixed,
+        GAP if is_near else SAME,
+        is_near,
         max_stretches,
     )
     if len(edge) > max_stretches:
@@ -120,7 +162,7 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
     straight = np.argsort(owner, kind="stable")
     number = np.empty(len(owner), np.int32)
     number[straight] = np.arange(len(owner))
-    piece, owner, on = piece[straight], owner[straight], number[on]
+    piece, owner, on = piece[straight], owner[straight], np.where(on < 0, -1, number[on])
     # A duplicate is covered like the edge it duplicates.
     doubles = np.flatnonzero(twin != np.arange(count))
     of_first = np.argsort(edge, kind="stable")
@@ -142,6 +184,8 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8) -> Pieces:
         np.concatenate([end, np.where(back, 1.0 - begin[like], end[like])]),
         np.concatenate([on, on[like]]).astype(np.int32),
         np.concatenate([is_foreign, np.ones(len(double), np.bool_)]),
+        piece[:, 5].copy(),
+        has_near,
     )
 
 
@@ -184,7 +228,14 @@ def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
 
 @inline_kernel
 def _covered(
-    rows: F64_2, e: int, piece: F64_2, p: int, length: float, same: float, out: OutF64_1
+    rows: F64_2,
+    e: int,
+    piece: F64_2,
+    p: int,
+    length: float,
+    same: float,
+    is_near: bool,
+    out: OutF64_1,
 ) -> int:
     """Find the stretch of an edge that a piece covers; return 1 if there is one, else 0.
 
@@ -197,23 +248,46 @@ def _covered(
         Length of the edge (mm).
     same
         A stretch that is not longer than this is neglected (mm).
+    is_near
+        Whether the piece may be as far as ``same`` from the edge, and what is beyond its ends
+        remains.
     out
         If a stretch is found, its start and its end (0 … 1 of the edge) are written into entries 0
         and 1, and ``p`` into entry 2.  Entry 3 becomes 0 if the piece has the direction of the
-        edge, and 2 if it has the opposite direction.
+        edge, and 2 if it has the opposite direction.  Entry 4 becomes the distance of the piece
+        from the stretch (mm), 0 without ``is_near``.
     """
-    low, high = range_of(rows, e, piece[p])
+    back = False
+    is_longer = is_near and size_of(piece, p) > length
+    if is_longer:
+        low, high, back = part_beside(rows[e : e + 1], piece[p : p + 1])
+    else:
+        low, high = range_of(rows, e, piece[p])
     # Ends within the tolerance are equal.
-    if low * length < same:
+    if low * length < same and not is_near:
         low = 0.0
-    if (1.0 - high) * length < same:
+    if (1.0 - high) * length < same and not is_near:
         high = 1.0
-    if (high - low) * length <= same:
+    low, high = max(low, 0.0), min(high, 1.0)
+    least = same
+    if (abs(rows[e, 4]) < BULGE) != (abs(piece[p, 4]) < BULGE):
+        # The chords of a curve may be shorter than the distance.
+        least = min(same, 0.5 * length, 0.5 * size_of(piece, p))
+    if (high - low) * length <= least:
         return 0
+    out[4] = 0.0
+    if is_near:
+        for place in (low, 0.5 * (low + high), high):
+            x, y = point_on_edge(rows[e], place)
+            out[4] = max(out[4], distance_to_edge(piece[p], x, y))
+        if out[4] > same - POINT:
+            return 0
     reversed_ = place_of(rows, e, piece[p, 0], piece[p, 1]) > place_of(
         rows, e, piece[p, 2], piece[p, 3]
     )
-    if abs(rows[e, 4]) >= BULGE:
+    if is_longer:
+        reversed_ = back
+    elif min(abs(rows[e, 4]), abs(piece[p, 4])) >= BULGE:
         reversed_ = (piece[p, 4] < 0.0) != (rows[e, 4] < 0.0)
     out[0], out[1], out[2], out[3] = low, high, p, 2 if reversed_ else 0
     return 1
@@ -250,6 +324,14 @@ def _add_stretch(
     return count + 1
 
 
+@inline_kernel
+def _within(apart: float, same: float) -> float:
+    """Return the length of an edge beyond the end of another one, ``apart`` mm beside it, that is
+    still within ``same`` mm of this end.
+    """
+    return math.sqrt(max(same * same - apart * apart, 0.0))
+
+
 @kernel
 def _remove(
     rows: F64_2,
@@ -258,7 +340,9 @@ def _remove(
     partners: I64_1,
     bounds: I64_1,
     hides: Bool_2,
+    is_fixed: Bool_1,
     same: float,
+    is_near: bool,
     max_stretches: int,
 ) -> Any:
     """Remove from each edge the stretches that overlap pieces of edges processed before it.
@@ -273,8 +357,12 @@ def _remove(
         ``partners[bounds[i] : bounds[i + 1]]`` are the edges that overlap edge i.
     hides
         ``hides[a, b]``: whether an edge of line type a removes a stretch of line type b.
+    is_fixed : (k,)
+        Mask of the edges of which no stretch is removed.
     same
         Length up to which stretches are neglected (mm).
+    is_near
+        Whether the edges only nearly coincide, within ``same``.
     max_stretches
         Limit of the number q of stretches.  The function may stop early if the limit is exceeded,
         so the caller must reject a result with more stretches than this.
@@ -282,13 +370,15 @@ def _remove(
     Returns
     -------
     piece, owner
-        The m pieces that remain (x0, y0, x1, y1, bulge), (m, 5), and the edge of each, (m,).
+        The m pieces that remain (x0, y0, x1, y1, bulge, displacement of an end), (m, 6), and the
+        edge of each, (m,).
     edge, begin, end, piece, is_foreign
         For each of q stretches, (q,): its edge, its start and end (0 … 1 of the edge), the index of
-        the piece that is coincident with it, and whether this piece belongs to another edge.
+        the piece that is coincident with it (-1 if it is dropped), and whether this piece belongs
+        to another edge.
     """
     count = len(rows)
-    piece = np.empty((count + 64, 5))
+    piece = np.zeros((count + 64, 6))
     owner = np.empty((count + 64, 1), np.int64)
     cover = np.empty((2 * count + 64, 2))
     source = np.empty((2 * count + 64, 3), np.int64)
@@ -305,55 +395,76 @@ def _remove(
         claims = 0
         for at in range(bounds[e], bounds[e + 1]):
             f = partners[at]
-            if not hides[kind[f], kind[e]]:
+            if is_fixed[e] or not hides[kind[f], kind[e]]:
                 continue
             for p in range(first[f], last[f]):
                 claim = reserve_f64_2(claim, claims + 1)
-                claims += _covered(rows, e, piece, p, length, same, claim[claims])
+                claims += _covered(rows, e, piece, p, length, same, is_near, claim[claims])
         piece = reserve_f64_2(piece, pieces + claims + 1)
         owner = reserve_i64_2(owner, pieces + claims + 1)
-        cover = reserve_f64_2(cover, stretches + 2 * claims + 1)
-        source = reserve_i64_2(source, stretches + 2 * claims + 1)
+        cover = reserve_f64_2(cover, stretches + 2 * claims + 3)
+        source = reserve_i64_2(source, stretches + 2 * claims + 3)
         if claims == 0:
-            piece[pieces] = rows[e]
+            piece[pieces, :5] = rows[e]
+            piece[pieces, 5] = 0.0
             owner[pieces, 0] = e
             stretches = _add_stretch(cover, source, stretches, 0.0, 1.0, e, pieces, False)
             pieces += 1
             last[e] = pieces
             continue
         here = 0.0
+        moved = 0.0
         x, y = rows[e, 0], rows[e, 1]
         sorted_ = np.argsort(claim[:claims, 0], kind="mergesort")
         for step in range(claims + 1):
             low, high = 1.0, 1.0
             ex, ey = rows[e, 2], rows[e, 3]
             p = -1
+            apart = 0.0
             if step < claims:
                 row = sorted_[step]
                 low, high = claim[row, 0], claim[row, 1]
                 p = int(claim[row, 2])
                 near_end = int(claim[row, 3])
+                apart = claim[row, 4]
                 if low > 0.0:
                     ex, ey = piece[p, near_end], piece[p, near_end + 1]
                 else:
                     ex, ey = rows[e, 0], rows[e, 1]
-            if (low - here) * length > same and math.hypot(ex - x, ey - y) > same:
+            neglected = same
+            if is_near and here > 0.0 and step < claims:
+                neglected = _within(apart, same)
+            if (low - here) * length > neglected and math.hypot(ex - x, ey - y) > neglected:
                 piece[pieces, 0] = x
                 piece[pieces, 1] = y
                 piece[pieces, 2] = ex
                 piece[pieces, 3] = ey
                 piece[pieces, 4] = math.tan(math.atan(rows[e, 4]) * (low - here))
+                piece[pieces, 5] = max(moved, apart if low > 0.0 else 0.0)
                 owner[pieces, 0] = e
                 stretches = _add_stretch(cover, source, stretches, here, low, e, pieces, False)
                 pieces += 1
                 here = low
             elif step == claims and here < 1.0 and stretches > 0:
                 # A remainder below the tolerance is added to the previous stretch.
-                cover[stretches - 1, 1] = 1.0
+                reached = 1.0
+                if is_near:
+                    reached = min(1.0, here + _within(moved, same) / length)
+                cover[stretches - 1, 1] = reached
+                if (1.0 - reached) * length > POINT:
+                    stretches = _add_stretch(cover, source, stretches, reached, 1.0, e, -1, True)
+                else:
+                    cover[stretches - 1, 1] = 1.0
             if step < claims and high > here:
                 high = min(high, 1.0)
+                if is_near and here == 0.0 and low > 0.0:
+                    begin = max(0.0, low - _within(apart, same) / length)
+                    if begin * length > POINT:
+                        stretches = _add_stretch(cover, source, stretches, 0.0, begin, e, -1, True)
+                        here = begin
                 stretches = _add_stretch(cover, source, stretches, here, high, e, p, True)
                 here = high
+                moved = apart
                 far_end = 2 - int(claim[sorted_[step], 3])
                 x, y = piece[p, far_end], piece[p, far_end + 1]
         last[e] = pieces

@@ -6,23 +6,27 @@ step updates this assignment together with the edges.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from typing import Final
 
 import numpy as np
 
 from knifetip.cleaning.close_gaps import close_gaps, find_debris
-from knifetip.cleaning.end_points import EndPoints, find_end_points
+from knifetip.cleaning.deviation import edge_rows, measure_deviation
+from knifetip.cleaning.end_points import EndPoints, connected_edges, find_end_points
 from knifetip.cleaning.merge_collinear import merge_collinear
-from knifetip.cleaning.remove_overlaps import Pieces, remove_overlaps
+from knifetip.cleaning.reattach import MergedLines, reattach
+from knifetip.cleaning.remove_overlaps import NearEdges, Pieces, remove_overlaps
 from knifetip.cleaning.trim_folds import trim_folds
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64, I64, U8, Bool
-from knifetip.geometry.tolerance import GAP, POINT
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.geometry.tolerance import GAP, JOIN, POINT
 from knifetip.model.dieline import Dieline
 
 #: Parts of a stretch up to this fraction of its length are rounding errors.
 _SLIVER: Final = 1e-12
+#: How often edges that nearly coincide are merged, each time without those that moved too far.
+_TRIALS: Final = 3
 
 
 @dataclass(slots=True)
@@ -36,13 +40,18 @@ class CleaningState:
     bulge: F64  #: (k,)
     kind: U8  #: (k,) line type
     moved: F64  #: (k,) largest displacement of an end (mm)
-    fitted: Bool  #: (k,) whether the edge replaces a flattened curve
+    fitted: Bool  #: (k,) whether the edge replaces chords of a curve
+    fit_error: F64  #: (k,) distance of the edge from the curve that was drawn or read (mm)
     row: I64  #: (q,) drawn edge of each stretch
     begin: F64  #: (q,) start of each stretch, 0 … 1 of the drawn edge
     end: F64  #: (q,) end of each stretch
     edge: I64  #: (q,) current edge of each stretch, -1 if dropped
     overlapping: Bool  #: (q,) whether the stretch overlaps another edge
     off_panel: Bool  #: (q,) whether the stretch was dropped because it is outside all panels
+    #: whether current edges nearly coincided when overlaps were removed last
+    has_near: bool = False
+    #: whether edges that nearly coincide may be merged; False after it failed
+    merges_near: bool = True
     #: points of the ends of ``ends``, None before they are first used
     cached_end_points: EndPoints | None = None
 
@@ -58,20 +67,83 @@ class CleaningState:
             self.cached_end_points = find_end_points(self.ends, GAP + POINT)
         return self.cached_end_points
 
-    def remove_overlaps(self, drawn: Dieline) -> bool:
+    def remove_overlaps(self, drawn: Dieline, near: NearEdges | None = None) -> bool:
         """Divide current edges where they overlap, and remove parts that another edge replaces.
+
+        With ``near``, edges that nearly coincide, within ``GAP``, overlap.
 
         A drawn edge consists of stretches, each of which belongs to one current edge.  The
         stretches are divided at the same points and then belong to the edges that remain.
         ``drawn`` contains the drawn edges.  Returns whether any current edge was divided because
         only a part of it overlaps another edge.
         """
-        pieces = remove_overlaps(self.ends, self.bulge, self.kind)
+        pieces = remove_overlaps(self.ends, self.bulge, self.kind, near)
+        self.has_near = pieces.has_near
         if not pieces.is_foreign.any():
             return False
         split = len(pieces.edge) > len(self.bulge)
         self._divide(drawn, pieces)
         return split
+
+    def merge_near(self, drawn: Dieline) -> bool:
+        """Merge current edges that nearly coincide, within ``GAP``.
+
+        No part of a drawn edge moves by more than ``GAP`` in all steps together: an edge that would
+        carry it farther stays.  ``drawn`` contains the drawn edges.  Returns whether any current
+        edge was divided.
+        """
+        before = replace(self)
+        chain_of = connected_edges(self.end_points().place)
+        is_fixed = np.zeros(len(self.bulge), np.bool_)
+        for _ in range(_TRIALS):
+            was_split = self.remove_overlaps(drawn, NearEdges(chain_of, is_fixed))
+            far = self._deviation(drawn)
+            if self._reattach(drawn, (far > JOIN) & self.overlapping):
+                far = self._deviation(drawn)
+            too_far = np.isin(before.row, self.row[far > GAP + POINT]) & (before.edge >= 0)
+            if not too_far.any():
+                return was_split
+            is_fixed[before.edge[too_far]] = True
+            for column in fields(before):
+                setattr(self, column.name, getattr(before, column.name))
+        self.merges_near = False
+        return False
+
+    def _deviation(self, drawn: Dieline) -> F64:
+        """Return the greatest distance of each stretch from its current edge, (q,) mm."""
+        return measure_deviation(
+            edge_rows(drawn.ends, drawn.bulge),
+            edge_rows(self.ends, self.bulge),
+            self.row,
+            self.begin,
+            self.end,
+            self.edge,
+        )
+
+    def _reattach(self, drawn: Dieline, merged: Bool) -> bool:
+        """Move ends that touched stretches that were merged, and return whether any was moved.
+
+        ``merged`` (q,) is the mask of these stretches of the drawn edges ``drawn``.
+        """
+        rows = np.flatnonzero(merged)
+        if len(rows) == 0:
+            return False
+        edge = self.row[rows]
+        parts = arc.sub_arc(
+            drawn.ends[edge, 0],
+            drawn.ends[edge, 1],
+            drawn.bulge[edge],
+            self.begin[rows],
+            self.end[rows],
+        )
+        ends = reattach(
+            self.ends, self.bulge, self.end_points().place, MergedLines(*parts, self.edge[rows])
+        )
+        moved = np.hypot(*(ends - self.ends).transpose(2, 0, 1)).max(axis=1, initial=0.0)
+        if not moved.any():
+            return False
+        self.ends, self.moved = ends, np.maximum(self.moved, moved)
+        return True
 
     def trim_folds(self, drawn: Dieline) -> None:
         """Divide folds at the outlines of panels, and drop their pieces in the waste.
@@ -130,8 +202,14 @@ class CleaningState:
         overlapping = self.overlapping[live][old] | pieces.is_foreign[part]
         self.overlapping = np.concatenate([overlapping, self.overlapping[lost]])
         self.ends, self.bulge, self.kind = pieces.ends, pieces.bulge, self.kind[pieces.owner]
-        self.moved, self.fitted = self.moved[pieces.owner], self.fitted[pieces.owner]
+        self._select(pieces.owner)
+        self.moved = np.maximum(self.moved, pieces.moved)
         self.off_panel = np.zeros(len(self.edge), np.bool_)
+
+    def _select(self, rows: I64 | I32 | Bool) -> None:
+        """Select rows of the columns that follow a current edge through every step."""
+        self.moved, self.fitted = self.moved[rows], self.fitted[rows]
+        self.fit_error = self.fit_error[rows]
 
     def ensure_owned(self) -> None:
         """Ensure that each current edge has a stretch that is not marked as overlapping.
@@ -150,16 +228,21 @@ class CleaningState:
         number = np.append(np.where(keep, np.cumsum(keep) - 1, -1), -1)
         self.edge = number[self.edge]
         self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]
-        self.moved, self.fitted = self.moved[keep], self.fitted[keep]
+        self._select(keep)
 
     def merge(self, *, curves_only: bool = False) -> None:
         """Merge current edges that continue each other.
 
         The parts of drawn edges that belonged to the merged edges then belong to the new edge.  If
-        ``curves_only`` is True, only the segments of flattened curves are merged.
+        ``curves_only`` is True, only edges shorter than the gap tolerance are merged.
         """
         merged = merge_collinear(
-            self.ends, self.bulge, self.kind, self.end_points(), curves_only=curves_only
+            self.ends,
+            self.bulge,
+            self.kind,
+            self.fit_error,
+            self.end_points(),
+            curves_only=curves_only,
         )
         count = len(merged.bulge)
         if count == len(self.bulge):
@@ -168,8 +251,8 @@ class CleaningState:
         np.maximum.at(moved, merged.merged_edge, self.moved)
         np.logical_or.at(fitted, merged.merged_edge, self.fitted)
         self.ends, self.bulge, self.kind = merged.ends, merged.bulge, merged.kind
-        self.moved, self.fitted = moved, fitted
-        self.edge = np.where(self.edge < 0, -1, merged.merged_edge[self.edge])
+        self.moved, self.fitted, self.fit_error = moved, fitted, merged.fit_error
+        self.edge = np.where(self.edge < 0, -1, merged.merged_edge[self.edge]).astype(np.int64)
 
     def remove_debris_and_gaps(self) -> None:
         """Remove current edges that are debris, then close gaps between the ends of edges."""
@@ -180,7 +263,7 @@ class CleaningState:
             keep = ~debris
             number = np.where(keep, np.cumsum(keep) - 1, -1)
             self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]
-            self.moved, self.fitted = self.moved[keep], self.fitted[keep]
+            self._select(keep)
             self.edge = np.where(self.edge < 0, -1, number[self.edge])
         closed = close_gaps(self.ends, self.bulge, self.kind, self.moved > 0.0, self.end_points())
         self.moved = np.maximum(self.moved, closed.displacement)

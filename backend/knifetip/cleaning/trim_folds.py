@@ -435,4 +435,5 @@ def _remaining_pieces(ends: F64, bulge: F64, parts: _Parts, dropped: Bool) -> Pi
         end,
         np.where(kept, number, -1).astype(np.int32),
         np.zeros(len(edge), np.bool_),
+        np.zeros(len(owner)),
     )

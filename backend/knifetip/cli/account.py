@@ -130,10 +130,20 @@ def create_key(
     scope: Annotated[
         list[AccessScope],
         typer.Option(
-            help="viewer, designer, operator, admin or gateway; may be repeated. Each role "
-            "contains those before it."
+            help="read, order, webhooks, station or gateway, or a role of users: viewer, designer, "
+            "operator, admin; may be repeated. No role lets a key start or move a machine."
         ),
     ],
+    customer: Annotated[
+        str, typer.Option(help="Only customer whose jobs the key sees and orders. Default: all.")
+    ] = "",
+    machine: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="Only machine of the key; may be repeated. Default: all; for a gateway the first "
+            "one for which it is used."
+        ),
+    ] = None,
     days: Annotated[
         float | None, typer.Option(min=0.001, help="Days until the key expires. Default: never.")
     ] = None,
@@ -148,19 +158,25 @@ def create_key(
     chosen: DatabaseOptions,
 ) -> None:
     """Create an API key and print its secret, or write it to a file; it cannot be read again."""
+    from knifetip.jobs.accounts.key_limits import KeyLimits  # imports the database
+    from knifetip.library.definition import Shelf
+
     expires = None if days is None else time.time() + days * _DAY
     with _changing(chosen.url, "create_key") as store, ExitStack() as stack:
+        for name in machine or ():
+            store.library.definition(Shelf.MACHINES, name)
+        limits = KeyLimits(customer, frozenset(machine or ()))
         new_file = None
         if file is not None:
-            from knifetip.cli.key_file import NewKeyFile, key_in  # imports the database
+            from knifetip.cli.key_file import NewKeyFile, key_in
 
-            kept = key_in(file, store.keys, scope)
+            kept = key_in(file, store.keys, scope, limits)
             if kept is not None:
                 print_stderr(f"{file}: key {kept.id} for {kept.title} is valid")
                 return
             new_file = NewKeyFile(file)
             stack.callback(new_file.remove)
-        row, secret = store.keys.add(title, scope, expires, "command line")
+        row, secret = store.keys.add(title, scope, expires, "command line", limits)
         if new_file is not None:
             new_file.write(secret)
     print_stderr(f"key {row.id} for {row.title}: {', '.join(row.scopes)}")
@@ -173,14 +189,42 @@ def list_keys(as_json: Json = False, *, chosen: DatabaseOptions) -> None:
     with _opened(chosen.url) as store:
         rows = store.keys.all()
     if as_json:
-        names = ("id", "title", "scopes", "created", "created_by", "expires", "used", "revoked")
+        names = (
+            *("id", "title", "scopes", "customer", "machines", "any_machine"),
+            *("created", "created_by", "expires", "used", "revoked"),
+        )
         print_json([{name: getattr(row, name) for name in names} for row in rows])
         return
     for row in rows:
         state = f", revoked {_date(row.revoked)}" if row.revoked else ""
         state += f", expires {_date(row.expires)}" if row.expires else ""
+        state += f", customer {row.customer}" if row.customer else ""
+        state += f", machines {' '.join(row.machines)}" if row.machines else ""
         used = _date(row.used)
         print_line(f"{row.id} {row.title:24} {','.join(row.scopes)} used {used}{state}")
+
+
+def rotate_key(
+    id: Annotated[str, typer.Argument(metavar="ID", help="Id of the key.")],
+    file: Annotated[
+        Path | None, typer.Option(help="File for the secret, which its owner only can read.")
+    ] = None,
+    *,
+    chosen: DatabaseOptions,
+) -> None:
+    """Give an API key a new secret, and print it or write it to a file; it keeps its jobs."""
+    with _changing(chosen.url, "rotate_key_secret") as store, ExitStack() as stack:
+        new_file = None
+        if file is not None:
+            from knifetip.cli.key_file import NewKeyFile  # imports the database
+
+            new_file = NewKeyFile(file)
+            stack.callback(new_file.remove)
+        _, secret = store.keys.rotate(id)
+        if new_file is not None:
+            new_file.write(secret)
+    if file is None:
+        typer.echo(secret)
 
 
 def revoke_key(
@@ -217,4 +261,5 @@ def register(app: typer.Typer) -> None:
     user.command("enable")(expand(enable_user))
     key.command("create")(expand(create_key))
     key.command("list")(expand(list_keys))
+    key.command("rotate")(expand(rotate_key))
     key.command("revoke")(expand(revoke_key))

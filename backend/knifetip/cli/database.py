@@ -109,6 +109,7 @@ def restore(
     Stop the server and its workers first.
     """
     from knifetip.jobs import sqlite_copy
+    from knifetip.jobs.database_damage import find_damage
 
     target = _file(chosen, must_exist=False)
     found = _schema_of_copy(file)
@@ -118,7 +119,7 @@ def restore(
     kept = target.with_name(f"{target.name}.replaced.{moment}")
     if target.exists():
         # Copied rather than renamed, so that there is a database at any time.
-        if sqlite_copy.require_unused(target):
+        if sqlite_copy.require_unused(target) and not find_damage(target):
             sqlite_copy.copy_database(target, kept)
         else:
             sqlite_copy.move_away(target, kept)

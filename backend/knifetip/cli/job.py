@@ -1,8 +1,10 @@
 """knifetip job: list the jobs of a server and send commands to the server about them.
 
 list, show        print the state of the jobs, their progress and the allowed actions
-confirm           confirm at the machine that the table is clear, and board and tools are ready
+confirm           make the checks at the machine, one by one; the machine then starts
+recheck           let the machine check a program again that it has refused
 hold, resume      pause a running job, and continue it
+end               state that the machine has executed a program whose end it does not report
 cancel, scrap     cancel a job, or scrap an interrupted job; the user must confirm first
 finish, requeue   declare an interrupted job finished, or queue it again
 tracks            list the tracks of a job's program, and which of them are cut
@@ -18,7 +20,8 @@ import typer
 from knifetip.cli.drawing import Json
 from knifetip.cli.job_client import JobClient
 from knifetip.cli.options import expand
-from knifetip.cli.rest import RestOptions
+from knifetip.cli.rest import RestOptions, track_numbers
+from knifetip.cli.table_checks import ask_checks
 from knifetip.cli.terminal import print_json, print_line
 from knifetip.messages import from_json, hint, render
 
@@ -42,8 +45,9 @@ _CANCEL = (
     "probably lost."
 )
 _PLAIN_COMMANDS = {
+    "recheck": "Let the machine check a program again that it has refused.",
     "hold": "Pause a running job; the command resume continues it.",
-    "resume": "Continue a paused job (state held).",
+    "end": "State that the machine has executed the program, if it does not report it.",
     "finish": "Mark an interrupted job as finished, because all its sheets are completely cut.",
     "requeue": "Queue an interrupted job again; a new sheet is cut from the first program line.",
 }
@@ -59,6 +63,7 @@ def register(app: typer.Typer) -> None:
     job.command("list")(list_jobs)
     job.command("show")(show_job)
     job.command("confirm")(confirm_job)
+    job.command("resume")(resume_job)
     job.command("cancel")(cancel_job)
     job.command("scrap")(scrap_job)
     job.command("tracks")(list_tracks)
@@ -110,13 +115,25 @@ def confirm_job(
     id: Id,
     server: Server = SERVER,
     key: Key = "",
-    board: Annotated[
+    checked: Annotated[
         str,
         typer.Option(
-            help="Name of the board on the table; the server refuses the "
-            "confirmation if the job "
-            "needs a different board. Default: not checked."
+            metavar="ID,ID,…",
+            help="Ids of the checks that were made at the machine, separated by commas. Default: "
+            "each check is asked.",
         ),
+    ] = "",
+    changed: Annotated[
+        list[int] | None,
+        typer.Option(
+            metavar="STATION",
+            help="Number of a station into which a new tool was put; may be repeated. Default: "
+            "none.",
+        ),
+    ] = None,
+    worn_reason: Annotated[
+        str,
+        typer.Option(help="Why tools at the end of their lives stay in use. Default: none."),
     ] = "",
     by: Annotated[
         str,
@@ -125,12 +142,37 @@ def confirm_job(
         ),
     ] = "",
 ) -> None:
-    """Confirm that table, board and tools are ready.
+    """Make the checks at the machine, and confirm them.
 
-    The machine then starts.
+    Asks each check, unless --checked names them. The machine then starts.
     """
-    body = {name: value for name, value in (("board", board), ("by", by)) if value}
-    _print_job(JobClient(server, key).command(id, "confirm", body))
+    client = JobClient(server, key)
+    given = [one for one in checked.split(",") if one]
+    body: dict[str, Any] = {"checked": given or ask_checks(id, client.checks(id))}
+    more = {"changed": changed, "worn_reason": worn_reason, "by": by}
+    body |= {name: value for name, value in more.items() if value}
+    _print_job(client.command(id, "confirm", body))
+
+
+def resume_job(
+    id: Id,
+    server: Server = SERVER,
+    key: Key = "",
+    hands_clear: Annotated[
+        bool,
+        typer.Option(
+            "--hands-clear", help="State that hands are clear of the machine. Default: it is asked."
+        ),
+    ] = False,
+) -> None:
+    """Continue a job that is paused in a copy (state held).
+
+    Asks whether hands are clear of the machine, unless --hands-clear states it. The machine then
+    moves.
+    """
+    if not hands_clear:
+        typer.confirm("Are all hands clear of the machine?", abort=True, err=True)
+    _print_job(JobClient(server, key).command(id, "resume", {"hands_clear": True}))
 
 
 def cancel_job(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False) -> None:
@@ -167,7 +209,7 @@ def list_tracks(id: Id, server: Server = SERVER, key: Key = "", json: Json = Fal
     for row in rows:
         (x, y), edges = row["start"], ", ".join(map(str, row["edges"]))
         print_line(
-            f"{row['number']:5}  {row['state']:6} station {row['station']}  lines "
+            f"{row['number']:5}  {row['state']:7} station {row['station']}  lines "
             f"{row['first_line']}-{row['last_line']}  from X{x:.1f} Y{y:.1f}  edges {edges}"
         )
 
@@ -186,6 +228,15 @@ def continue_job(
             "machine has not reported as executed.",
         ),
     ] = False,
+    made_tracks: Annotated[
+        str,
+        typer.Option(
+            metavar="NUMBERS",
+            help="Numbers of all tracks that are complete on the sheet, such as 1-4,7; the new "
+            "job makes all others. Required if the machine may have executed more than it "
+            "reported (state unknown of knifetip job tracks); 'none' if no track is complete.",
+        ),
+    ] = "",
     whole: Annotated[
         bool, typer.Option("--whole", help="Make the whole program again, on a new sheet.")
     ] = False,
@@ -209,7 +260,8 @@ def continue_job(
     Without a track, a line or a station, the new job makes all tracks that the machine has not
     reported as executed.
     """
-    flags = {"made": made, "whole": whole, "remaining": remaining, "release": release}
+    stated = track_numbers(made_tracks) if made_tracks else made
+    flags = {"made": stated, "whole": whole, "remaining": remaining, "release": release}
     body = {**choice.body(), **flags, "copies": copies}
     _print_job(JobClient(server, key).command(id, "rest", body))
 

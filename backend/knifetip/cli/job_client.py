@@ -82,6 +82,10 @@ class JobClient:
         """Return the job with an id as JSON data."""
         return dict(self.request("GET", _path(id)))
 
+    def checks(self, id: str) -> list[dict[str, Any]]:
+        """Return the checks before the next start of a job as JSON data."""
+        return list(self.request("GET", f"{_path(id)}/confirmation")["checks"])
+
     def tracks(self, id: str) -> list[dict[str, Any]]:
         """Return the tracks of the program of a job as JSON data."""
         return list(self.request("GET", f"{_path(id)}/tracks"))

@@ -10,12 +10,18 @@ from pathlib import Path
 
 from knifetip.errors import SettingsError
 from knifetip.jobs.accounts.account_tables import ApiKey
+from knifetip.jobs.accounts.key_limits import UNLIMITED, KeyLimits
 from knifetip.jobs.accounts.key_store import KeyStore
 from knifetip.jobs.accounts.scopes import AccessScope
 
 
-def key_in(file: Path, keys: KeyStore, scopes: Collection[AccessScope]) -> ApiKey | None:
-    """Return the valid key in a file; None if there is none, or if it has other scopes.
+def key_in(
+    file: Path,
+    keys: KeyStore,
+    scopes: Collection[AccessScope],
+    limits: KeyLimits = UNLIMITED,
+) -> ApiKey | None:
+    """Return the valid key in a file; None if there is none, or one with other rights.
 
     Parameters
     ----------
@@ -25,13 +31,18 @@ def key_in(file: Path, keys: KeyStore, scopes: Collection[AccessScope]) -> ApiKe
         Repository of the keys.
     scopes
         Scopes that the key must have.
+    limits
+        Customer and machines that the key must have; no machines for any.
     """
     try:
         secret = file.read_text("ascii").strip()
     except (OSError, UnicodeDecodeError):
         return None
     row = keys.find(secret, used=False)
-    return row if row is not None and set(row.scopes) == {scope.value for scope in scopes} else None
+    if row is None or set(row.scopes) != {scope.value for scope in scopes}:
+        return None
+    is_for_machines = not limits.machines or limits.machines == frozenset(row.machines)
+    return row if row.customer == limits.customer and is_for_machines else None
 
 
 class NewKeyFile:

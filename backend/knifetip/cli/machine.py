@@ -8,6 +8,8 @@ import typer
 
 from knifetip.cli.drawing import Json
 from knifetip.cli.terminal import print_json, print_line
+from knifetip.errors import LibraryError
+from knifetip.languages.registry import find_language
 from knifetip.library import load
 from knifetip.model.machine import Gantry, Machine, Station
 from knifetip.model.tool import kind_of
@@ -43,6 +45,21 @@ def _print_carriages(machine: Machine, gantry: Gantry) -> None:
         )
 
 
+def _setting_lines(machine: Machine) -> list[str]:
+    """Return the lines that set the settings of the controller of a machine.
+
+    Raises
+    ------
+    LibraryError
+        The controllers of the machine's language have no settings that are known.
+    """
+    language = find_language(machine.dialect)
+    if not language.setting_lines:
+        raise LibraryError("library.no-settings", machine=machine.title)
+    lines: list[str] = language.load_part("setting_lines")(machine)
+    return lines
+
+
 def register(app: typer.Typer) -> None:
     """Add the command ``machine`` to a Typer application."""
 
@@ -62,11 +79,23 @@ def register(app: typer.Typer) -> None:
                 help="Print the tool table of the machine in the format of LinuxCNC.",
             ),
         ] = False,
+        settings: Annotated[
+            bool,
+            typer.Option(
+                "--settings",
+                help="Print the settings that the controller must have, as lines to type at "
+                "grblHAL, or as lines of the INI file of LinuxCNC.",
+            ),
+        ] = False,
     ) -> None:
         """Show the stations of a machine, with their positions and tools."""
         chosen = load.machine(name)
         if table:
             typer.echo(tool_table(chosen), nl=False)
+            return
+        if settings:
+            for line in _setting_lines(chosen):
+                typer.echo(line)
             return
         data = _machine_json(chosen)
         if json:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import sys
 from importlib import import_module
-from typing import Annotated, Any, Final, NamedTuple
+from typing import Annotated, Any, Final, NamedTuple, NoReturn
 
 import typer
 from typer.core import TyperCommand, TyperGroup
@@ -142,6 +142,22 @@ app = _Commands(
 )
 
 
+def _report_database_error(error: Exception) -> NoReturn:
+    """Print why a database cannot be used and exit; raise any other error again.
+
+    The errors of SQLAlchemy name statements and its documentation, not what to do.
+    """
+    library = sys.modules.get("sqlalchemy.exc")
+    if library is None or not isinstance(error, library.SQLAlchemyError):
+        raise error
+    from knifetip.cli.terminal import exit_code, report_error
+    from knifetip.jobs.database_damage import unusable
+
+    reason = unusable(error)
+    report_error(reason)
+    sys.exit(exit_code(reason))
+
+
 def main() -> None:
     """Run the command line.
 
@@ -157,3 +173,5 @@ def main() -> None:
         sys.exit(exit_code(error))
     except KeyboardInterrupt:
         sys.exit(130)
+    except Exception as error:
+        _report_database_error(error)

@@ -9,6 +9,9 @@ import typer
 
 from knifetip.sequencing.tracks import RestChoice
 
+#: Most tracks in a range: more than any program has.
+_MOST_TRACKS = 1_000_000
+
 
 @dataclass(frozen=True, slots=True)
 class RestOptions:
@@ -67,3 +70,26 @@ class RestOptions:
     def body(self) -> dict[str, Any]:
         """Return the options as fields of a request to the server."""
         return {name: value for name, value in asdict(self).items() if value is not None}
+
+
+def track_numbers(text: str) -> list[int]:
+    """Return the numbers in a text such as ``1-4,7``; none in ``none``.
+
+    Raises
+    ------
+    BadParameter
+        The text is no list of numbers.
+    """
+    if text == "none":
+        return []
+    found: list[int] = []
+    for part in text.split(","):
+        first, _, last = part.strip().partition("-")
+        if not (first.isdecimal() and (last or first).isdecimal()):
+            raise typer.BadParameter(
+                f"{part!r} is no number of a track", param_hint="--made-tracks"
+            )
+        if int(last or first) - int(first) >= _MOST_TRACKS:
+            raise typer.BadParameter("too many tracks", param_hint="--made-tracks")
+        found.extend(range(int(first), int(last or first) + 1))
+    return found

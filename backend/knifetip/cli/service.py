@@ -321,6 +321,7 @@ def worker(
     from knifetip.jobs.metrics import CompileMetrics, add_worker
     from knifetip.jobs.process_pool import ProcessPool
     from knifetip.jobs.store import Store
+    from knifetip.jobs.tasks import import_stages
     from knifetip.metrics_server import serve_metrics
 
     log.apply()
@@ -329,7 +330,7 @@ def worker(
     metrics = CompileMetrics()
     service = CompileService(
         store,
-        ProcessPool(processes),
+        ProcessPool(processes, prepare=import_stages, spare=1),
         name,
         True,
         processes,

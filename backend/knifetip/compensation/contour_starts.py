@@ -48,7 +48,7 @@ def lifting_corners(operation: Operation, blade: Knife) -> Bool:
     ahead, arriving = end_azimuths(paths)
     turn = turn_angle(arriving[segments_before(paths)], ahead)
     closed = (operation.finish == End.CLOSED)[paths.path_of]
-    result: Bool = closed & (np.abs(turn) > blade.swivel)
+    result: Bool = closed & (np.abs(turn) > blade.lift_angle)
     return result
 
 

@@ -12,7 +12,9 @@ from the waste along a quarter circle, and return to the waste along another qua
 sharp corners the knife is lifted and turned above the board.
 
 A drag knife trails the head's axis by e: the head is at tip + e u, with u the direction of travel,
-and swings around the tip at corners.
+and swings around the tip at corners.  Along an arc of radius r the head follows an arc of radius
+√(r² + e²) about the same centre.  A free knife is not lifted at corners, because only travel in the
+board turns it; how it gets the heading in which a path starts is in ``sequencing.free_blades``.
 
 Source: our derivation; Yang, Du, Shu & Qian, "Study on tool compensation of NC carton
 samplemaker", section 5, suggest the same for other tools.
@@ -24,6 +26,7 @@ import math
 
 import numpy as np
 
+from knifetip.compensation.bends import bend_corners
 from knifetip.compensation.contour_starts import lifting_corners
 from knifetip.compensation.tracks import Strokes, at_height, empty_toolpath, headings
 from knifetip.compensation.unwinding import TurnLimits, lifts_to_unwind
@@ -53,8 +56,9 @@ def knife_toolpath(operation: Operation) -> Toolpath:
     """Return the toolpath of a knife along every path of an operation.
 
     At corners sharper than the knife's ``swivel`` angle (degrees) the blade is lifted and turned
-    above the board; at other corners it turns in the board.  It is lifted, too, where C would leave
-    its limits (see ``unwinding``).
+    above the board; at other corners it turns in the board.  It is lifted, too, at the corners of
+    bends (see ``bends``), and where C would leave its limits (see ``unwinding``).  A free knife
+    turns in the board at all corners.
 
     A cut that ends inside a panel is left out if it is not longer than the length by which the
     slanted blade cuts the top face ahead of its tip; the verifier reports it as a shortfall.
@@ -76,10 +80,13 @@ def knife_toolpath(operation: Operation) -> Toolpath:
     begins = np.zeros(len(rows), np.bool_)
     begins[paths.first[:-1]] = True
     turned = c_start - np.roll(c_end, 1)
-    down = begins | (np.abs(turned) > blade.swivel)
-    length = arc.length(paths.start, paths.end, paths.bulge)
-    limits = TurnLimits(*operation.turn_limits, blade.period)
-    down = lifts_to_unwind(c_start, c_end, length, down, limits)
+    if blade.free:
+        down = begins
+    else:
+        down = begins | (np.abs(turned) > blade.swivel) | bend_corners(paths, c_start, c_end, blade)
+        length = arc.length(paths.start, paths.end, paths.bulge)
+        limits = TurnLimits(*operation.turn_limits, blade.period)
+        down = lifts_to_unwind(c_start, c_end, length, down, limits)
     height = operation.caliper + operation.clearance
     start_pose = np.column_stack([_head(paths.start, c_start, blade), z, c_start])
     end_pose = np.column_stack([_head(paths.end, c_end, blade), z, c_end])
@@ -96,6 +103,8 @@ def knife_toolpath(operation: Operation) -> Toolpath:
         # The head of a drag knife swings around its tip; without a trail it only turns.
         swing=np.where(down, 0.0, np.tan(np.radians(turned) / 4.0)) * (blade.trail > 0.0),
         motion=motion,
+        drags=blade.free,
+        swivel_z=operation.caliper - blade.swivel_depth if blade.swivel_depth > 0.0 else -math.inf,
     ).to_toolpath(operation)
 
 

@@ -7,7 +7,8 @@ moves of all segments at once.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+import math
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,7 @@ from knifetip.model.toolpath import Motion, Toolpath
 _MIN_CHANGE = 1e-7
 # Kernels take plain numbers.
 _RAPID, _PLUNGE, _SWIVEL = int(Motion.RAPID), int(Motion.PLUNGE), int(Motion.SWIVEL)
-_LIFT = int(Motion.LIFT)
+_LIFT, _FEED = int(Motion.LIFT), int(Motion.FEED)
 
 
 def end_azimuths(paths: Paths) -> tuple[F64, F64]:
@@ -87,6 +88,9 @@ class Strokes:
     swing: F64 = field(default_factory=lambda: np.zeros(0))
     #: (n,) Motion of each segment: FEED (by default), LEAD_IN or LEAD_OUT
     motion: U8 = field(default_factory=lambda: np.zeros(0, np.uint8))
+    drags: bool = False  #: the swing drags the tool round at its feed; no axis turns it
+    #: height of the tip from which a tool that drags is turned, if it is above the stroke (mm)
+    swivel_z: float = -math.inf
 
     def __post_init__(self) -> None:
         count = len(self.bulge)
@@ -100,11 +104,16 @@ class Strokes:
         if len(other.track) == 0:
             return self
         order = np.argsort(np.concatenate([self.track, other.track]), kind="stable")
-        columns = {
-            column.name: np.concatenate([getattr(self, column.name), getattr(other, column.name)])
+        pairs = {
+            column.name: (getattr(self, column.name), getattr(other, column.name))
             for column in fields(self)
         }
-        return Strokes(**{name: column[order] for name, column in columns.items()})
+        columns: dict[str, Any] = {
+            name: np.concatenate(pair)[order]
+            for name, pair in pairs.items()
+            if isinstance(pair[0], np.ndarray)
+        }
+        return replace(self, **columns)
 
     def to_toolpath(self, operation: Operation) -> Toolpath:
         """Return the toolpath of all strokes: air moves, plunges, swivels, feeds and lifts.
@@ -128,7 +137,9 @@ class Strokes:
             self.motion,
             operation.feed,
             operation.plunge,
-            operation.swivel,
+            operation.feed if self.drags else operation.swivel,
+            _FEED if self.drags else _SWIVEL,
+            self.swivel_z,
         )
         # Read-only arrays are stored without a copy.
         for column in (pose, bulge, motion, feed, source, track):
@@ -161,12 +172,14 @@ def _write_moves(
     feed: float,
     plunge: float,
     swivel: float,
+    swivel_motion: int,
+    swivel_z: float,
 ) -> Any:
     """Return the moves of n strokes as columns of a ``Toolpath``.
 
     A stroke is the feed along one segment of a track.  With its travel, plunge, turn and lift it
-    has up to six moves.  Where a tool turns and changes its depth between two strokes, it turns at
-    the smaller depth.
+    has up to eight moves.  Where a tool turns and changes its depth between two strokes, it turns
+    at the smaller depth.
 
     Parameters
     ----------
@@ -184,7 +197,11 @@ def _write_moves(
         Bulge of the path of the head while the tool turns in the board before the stroke.
     feed, plunge, swivel
         Feeds for moves along a path and for plunges and lifts (mm/min), and for swivels
-        (degrees/min).
+        (degrees/min; mm/min if the swing drags the tool round).
+    swivel_motion
+        ``Motion`` of swivels.
+    swivel_z : mm
+        Height to which the tip is lifted for a swivel, if it is above the strokes on both sides.
 
     Returns
     -------
@@ -196,11 +213,21 @@ def _write_moves(
     travels = (start[:, 0] != end[:, 0]) | (start[:, 1] != end[:, 1])
     depth_changes = np.zeros(count, np.bool_)
     turns = np.zeros(count, np.bool_)
+    lifts = np.zeros(count, np.bool_)
     for i in range(count):
         if not down[i]:
             depth_changes[i] = abs(start[i, 2] - end[i - 1, 2]) > _MIN_CHANGE
             turns[i] = abs(start[i, 3] - end[i - 1, 3]) > _MIN_CHANGE
-    rows = 2 * down.sum() + depth_changes.sum() + turns.sum() + travels.sum() + up.sum()
+            lifts[i] = turns[i] and swivel_z > max(start[i, 2], end[i - 1, 2])
+            depth_changes[i] = depth_changes[i] and not lifts[i]
+    rows = (
+        2 * lifts.sum()
+        + 2 * down.sum()
+        + depth_changes.sum()
+        + turns.sum()
+        + travels.sum()
+        + up.sum()
+    )
     poses = np.empty((rows, 4))
     bent = np.zeros(rows)
     kind = np.empty(rows, np.uint8)
@@ -222,13 +249,20 @@ def _write_moves(
             poses[row, 2] = start[i, 2]
             kind[row], speed[row] = _PLUNGE, plunge
             row += 1
+        if lifts[i]:
+            poses[row] = end[i - 1]
+            poses[row, 2] = swivel_z
+            kind[row], speed[row] = _LIFT, plunge
+            row += 1
         if turns[i]:
             poses[row] = start[i]
+            if lifts[i]:
+                poses[row, 2] = swivel_z
             if turns_first:
                 poses[row, 2] = end[i - 1, 2]
-            kind[row], speed[row], bent[row] = _SWIVEL, swivel, swing[i]
+            kind[row], speed[row], bent[row] = swivel_motion, swivel, swing[i]
             row += 1
-        if turns_first:
+        if turns_first or lifts[i]:
             poses[row] = start[i]
             kind[row], speed[row] = _PLUNGE, plunge
             row += 1

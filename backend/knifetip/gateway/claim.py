@@ -12,10 +12,13 @@ outgoing connections.  It decides the following by itself:
   stops the machine with a hold.  The machine does not continue by itself: either the operator
   resumes the job, or the server answers that the job was reassigned (409), and the machine is then
   brought into its safe state.
-- The answer ``resume`` to a heartbeat also starts the next copy, and confirms the end of a program
-  whose controller does not report it.  The gateway ignores ``resume`` if this heartbeat did not
-  report a held machine in the present phase of the run (``JobRun.begin_phase``).  Otherwise a late
-  answer, meant for an earlier hold, could start the next copy before its sheet is on the table.
+- The answer ``resume`` to a heartbeat also starts the next copy: between two copies the server
+  gives it only after a confirmation.  ``end`` confirms the end of a program whose controller does
+  not report it.  The gateway ignores both if this heartbeat did not report a held machine in the
+  present phase of the run (``JobRun.begin_phase``).  Otherwise a late answer, meant for an earlier
+  hold, could start the next copy before its sheet is on the table.
+- A job that fails before a line of its program was sent returns to the queue with the reason
+  (``refused``).  It is not claimed again before an operator has asked for it.
 - The end of a job is recorded in the journal and reported until the server has answered.  After a
   restart, a job whose end is not recorded is reported as ``done`` only if the journal records that
   every copy was executed to its last line.
@@ -28,7 +31,7 @@ outgoing connections.  It decides the following by itself:
   resume the job; it is brought into its safe state, and the end of the job stays in the journal
   until a gateway with a valid key reports it.
 - A controller that still runs a job of this gateway after a restart or a lost connection is first
-  stopped and brought into its safe state.
+  asked how far it is (``takeover``), and then stopped and brought into its safe state.
 """
 
 from __future__ import annotations
@@ -36,15 +39,19 @@ from __future__ import annotations
 import asyncio
 import logging
 import time
-from contextlib import aclosing, suppress
+from contextlib import suppress
 
 import httpx
 
 from knifetip import logs, tracing
-from knifetip.errors import ControllerError, GatewayRefused, KnifetipError, NoSuchController
-from knifetip.gateway.controller import Controller, SafeState, State
-from knifetip.gateway.copy_events import CopyEvents
-from knifetip.gateway.interpreter import tool_offsets
+from knifetip.errors import (
+    ControllerError,
+    GatewayRefused,
+    KnifetipError,
+    NoSuchController,
+)
+from knifetip.gateway.controller import SafeState, State, Status
+from knifetip.gateway.copy_runner import CopyRunner
 from knifetip.gateway.job_run import (
     JobCancelled,
     JobEnd,
@@ -55,13 +62,11 @@ from knifetip.gateway.job_run import (
 )
 from knifetip.gateway.job_server import FIRST_PAUSE, LONGEST_PAUSE, GatewaySettings, JobServer
 from knifetip.gateway.journal import Journal
+from knifetip.gateway.left_job import end_of
 from knifetip.gateway.machine_link import Connect, MachineLink
-from knifetip.gateway.motion import Limits, Pose
-from knifetip.gateway.operations import OperableController
+from knifetip.gateway.obstacle import obstacle_of
 from knifetip.gateway.station import MachineStation
-from knifetip.gateway.stream import Progress, stream
 from knifetip.messages import Message
-from knifetip.model.machine import Station
 from knifetip.tracing import SpanKind
 
 _log = logging.getLogger(__name__)
@@ -95,13 +100,20 @@ class _GatewayLoop:
     """Claims the jobs of one machine from the server and runs them, one after another."""
 
     def __init__(
-        self, settings: GatewaySettings, link: MachineLink, server: JobServer, journal: Journal
+        self,
+        settings: GatewaySettings,
+        link: MachineLink,
+        server: JobServer,
+        journal: Journal,
+        station: MachineStation,
     ) -> None:
         self._settings = settings
+        self._station = station
         self._link = link
         self._server = server
         self._journal = journal
         self._complaint = ""
+        self._copies = CopyRunner(settings, link, server, journal, station)
 
     # -- the loop ------------------------------------------------------------------------------
 
@@ -114,7 +126,7 @@ class _GatewayLoop:
             Number of jobs to claim; the method returns when the last one has ended with any
             outcome.  None to run until cancelled.
         """
-        await asyncio.gather(self._report_unfinished(), self._recover())
+        await self._take_over()
         while jobs is None or jobs > 0:
             await self._wait_until_idle()
             claim = await self._server.claim()
@@ -130,28 +142,20 @@ class _GatewayLoop:
                 if jobs is not None:
                     jobs -= 1
 
-    async def _report_unfinished(self) -> None:
-        """Report the end of the job that ran when the gateway was last switched off, if any.
+    async def _take_over(self) -> None:
+        """Stop the machine if it may still work, and report the job that ran last, if any.
 
         The report is repeated until the server answers.
         """
-        if (unfinished := self._journal.unfinished()) is None:
+        unfinished = self._journal.unfinished()
+        await self._recover()
+        if unfinished is None:
             return
-        outcome, cause = unfinished.outcome, unfinished.cause
-        if not outcome and unfinished.copies_done >= unfinished.copies:
-            outcome, cause = "done", Message("gateway.switched-off-before-report")
-        elif not outcome:
-            outcome, cause = "interrupted", Message("gateway.switched-off")
-        end = JobEnd(
-            unfinished.job,
-            unfinished.epoch,
-            outcome,
-            cause,
-            unfinished.line,
-            unfinished.copies_done,
-        )
         # ``_wait_until_idle`` raises it again, when a machine that may still move was stopped.
         with suppress(GatewayRefused):
+            end = await end_of(
+                unfinished, self._link.controller, self._server, self._settings.machine
+            )
             await self._server.finish(end)
 
     async def _recover(self) -> None:
@@ -195,12 +199,13 @@ class _GatewayLoop:
                 raise self._server.refusal
             try:
                 status = await self._link.status()
-                if status.state is State.IDLE:
+                if (obstacle := self._obstacle(status)) is None:
+                    await self._link.verify_settings()
                     self._complaint = ""
                     # Only now: a gateway that is killed while it stops the machine leaves it held.
                     self._journal.rest()
                     return
-                complaint = str(self._not_idle(status.state))
+                complaint = str(obstacle)
             except (ControllerError, OSError) as error:
                 self._raise_if_hopeless(error)
                 complaint = str(error)
@@ -212,13 +217,17 @@ class _GatewayLoop:
 
     # -- one job --------------------------------------------------------------------------------
 
-    def _not_idle(self, state: State) -> Message:
+    def _obstacle(self, status: Status) -> Message | None:
+        """Return why the machine takes no job now; None if it is free."""
         controller = self._link.controller
         name = self._settings.machine.title if controller is None else controller.name
-        return Message("gateway.controller-not-idle", name=name, state=state.value)
+        obstacle = obstacle_of(status, name)
+        if obstacle is None and status.state is not State.IDLE:
+            return Message("gateway.controller-not-idle", name=name, state=status.state.value)
+        return obstacle
 
     async def _run_job(self, claim: Lease) -> None:
-        run = self._link.run = JobRun(claim, self._now())
+        run = self._link.run = JobRun(claim, asyncio.get_running_loop().time())
         heartbeats = asyncio.create_task(self._server.send_heartbeats(run), name="heartbeats")
         begun = time.monotonic()
         outcome: str = "interrupted"
@@ -228,7 +237,7 @@ class _GatewayLoop:
                 if run.waiting:
                     with tracing.span("wait for confirmation"):
                         await self._wait_for_confirmation(run)
-                await self._run_copies(run)
+                await self._copies.run(run)
                 outcome = "done"
             except JobReturned as returned:
                 outcome, cause = "returned", returned.cause
@@ -241,9 +250,9 @@ class _GatewayLoop:
                 )
                 _log.warning("Job %s: %s", claim.job, cause)
             except (KnifetipError, OSError) as error:
-                cause = _cause_of(error)
+                outcome, cause = outcome if run.begun else "refused", _cause_of(error)
             except asyncio.CancelledError:
-                if run.waiting:
+                if not run.begun:
                     outcome, cause = "returned", Message("gateway.switched-off")
                 else:
                     cause = Message("gateway.switched-off-in-run")
@@ -256,7 +265,11 @@ class _GatewayLoop:
             self._link.run = None
             heartbeats.cancel()
             await asyncio.gather(heartbeats, return_exceptions=True)
-        await self._server.finish(JobEnd.of(run, outcome, cause))
+        end = JobEnd.of(run, outcome, cause)
+        self._server.record(end)
+        # A person who sees that the job has ended must not see the machine as it was before.
+        await self._station.report_now()
+        await self._server.finish(end, recorded=True)
         _log.info("the run ended: %s", outcome)
 
     async def _wait_for_confirmation(self, run: JobRun) -> None:
@@ -278,7 +291,7 @@ class _GatewayLoop:
             run.answered.clear()
             await run.answered.wait()
             run.raise_if_withdrawn()
-            if (refusal := self._refusal_of(run)) is not None:
+            if (refusal := self._server.refusal_of(run)) is not None:
                 raise JobReturned(refusal.message)
             if not run.is_waiting and self._link.runs_dry:
                 # The dry run stops by itself; the job must not start right behind it.
@@ -286,189 +299,13 @@ class _GatewayLoop:
             if run.waiting and self._link.in_use.locked():
                 continue  # a person at the machine uses it
             try:
-                state = (await self._link.status()).state
+                status = await self._link.status()
             except (ControllerError, OSError) as error:
                 raise JobReturned(_cause_of(error)) from error
-            if run.waiting and state is State.JOG and self._link.jogged:
+            if run.waiting and status.state is State.JOG and self._link.jogged:
                 continue
-            if state is not State.IDLE:
-                raise JobReturned(self._not_idle(state))
-
-    async def _run_copies(self, run: JobRun) -> None:
-        claim = run.claim
-        with tracing.span("fetch program", SpanKind.CLIENT):
-            text = await self._server.program(claim)
-        lines = text.count(b"\n")
-        self._journal.begin(claim.job, claim.epoch, claim.sha256, lines, claim.copies)
-        for copy in range(claim.copies):
-            if copy:
-                with tracing.span("wait for sheet"):
-                    await self._wait_for_sheet(run)
-            run.line, run.copy_running = 0, True
-            await self._run_copy(run, text, copy)
-            self._journal.copy(claim.job, copy + 1)
-            run.copies_done, run.line, run.seconds_left = copy + 1, lines, 0.0
-            run.copy_running = False
-
-    async def _run_copy(self, run: JobRun, text: bytes, copy: int) -> None:
-        async with self._link.in_use:
-            with tracing.span("copy", copy=copy + 1, lines=text.count(b"\n")) as span:
-                await self._stream_copy(run, text, copy, CopyEvents(span))
-
-    async def _stream_copy(self, run: JobRun, text: bytes, copy: int, events: CopyEvents) -> None:
-        controller = await self._link.connected()
-        updates = stream(
-            text,
-            controller,
-            limits=Limits.of(self._settings.machine),
-            tools=tool_offsets(self._settings.machine),
-            check=copy == 0,
-            interval=min(self._settings.beat / 2.0, 0.1),
-        )
-        progress: Progress | None = None
-        try:
-            async with aclosing(updates) as progress_updates:
-                async for progress in progress_updates:
-                    self._record(run, progress, copy)
-                    events.update(progress)
-                    if progress.awaits_end:
-                        self._raise_if_refused(run)
-                    if progress.executed < progress.lines:
-                        # After the last line there is nothing left to stop or to hold.
-                        run.raise_if_withdrawn()
-                        self._raise_if_refused(run)
-                        await self._apply_requests(run, progress, controller)
-        finally:
-            self._link.abandoned = controller.fault is not None
-            run.output = -1
-            if progress is not None:
-                self._record_stop(run, progress, controller)
-
-    def _record_stop(self, run: JobRun, last: Progress, controller: Controller) -> None:
-        """Record the position at which the machine came to rest.
-
-        Z is that of the last progress report, because the tool has been lifted since.
-
-        Parameters
-        ----------
-        run
-            State of the job; changed in place.
-        last
-            Last progress report.
-        controller
-            Controller of the machine.
-        """
-        status = controller.last_status if isinstance(controller, OperableController) else None
-        if status is not None and status.located and controller.fault is None:
-            x, y, _, c = status.position
-            run.position = self._head((x, y, last.position[2], c), last.output)
-
-    def _record(self, run: JobRun, progress: Progress, copy: int) -> None:
-        if progress.awaits_end and not run.awaits_end:
-            run.begin_phase()
-        run.awaits_end = progress.awaits_end
-        run.line = progress.executed
-        run.held = progress.held
-        run.seconds_left = progress.seconds_left
-        if progress.located:
-            run.position = self._head(progress.position, progress.output)
-        run.output = progress.output
-        station = self._station(progress.output)
-        run.station = None if station is None else station.number
-        self._journal.line(run.claim.job, copy, progress.executed, progress.acknowledged)
-
-    async def _apply_requests(
-        self, run: JobRun, progress: Progress, controller: Controller
-    ) -> None:
-        """Hold the machine, or let it continue, as the server has requested for the job.
-
-        The machine also holds if the lease of the job has expired.
-
-        Parameters
-        ----------
-        run
-            State of the job, with the request of the server.  The request is deleted from ``run``
-            as soon as a status report shows that the controller has carried it out.
-        progress
-            Progress of the machine, with the state of the controller.
-        controller
-            Controller of the machine.
-        """
-        if self._now() > run.lease_end and progress.state is State.RUN:
-            run.begin_phase()
-            await controller.hold()
-        elif run.requested == "hold":
-            if progress.state is State.RUN:
-                await controller.hold()
-            elif progress.held:
-                run.requested = ""
-        elif run.requested == "resume":
-            if progress.resumable:
-                await controller.resume()
-            else:
-                # While the door is open, a request to resume is dropped: otherwise closing the door
-                # would start the machine.
-                run.begin_phase()
-
-    def _refusal_of(self, run: JobRun) -> GatewayRefused | None:
-        """Return why the server refuses this gateway, if it does so since the lease has expired."""
-        return self._server.refusal if self._now() > run.lease_end else None
-
-    def _raise_if_refused(self, run: JobRun) -> None:
-        """Raise ``GatewayRefused`` if the server refuses the key and so no operator can act."""
-        if (refusal := self._refusal_of(run)) is not None:
-            raise refusal
-
-    async def _wait_for_sheet(self, run: JobRun) -> None:
-        """Wait until the operator has laid the sheet for the next copy and resumed the job.
-
-        During the wait, the heartbeats report the job as held.
-
-        Raises
-        ------
-        JobWithdrawn
-            The server withdrew the job.
-        JobCancelled
-            The operator cancelled the job.
-        GatewayRefused
-            The server refuses the key of this gateway.
-        """
-        run.begin_phase()
-        run.held, run.requested = True, ""
-        while run.requested != "resume":
-            run.answered.clear()
-            await run.answered.wait()
-            run.raise_if_withdrawn()
-            self._raise_if_refused(run)
-        run.begin_phase()
-        run.held = False
-
-    def _head(self, axes: Pose, output: int) -> Pose:
-        """Return the position of the head on the sheet, as heartbeats report it.
-
-        It is the position of the axes, x, y, z (mm) and c (degrees), minus the tool offset (datum)
-        of the station in use.  If no station is in use, nothing is subtracted.
-
-        Parameters
-        ----------
-        axes
-            Position of the axes.
-        output
-            Digital output that is switched on, which identifies the station in use; -1 for none.
-        """
-        x, y, z, c = axes
-        station = self._station(output)
-        if station is None:
-            return axes
-        return x - station.x, y - station.y, z - station.z, c - station.c
-
-    def _station(self, output: int) -> Station | None:
-        """Return the station that a digital output lowers; None if there is none."""
-        stations = self._settings.machine.stations if output >= 0 else ()
-        return next((one for one in stations if one.output == output), None)
-
-    def _now(self) -> float:
-        return asyncio.get_running_loop().time()
+            if (obstacle := self._obstacle(status)) is not None:
+                raise JobReturned(obstacle)
 
 
 async def run_gateway(
@@ -512,16 +349,14 @@ async def run_gateway(
     journal = Journal(settings.journal)
     server = JobServer(http, settings, journal)
     link = MachineLink(SafeState.of(settings.machine), connect)
-    station = asyncio.create_task(
-        MachineStation(link, server, settings.machine, journal).run(),
-        name="station of the machine",
-    )
+    station = MachineStation(link, server, settings.machine, journal)
+    reports = asyncio.create_task(station.run(), name="station of the machine")
     try:
         try:
-            await _GatewayLoop(settings, link, server, journal).run(jobs)
+            await _GatewayLoop(settings, link, server, journal, station).run(jobs)
         finally:
-            station.cancel()
-            await asyncio.gather(station, return_exceptions=True)
+            reports.cancel()
+            await asyncio.gather(reports, return_exceptions=True)
     except GatewayRefused:
         # The page can no longer stop operations that it has started, such as a jog or a spindle.
         await link.release()

@@ -8,13 +8,15 @@ A controller is either a ``LineController`` or a ``ProgramController``.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Protocol, runtime_checkable
 
-from knifetip.errors import ControllerError
+from knifetip.errors import CheckRefused, ControllerError
 from knifetip.gateway.interpreter import LineInterpreter
 from knifetip.gateway.motion import Pose
+from knifetip.gateway.travel import Excess, Travel
+from knifetip.messages import Message
 from knifetip.model.machine import Machine
 
 
@@ -29,6 +31,8 @@ class State(StrEnum):
     CHECK = "check"
     DOOR = "door"
     ALARM = "alarm"
+    SLEEP = "sleep"
+    TOOL = "tool"  #: it waits until a person has changed a tool
     BUSY = "busy"  #: any other state
 
 
@@ -45,15 +49,19 @@ class Status:
     #: lines of programs that the machine may have begun since the controller was opened
     sent: int = 0
     located: bool = True  #: the work offset is known, so the position is reliable
-    #: the program is handed over, and a person must confirm with ``resume`` that it is executed
+    #: the program is handed over, and a person must confirm that it is executed
     awaits_end: bool = False
+    pressed: str = ""  #: letters of the axes whose limit switches are pressed
+    hard_limits: bool = True  #: a pressed limit switch stops the machine
+    door_open: bool = False  #: the safety door is open, so the machine cannot resume
+    override: int = 100  #: feed override (%)
 
 
 @dataclass(frozen=True, slots=True)
 class SafeState:
     """The safe state of a machine: tool raised, spindle off, all outputs off.
 
-    It also contains the position at which the machine parks.
+    It also contains the position at which the machine parks, and the machine itself.
     """
 
     outputs: tuple[int, ...]  #: digital outputs that must be off
@@ -61,6 +69,13 @@ class SafeState:
     #: whether the controller itself must switch a beam off at every hold and every rapid move
     beam: bool = False
     park: tuple[float, float] = (0.0, 0.0)  #: X and Y at which the head is out of the way (mm)
+    #: with which the settings of the controller are compared (``presupposed``); None: they are not
+    machine: Machine | None = field(default=None, compare=False)
+
+    @property
+    def heading_letter(self) -> str:
+        """Letter of the axis that rotates the tool, in programs."""
+        return self.machine.heading_letter if self.machine else "C"
 
     @classmethod
     def of(cls, machine: Machine) -> SafeState:
@@ -71,7 +86,7 @@ class SafeState:
         """
         lift = min(machine.travel_z, machine.z.high)
         park = (min(max(0.0, machine.x.low), machine.x.high), machine.carriages[0].park)
-        return cls(machine.outputs, lift, machine.has_beam, park)
+        return cls(machine.outputs, lift, machine.has_beam, park, machine)
 
 
 class Observer(Protocol):
@@ -248,6 +263,68 @@ class ProgramController(Controller, Protocol):
 
 
 @runtime_checkable
+class ConfiguredController(Protocol):
+    """Interface of a ``Controller`` whose settings are compared with those of the machine file."""
+
+    @property
+    def notices(self) -> tuple[Message, ...]:
+        """Harmless differences between the settings and what the programs presuppose."""
+        ...
+
+    async def verify_settings(self) -> None:
+        """Read the settings again, and compare them.
+
+        Raises
+        ------
+        ControllerError
+            A difference is dangerous; it is recorded as the fault of the controller.
+        """
+        ...
+
+
+@runtime_checkable
+class OverridingController(Protocol):
+    """Interface of a ``Controller`` that can change the feed of a running program."""
+
+    async def override_feed(self, percent: int) -> None:
+        """Set the feed override, also while a program runs; return when it is reported.
+
+        Parameters
+        ----------
+        percent
+            Share of the programmed feeds, 10 to 200 %.
+
+        Raises
+        ------
+        ControllerError
+            The controller does not report the new override.
+        """
+        ...
+
+
+@runtime_checkable
+class LimitedController(Protocol):
+    """Interface of a ``Controller`` that finds moves beyond its travel only when it comes to them.
+
+    The program is compared with the travel before it starts.
+    """
+
+    async def travel(self) -> Travel | None:
+        """Return the travel, with the present offset of programs; None if it is not known.
+
+        Raises
+        ------
+        ControllerError
+            The controller has failed.
+        """
+        ...
+
+    def beyond_travel(self, excess: Excess) -> CheckRefused:
+        """Return the error about a program that leaves the travel."""
+        ...
+
+
+@runtime_checkable
 class InterpretingController(Protocol):
     """Interface of a ``Controller`` whose programs are not G-code."""
 
@@ -278,7 +355,7 @@ class Driver(Protocol):
         Raises
         ------
         ControllerError
-            The controller does not answer or is busy; or an alarm locks it, and the driver has no
+            The controller does not answer; or an alarm locks it, and the driver has no
             operations (``operations.Operable``) with which a person could clear the alarm.
         """
         ...

@@ -87,10 +87,11 @@ class _DryWriter:
     def __init__(self, machine: Machine, share: float) -> None:
         self._share = min(max(share, LEAST_SHARE), 1.0)
         self._height = dry_height(machine)
+        self._heading = machine.heading_letter.encode()
         self._velocity = {
             b"X": machine.x.velocity,
             b"Y": machine.y.velocity,
-            b"C": machine.c.velocity,
+            self._heading: machine.c.velocity,
         }
         self._lifted = False
         self._motion = -1.0
@@ -110,7 +111,7 @@ class _DryWriter:
             if len(commands) > 1 or not numbers.keys() <= {b"P", b"S"}:
                 raise _refused(line, number)
             return b""
-        moves = not numbers.keys().isdisjoint({b"X", b"Y", b"Z", b"C", b"I", b"J"})
+        moves = not numbers.keys().isdisjoint({*self._velocity, b"Z", b"I", b"J"})
         motions = {code for letter, code in commands if letter == b"G" and code in _MOTIONS}
         if moves or motions:
             return self._move(line, number, commands, numbers)
@@ -141,7 +142,8 @@ class _DryWriter:
         numbers: dict[bytes, float],
     ) -> bytes:
         allowed = {(b"G", code) for code in (*_MOTIONS, 93.0, 94.0)}
-        if not commands <= allowed or not numbers.keys() <= set(b"X Y Z C I J F".split()):
+        words = {*self._velocity, b"Z", b"I", b"J", b"F"}
+        if not commands <= allowed or not numbers.keys() <= words:
             raise _refused(line, number)
         self._read_modes(commands, numbers)
         self._motion = next((code for _, code in commands if code in _MOTIONS), self._motion)
@@ -151,23 +153,24 @@ class _DryWriter:
                 raise _refused(line, number)
             self._lifted = True
             return b"G0 Z%.4f" % self._height
-        axes = [letter for letter in (b"X", b"Y", b"C") if letter in numbers]
+        axes = [letter for letter in self._velocity if letter in numbers]
         if not axes:
             return b""
-        words = [
+        targets = [
             b"%s%.4f" % (letter, numbers[letter])
             for letter in (*axes, b"I", b"J")
             if letter in numbers
         ]
         if self._motion == 0.0:
             fastest = 60.0 * min(self._velocity[letter] for letter in axes)
-            words = [b"G94 G1", *words, _feed_word(self._share * fastest)]
+            parts = [b"G94 G1", *targets, _feed_word(self._share * fastest)]
         elif self._motion > 0.0 and self._feed > 0.0:
             mode = b"G93" if self._inverse else b"G94"
-            words = [b"%s G%d" % (mode, self._motion), *words, _feed_word(self._share * self._feed)]
+            feed = _feed_word(self._share * self._feed)
+            parts = [b"%s G%d" % (mode, self._motion), *targets, feed]
         else:
             raise _refused(line, number)
-        return b" ".join(words)
+        return b" ".join(parts)
 
 
 def _feed_word(feed: float) -> bytes:

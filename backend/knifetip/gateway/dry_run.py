@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from knifetip.errors import ControllerError, KnifetipError
-from knifetip.gateway.controller import Controller, State
+from knifetip.gateway.controller import Controller, OverridingController, State
 from knifetip.gateway.interpreter import tool_offsets
 from knifetip.gateway.motion import Limits, Pose
 from knifetip.gateway.stream import Progress, stream
@@ -138,6 +138,8 @@ class DryRun:
         try:
             # An output that a person has switched on must not stay on.
             await controller.stop()
+            if isinstance(controller, OverridingController):
+                await controller.override_feed(100)
             await self._stream(controller)
         except _Stopped:
             self._end(ActivityState.STOPPED)

@@ -31,7 +31,9 @@ LINE = 256
 _COMMENT = re.compile(rb"\([^)]*\)?|;.*")
 _WORD = re.compile(rb"([A-Z])([-+]?(?:\d+\.?\d*|\.\d+))")
 _OUTPUT = re.compile(rb"M6[2-5](?![\d.])")
-_AXES = {"X": 0, "Y": 1, "Z": 2, "C": 3, "A": 3}
+_AXES = {"X": 0, "Y": 1, "Z": 2, "C": 3, "A": 3, "B": 3}
+#: Letters of the axis that rotates the tool; a line has at most one of them.
+_HEADINGS = frozenset("ABC")
 
 # Modal group of every command that is understood; a group may appear once in a line.
 _GROUP: dict[tuple[str, float], str] = {
@@ -61,7 +63,7 @@ _LINUXCNC_GROUP: dict[tuple[str, float], str] = {
 }
 
 #: Letters of the words that are not commands.
-_LETTERS = "XYZACFIJKNPST"
+_LETTERS = "XYZABCFIJKNPST"
 #: No tool offset.
 _NONE: Pose = (0.0, 0.0, 0.0, 0.0)
 
@@ -374,7 +376,7 @@ def _split(text: bytes, letters: str) -> tuple[dict[str, float], list[tuple[str,
         if letter in "GM":
             commands.append((letter, value))
         elif letter in letters:
-            if letter in words or (letter in "AC" and ("A" in words or "C" in words)):
+            if letter in words or (letter in _HEADINGS and not _HEADINGS.isdisjoint(words)):
                 raise LineRefused(25)
             words[letter] = value
         else:

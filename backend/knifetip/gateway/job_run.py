@@ -8,7 +8,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from knifetip.gateway.motion import Pose
+from knifetip.gateway.time_left import TimeLeft
 from knifetip.messages import Message, with_text
+
+#: Commands with which a held machine goes on.
+_GOES_ON = ("resume", "end")
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +31,7 @@ class Lease:
     copies: int
     confirm: bool  #: the operator must confirm before anything is sent to the machine
     traceparent: str = ""  #: context of the trace of the order; "" for none
+    seconds: float = 0.0  #: stated duration of a copy (s); 0 if it is not stated
 
     @classmethod
     def of(cls, answer: Mapping[str, Any]) -> Lease:
@@ -39,6 +44,7 @@ class Lease:
             int(answer.get("copies", 1)),
             bool(answer.get("confirm", False)),
             str(answer.get("traceparent", "")),
+            float(answer.get("seconds", 0.0)),
         )
 
 
@@ -66,16 +72,21 @@ class JobRun:
         self.line = 0
         self.copies_done = 0
         self.copy_running = False  #: a copy is running, of which ``line`` lines are executed
+        #: most lines of it that the machine may have executed after it stopped; None if not known
+        self.line_at_most: int | None = None
         self.waiting = (
             claim.confirm
         )  #: the operator has not confirmed yet; nothing is sent to the machine
+        self.begun = False  #: a line of the program may have been executed
         self.held = False
+        self.between_copies = False  #: waits for the next sheet; the controller holds nothing
         self.position: Pose | None = None
         self.output = -1  #: output that is on, which lowers the station in use; -1 for none
         self.station: int | None = None  #: number of the station in use; None for none
-        self.seconds_left: float | None = None
-        self.requested = ""  #: hold, resume or ""
-        #: increases whenever an earlier request to resume no longer counts: see ``begin_phase``
+        self.time_left = TimeLeft(claim.seconds)
+        self.seconds_left = self.time_left.expected  #: of the present copy, or of the next one
+        self.requested = ""  #: hold, resume, end or ""
+        #: increases whenever an earlier request to go on no longer counts: see ``begin_phase``
         self.phase = 0
         self.awaits_end = False  #: a person must confirm the end of the program
         self.cancelled = False
@@ -99,17 +110,18 @@ class JobRun:
             "position": self.position,
             "seconds_left": self.seconds_left,
             "phase": self.phase,
+            "awaits_end": self.awaits_end,
         }
 
     def begin_phase(self) -> None:
-        """Ignore requests to resume that were made until now.
+        """Ignore requests to resume, and to end the program, that were made until now.
 
         This method is called when the machine continues after a hold, and when the gateway itself
         begins to wait for the operator.  A request that the server repeats because it was not
         reached in between does not count for the next hold.
         """
         self.phase += 1
-        if self.requested == "resume":
+        if self.requested in _GOES_ON:
             self.requested = ""
 
     def apply_answer(self, command: str, held: bool, phase: int) -> None:
@@ -118,19 +130,20 @@ class JobRun:
         Parameters
         ----------
         command
-            ``start`` (the operator has confirmed the job), ``cancel``, ``hold`` or ``resume``.
-            ``wait`` (the job is not confirmed yet) and ``continue`` change nothing.
+            ``start`` (the operator has confirmed the job), ``cancel``, ``hold``, ``resume`` or
+            ``end`` (a person has seen the end of the program).  ``wait`` (the job is not confirmed
+            yet) and ``continue`` change nothing.
         held
-            Whether the heartbeat reported that the machine is held; if False, ``resume`` is
-            ignored.
+            Whether the heartbeat reported that the machine is held; if False, ``resume`` and
+            ``end`` are ignored.
         phase
-            Phase that the heartbeat reported; ``resume`` is ignored in any other one.
+            Phase that the heartbeat reported; ``resume`` and ``end`` are ignored in any other one.
         """
         if command == "cancel":
             self.cancelled = True
         elif command == "start":
             self.waiting = False
-        elif command == "hold" or (command == "resume" and held and phase == self.phase):
+        elif command == "hold" or (command in _GOES_ON and held and phase == self.phase):
             self.requested = command
         self.answered.set()
 
@@ -154,6 +167,7 @@ class JobEnd:
     copies_done: int  #: under this lease
     position: Pose | None = None  #: on the sheet, where the machine stopped; None if not known
     station: int | None = None  #: number of the station in use where the machine stopped
+    line_at_most: int | None = None  #: most lines that may have been executed; None if not known
 
     @classmethod
     def of(cls, run: JobRun, outcome: str, cause: Message | None) -> JobEnd:
@@ -168,6 +182,7 @@ class JobEnd:
             run.copies_done,
             run.position if stopped else None,
             run.station if stopped else None,
+            run.line_at_most if stopped else line,
         )
 
     def report(self) -> dict[str, object]:
@@ -178,6 +193,7 @@ class JobEnd:
             "outcome": self.outcome,
             "why": "" if self.cause is None else with_text(self.cause),
             "line": self.line,
+            "line_at_most": self.line_at_most,
             "copies_done": self.copies_done,
             "position": self.position,
             "station": self.station,

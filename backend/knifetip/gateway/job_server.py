@@ -81,6 +81,15 @@ class JobServer:
         )
         raise self.refusal
 
+    def refusal_of(self, run: JobRun) -> GatewayRefused | None:
+        """Return why the server refuses this gateway, if it does so since the lease has expired."""
+        return self.refusal if asyncio.get_running_loop().time() > run.lease_end else None
+
+    def raise_if_refused(self, run: JobRun) -> None:
+        """Raise ``GatewayRefused`` if the server refuses the key and so no operator can act."""
+        if (refusal := self.refusal_of(run)) is not None:
+            raise refusal
+
     async def claim(self) -> Lease | None:
         """Claim the next job of the machine, and return it with its lease.
 
@@ -174,11 +183,18 @@ class JobServer:
         GatewayRefused
             The server refuses the key of this gateway.
         """
+        return await self._download(claim.job, claim.program, claim.sha256)
+
+    async def text_of(self, job: str, sha256: str) -> bytes:
+        """Return the program of a job that this gateway has begun; raises as ``program`` does."""
+        return await self._download(job, f"api/gateway/program/{job}", sha256)
+
+    async def _download(self, job: str, path: str, sha256: str) -> bytes:
         reason = ""
         for attempt in range(3):
             try:
                 answer = await self._client.get(
-                    self._url(claim.program), headers=tracing.headers(), timeout=30.0
+                    self._url(path), headers=tracing.headers(), timeout=30.0
                 )
                 self._require_access(answer)
                 answer.raise_for_status()
@@ -187,15 +203,12 @@ class JobServer:
                 await asyncio.sleep(FIRST_PAUSE * 2.0**attempt)
                 continue
             digest = hashlib.sha256(answer.content).hexdigest()
-            if digest != claim.sha256:
+            if digest != sha256:
                 raise ProgramError(
-                    "program.wrong-checksum",
-                    job=claim.job,
-                    arrived=digest[:12],
-                    expected=claim.sha256[:12],
+                    "program.wrong-checksum", job=job, arrived=digest[:12], expected=sha256[:12]
                 )
             return answer.content
-        raise ProgramError("program.not-fetched", job=claim.job, reason=reason)
+        raise ProgramError("program.not-fetched", job=job, reason=reason)
 
     async def send_heartbeats(self, run: JobRun) -> None:
         """Send the progress of a job to the server at intervals.
@@ -232,7 +245,13 @@ class JobServer:
                 )
             await asyncio.sleep(self._settings.beat)
 
-    async def finish(self, end: JobEnd, tries: int | None = None) -> None:
+    def record(self, end: JobEnd) -> None:
+        """Record the end of a job in the journal, before it is reported."""
+        self._journal.outcome(end.job, end.outcome, end.cause, end.line_at_most)
+
+    async def finish(
+        self, end: JobEnd, tries: int | None = None, *, recorded: bool = False
+    ) -> None:
         """Record the end of a job in the journal, and report it until the server answers.
 
         Parameters
@@ -242,6 +261,8 @@ class JobServer:
         tries
             Greatest number of requests; None for no limit.  If no request is answered, the method
             returns, and the gateway reports the end again after its next start.
+        recorded
+            Whether ``record`` was called for the end.
 
         Raises
         ------
@@ -250,7 +271,8 @@ class JobServer:
             start.
         """
         job, epoch, outcome, cause = end.job, end.epoch, end.outcome, end.cause
-        self._journal.outcome(job, outcome, cause)
+        if not recorded:
+            self.record(end)
         body = end.report()
         pause = FIRST_PAUSE
         while True:

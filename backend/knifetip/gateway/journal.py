@@ -22,6 +22,8 @@ from knifetip.messages import Message, from_json
 
 #: A longer journal (bytes) is renamed to ``.1`` when the next job starts.
 LONG = 8_000_000
+#: Size of the record of the sent lines (bytes), so that it is always overwritten completely.
+_SENT_SIZE = 512
 #: Events that precede motion for which the gateway is responsible.
 _MOTION = ("begin", "dry-run")
 
@@ -37,10 +39,17 @@ class Unfinished:
 
     job: str
     epoch: int
+    sha256: str = ""  #: checksum of its program
     lines: int = 0
     copies: int = 1
     copies_done: int = 0  #: executed to their last line
     line: int = 0  #: executed lines of the copy that was under way
+    line_at_most: int | None = None  #: lines that may have been executed; None if not known
+    copy_begun: bool = True  #: a copy may be under way
+    #: most lines of this copy that were sent, by a controller that takes them one by one; None if
+    #: not known
+    sent_at_most: int | None = None
+    program: str = ""  #: name by which the controller knows the program of this copy
     outcome: str = ""  #: how it ended; empty if it did not end
     cause: Message | None = None  #: cause of the end; None if none was recorded
 
@@ -77,6 +86,8 @@ class Journal:
         self._complaint = ""  # the last logged failure to write an event
         self._last: tuple[object, ...] = ()
         self._abandoned: bool | None = None  # None: not read yet
+        self._epoch = 0  # of the job that runs
+        self._sent = None if path is None else path.with_name(path.name + ".sent")
         if path is not None:
             path.parent.mkdir(parents=True, exist_ok=True)
             if path.exists():
@@ -100,6 +111,7 @@ class Journal:
             Number of copies to make.
         """
         self._abandoned = True
+        self._epoch = epoch
         if self._path is not None and self._path.exists() and self._path.stat().st_size > LONG:
             self._path.replace(self._path.with_name(self._path.name + ".1"))
         self._append(
@@ -152,6 +164,54 @@ class Journal:
                 }
             )
 
+    def sending(self, job: str, copy: int, line: int) -> None:
+        """Record that lines of a copy are sent from now on, up to a line.
+
+        A file of its own is overwritten, which needs no room on the disk.  If that fails, it is
+        removed: a bound that is too low would be taken for the truth.
+
+        Parameters
+        ----------
+        job
+            Id of the job.
+        copy
+            Number of the running copy, from 0.
+        line
+            Last line that may be sent.
+        """
+        if self._sent is None:
+            return
+        row = {"job": job, "epoch": self._epoch, "copy": copy, "line": line}
+        try:
+            with self._sent.open("r+b" if self._sent.exists() else "w+b") as file:
+                file.write(json.dumps(row).encode().ljust(_SENT_SIZE) + b"\n")
+                file.flush()
+                os.fsync(file.fileno())
+        except OSError as error:
+            _log.warning("the sent lines cannot be recorded: %s", error)
+            with contextlib.suppress(OSError):
+                self._sent.unlink(missing_ok=True)
+
+    def _sent_at_most(self, left: Unfinished) -> int | None:
+        """Return the last line of the present copy that may have been sent; None if not known."""
+        if self._sent is None:
+            return None
+        try:
+            row = json.loads(self._sent.read_bytes())
+            if (row["job"], row["epoch"], row["copy"]) != (left.job, left.epoch, left.copies_done):
+                return None
+            return max(left.line, min(int(row["line"]), left.lines))
+        except (OSError, ValueError, KeyError, TypeError):
+            return None
+
+    def begin_copy(self, job: str) -> None:
+        """Record that a copy begins, before any line of it is sent."""
+        self._append_if_possible({"event": "copy-begin", "job": job}, safe=True)
+
+    def program(self, job: str, name: str) -> None:
+        """Record the name by which the controller knows the program that it executes now."""
+        self._append_if_possible({"event": "program", "job": job, "name": name})
+
     def copy(self, job: str, copies_done: int) -> None:
         """Record that a copy was executed to its last line and the machine is at rest.
 
@@ -166,7 +226,9 @@ class Journal:
             {"event": "copy", "job": job, "copies_done": copies_done}, safe=True
         )
 
-    def outcome(self, job: str, outcome: str, cause: Message | None) -> None:
+    def outcome(
+        self, job: str, outcome: str, cause: Message | None, line_at_most: int | None = None
+    ) -> None:
         """Record how a job ended, before it is reported to the server.
 
         Parameters
@@ -177,12 +239,15 @@ class Journal:
             ``done``, ``interrupted``, ``cancelled`` or ``returned``.
         cause
             Cause of the end; None if there is none.
+        line_at_most
+            Most lines of the last copy that may have been executed; None if not known.
         """
         row: dict[str, object] = {
             "event": "outcome",
             "job": job,
             "outcome": outcome,
             "why": _plain(cause),
+            "line_at_most": line_at_most,
         }
         self._append_if_possible(row, safe=True)
 
@@ -243,6 +308,8 @@ class Journal:
             # An event with missing or wrong fields is skipped.
             with contextlib.suppress(ValueError, KeyError, TypeError):
                 unfinished = _apply(unfinished, row)
+        if unfinished is not None:
+            unfinished.sent_at_most = self._sent_at_most(unfinished)
         return unfinished
 
     def _rows(self) -> Iterator[dict[str, Any]]:
@@ -306,7 +373,11 @@ def _apply(unfinished: Unfinished | None, row: dict[str, Any]) -> Unfinished | N
     event = row["event"]
     if event == "begin":
         return Unfinished(
-            row["job"], int(row["epoch"]), int(row["lines"]), int(row.get("copies", 1))
+            row["job"],
+            int(row["epoch"]),
+            str(row.get("sha256", "")),
+            int(row["lines"]),
+            int(row.get("copies", 1)),
         )
     if unfinished is None or row["job"] != unfinished.job:
         return unfinished
@@ -314,10 +385,17 @@ def _apply(unfinished: Unfinished | None, row: dict[str, Any]) -> Unfinished | N
         unfinished.line = int(row["executed"])
     elif event == "copy":
         unfinished.copies_done, unfinished.line = int(row["copies_done"]), 0
+        unfinished.program, unfinished.copy_begun = "", False
+    elif event == "copy-begin":
+        unfinished.copy_begun = True
+    elif event == "program":
+        unfinished.program, unfinished.line = str(row["name"]), 0
     elif event == "outcome":
         # Earlier versions recorded a text.
         unfinished.outcome = str(row["outcome"])
         unfinished.cause = from_json(row["why"]) if row["why"] else None
+        at_most = row.get("line_at_most")
+        unfinished.line_at_most = None if at_most is None else int(at_most)
     elif event == "end":
         return None
     return unfinished

@@ -185,19 +185,6 @@ class Move:
             velocity = min(velocity, math.sqrt(hardest * radius) * self.length / self.travel[0])
         return velocity, acceleration
 
-    def seconds(self, limits: Limits) -> float:
-        """Return the duration of the move (s).
-
-        A rapid begins and ends at rest; a feed move has its programmed velocity throughout.
-        """
-        if self.length <= NOTHING:
-            return 0.0
-        velocity, acceleration = self.pace(limits)
-        if math.isinf(self.rate) and not self.minutes:
-            velocity = min(velocity, math.sqrt(acceleration * self.length))
-            return self.length / velocity + velocity / acceleration
-        return self.length / velocity
-
 
 class _Block:
     """A queued move with its velocity, its acceleration and the planned speed at its start."""

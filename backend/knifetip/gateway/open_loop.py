@@ -1,8 +1,9 @@
 """open_loop: a controller that takes a program and reports nothing, such as a plotter.
 
-Only a person at the machine can see when it has finished.  When the whole program is sent,
-the controller therefore counts as held, and ``resume`` means that a person has seen the end of the
-program.  Until then it can neither be held nor stopped; ``stop`` raises an error that states this.
+Only a person at the machine can see when it has finished.  When the whole program is sent, the
+controller therefore counts as held, until a person has seen the end of the program
+(``confirm_end``).  Until then it can neither be held nor resumed nor stopped; ``stop`` raises an
+error that states this.
 The reasons are in docs/decisions/0071.
 """
 
@@ -114,7 +115,10 @@ class OpenLoop:
         """Do nothing: the machine cannot be held, and must not be reported as held."""
 
     async def resume(self) -> None:
-        """Confirm that the machine has executed the program which was handed over."""
+        """Do nothing: the machine was not held."""
+
+    def confirm_end(self) -> None:
+        """Record that a person has seen that the program which was handed over is executed."""
         if self._finished is not None:
             self._finished.set()
 

@@ -9,21 +9,37 @@ late, if the machine is at rest, and if the operation stays within the travel of
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Protocol, runtime_checkable
 
 from knifetip.errors import ControllerError, OperationExpired
-from knifetip.gateway.controller import Controller, SafeState, State, Status
+from knifetip.gateway.controller import (
+    Controller,
+    OverridingController,
+    SafeState,
+    State,
+    Status,
+)
 from knifetip.gateway.motion import Limits
+from knifetip.gateway.obstacle import RELEASABLE
 from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station
 
 #: Seconds after which an operation that was not executed yet expires.
 EXPIRY = 3.0
+#: Seconds after which a jog is stopped that the person does not state anew to hold.
+JOG_RENEWAL = 1.0
+#: Seconds of motion in one piece of a jog, for controllers that do not stop without their gateway.
+JOG_PIECE = 0.5
+#: Seconds for which the statement counts that hands are clear of the machine.
+HANDS_CLEAR = 60.0
 #: Letters of the axes of a head, in the order of a pose.
 AXES = "XYZC"
+#: Least distance of a piece of a jog (mm or degrees), which no controller rounds to nothing.
+_SHORTEST_PIECE = 0.01
 #: Z may be this much below the lift, and a target this much beyond the travel: rounding of reports.
 _TOLERANCE = 1e-3
 
@@ -43,16 +59,56 @@ class OperationName(StrEnum):
     FRAME = "frame"  #: move round the box of the sheet or of the work, above the board
     TOOL_CHECK = "tool_check"  #: move a station above a point, and lower it almost to the board
     LIFT = "lift"  #: lift the tool straight up, and switch everything off
+    RELEASE = "release"  #: discard what the controller holds, and switch everything off
     HOLD = "hold"  #: hold a dry run
     RESUME = "resume"  #: resume a dry run
+    FEED_OVERRIDE = "feed_override"  #: change the feed of the program that runs
 
 
 #: Operations that run a program above the board while a job waits (``station``).
 RUNS = frozenset({OperationName.DRY_RUN, OperationName.FRAME, OperationName.TOOL_CHECK})
 #: Operations that change such a run, and are executed while it uses the machine.
 OF_RUNS = frozenset({OperationName.HOLD, OperationName.RESUME, OperationName.STOP_JOG})
+#: Operations that are executed while a job runs.
+DURING_JOBS = frozenset({OperationName.FEED_OVERRIDE})
+#: Operations that free a controller while a job waits for its next sheet; it keeps waiting.
+BETWEEN_COPIES = frozenset(
+    {
+        OperationName.UNLOCK,
+        OperationName.HOME,
+        OperationName.RELEASE,
+        OperationName.LIFT,
+        OperationName.STOP_JOG,
+    }
+)
+#: Operations that move the machine by themselves: hands must be clear.  A jog is not among them: it
+#: moves only while the person holds its button.
+_MOVING = frozenset(
+    {
+        *RUNS,
+        OperationName.HOME,
+        OperationName.ZERO,
+        OperationName.PARK,
+        OperationName.RESUME,
+    }
+)
+#: Operations that lower a station or turn a tool when they switch something on.
+_SWITCHING = frozenset({OperationName.SWITCH, OperationName.SPINDLE})
 #: Operations that an alarm does not prevent.
 _IN_ALARM = frozenset({OperationName.UNLOCK, OperationName.HOME})
+
+
+def needs_clear_hands(name: str, on: bool) -> bool:
+    """Return whether an operation may only be asked for with hands clear of the machine.
+
+    Parameters
+    ----------
+    name
+        Name of the operation.
+    on
+        Whether the operation switches something on.
+    """
+    return name in _MOVING or (on and name in _SWITCHING)
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +124,7 @@ class Operation:
     on: bool = False
     station: int = 0  #: number of the station that is checked, or whose spindle is switched
     share: float = 1.0  #: share of the feeds of a dry run
+    percent: int = 100  #: feed override (%)
     box: tuple[float, float, float, float] | None = None  #: x0, y0, x1, y1 of a frame (mm)
     point: tuple[float, float] | None = None  #: of a tool check, as in programs (mm)
     height: float = 0.0  #: of the tip above the mat in a tool check (mm)
@@ -113,6 +170,11 @@ class Operable(Protocol):
         ...
 
     @property
+    def jog_seconds(self) -> float:
+        """Longest motion of one jog (s); infinite if the controller stops without its gateway."""
+        ...
+
+    @property
     def spinning(self) -> int:
         """Number of the station whose spindle ``spin`` has switched on; 0 for none."""
         ...
@@ -139,15 +201,30 @@ class Operable(Protocol):
         """
         ...
 
+    async def release(self) -> None:
+        """Discard what the controller executes or holds, and switch all outputs off.
+
+        No axis is moved, so the tool stays where it is.
+
+        Raises
+        ------
+        ControllerError
+            The controller does not answer.
+        """
+        ...
+
     async def jog(self, axis: str, distance: float, feed: float) -> None:
         """Begin to move one axis; return when the controller has accepted the move.
+
+        A jog of an axis that a jog moves already continues where that one ends.
 
         Parameters
         ----------
         axis
             Letter of the axis: X, Y, Z or C.
         distance
-            Signed distance from the present position (mm or degrees).
+            Signed distance from the present position, or from the end of the running jog (mm or
+            degrees).
         feed
             Speed (mm/min or degrees/min).
 
@@ -214,6 +291,8 @@ async def perform(
 ) -> None:
     """Carry out an operation of a person at the machine.
 
+    Of a jog, the first piece is sent (``jog_piece``).
+
     Parameters
     ----------
     operation
@@ -240,8 +319,11 @@ async def perform(
             await controller.unlock()
         case OperationName.HOME:
             await controller.home()
+        case OperationName.RELEASE:
+            await controller.release()
         case OperationName.JOG:
-            await controller.jog(operation.axis, operation.distance, operation.feed)
+            piece = jog_piece(operation.distance, operation.feed, controller.jog_seconds)
+            await controller.jog(operation.axis, piece, operation.feed)
         case OperationName.STOP_JOG:
             await controller.stop_jog()
         case OperationName.ZERO:
@@ -255,6 +337,50 @@ async def perform(
         case OperationName.SPINDLE:
             station = _spindle_station(operation, machine)
             await controller.spin(station if operation.on else None)
+
+
+async def override_feed(
+    operation: Operation, controller: object, machine: Machine, is_late: Callable[[], bool]
+) -> None:
+    """Change the feed of the program that a machine runs.
+
+    For the parameters see ``perform``.
+
+    Raises
+    ------
+    OperationExpired
+        The operation has expired; nothing was sent.
+    ControllerError
+        The machine file does not permit the override, or the controller has none or does not
+        report the new one.
+    """
+    if is_late():
+        raise OperationExpired("operation.expired", seconds=EXPIRY)
+    low, high = machine.feed_override
+    if not low <= operation.percent <= high:
+        raise ControllerError(
+            "operation.bad-override", percent=operation.percent, low=low, high=high
+        )
+    if not isinstance(controller, OverridingController):
+        raise ControllerError("operation.no-controller", machine=machine.name)
+    await controller.override_feed(operation.percent)
+
+
+def jog_piece(distance: float, feed: float, seconds: float) -> float:
+    """Return the part of a jog that a machine executes in a time.
+
+    Parameters
+    ----------
+    distance
+        Signed distance of the jog (mm or degrees).
+    feed
+        Its speed (mm/min or degrees/min).
+    seconds
+        The time; infinite for the whole jog.
+    """
+    # Rounded as it is sent, so that the sum of all pieces is the distance.
+    longest = max(round(feed / 60.0 * seconds, 4), _SHORTEST_PIECE)
+    return math.copysign(min(abs(distance), longest), distance)
 
 
 async def require_possible(
@@ -275,10 +401,22 @@ async def require_possible(
         raise ControllerError("operation.unsupported", name=controller.name, request=operation.name)
     if operation.name is OperationName.UNLOCK and controller.alarm is None:
         raise ControllerError("operation.not-locked", name=controller.name)
+    if operation.name is OperationName.RELEASE:
+        _check_release(controller)
+        return
     if operation.name is OperationName.STOP_JOG:
         return  # also during homing, when some controllers send no status report
     if controller.alarm is None or operation.name not in _IN_ALARM:
         _check(operation, controller.name, await controller.status(), machine)
+
+
+def _check_release(controller: OperableController) -> None:
+    """Raise ``ControllerError`` if a controller holds nothing, or its door is open."""
+    status = controller.last_status
+    if controller.alarm is not None or status is None or status.state not in RELEASABLE:
+        raise ControllerError("operation.nothing-held", name=controller.name)
+    if status.door_open:
+        raise ControllerError("operation.door-open", name=controller.name)
 
 
 def _check(operation: Operation, name: str, status: Status, machine: Machine) -> None:

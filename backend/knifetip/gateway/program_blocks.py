@@ -10,9 +10,11 @@ from __future__ import annotations
 
 import asyncio
 import itertools
+from array import array
 from collections.abc import Callable, Iterable, Iterator
 
-from knifetip.gateway.interpreter import EMPTY_BLOCK, Block, LineInterpreter, LineRefused
+from knifetip.gateway.interpreter import Block, LineInterpreter, LineRefused
+from knifetip.gateway.line_times import LineTimes
 from knifetip.gateway.motion import Limits
 
 #: Lines of a program whose blocks are kept at most.
@@ -49,11 +51,6 @@ def read_blocks(text: bytes, interpreter: LineInterpreter) -> Iterator[Block | N
             yield None
 
 
-def seconds_of(block: Block, limits: Limits) -> float:
-    """Return the nominal duration of a block (s): its dwell plus the duration of its move."""
-    return (block.dwell or 0.0) + (block.move.seconds(limits) if block.move else 0.0)
-
-
 class ProgramBlocks:
     """The blocks of a program.
 
@@ -70,29 +67,29 @@ class ProgramBlocks:
         self._interpreter = interpreter
         self._kept: list[Block | None] | None = None
 
-    async def measure(self, limits: Limits) -> tuple[int, float]:
-        """Return the number of lines of the program and its nominal duration (s).
+    async def measure(self, limits: Limits) -> array[float]:
+        """Return the duration of each line of the program (s), as ``LineTimes`` computes it.
 
-        Gives other tasks a turn after every ``TURN`` lines.
+        Yields to the event loop after every ``TURN`` lines.
 
         Parameters
         ----------
         limits
             Limits of the axes.
         """
-        lines, total = 0, 0.0
+        times = LineTimes(limits)
         kept: list[Block | None] | None = []
-        for block in read_blocks(self._text, self._interpreter()):
-            lines += 1
-            total += seconds_of(block or EMPTY_BLOCK, limits)
+        for lines, block in enumerate(read_blocks(self._text, self._interpreter()), 1):
+            times.add(block)
             if kept is not None:
                 kept.append(block)
                 if lines > KEPT:
                     kept = None
             if lines % TURN == 0:
                 await asyncio.sleep(0)
+        times.end()
         self._kept = kept
-        return lines, total
+        return times.seconds
 
     def readers(self) -> tuple[Iterator[Block | None], Iterator[Block | None]]:
         """Return two iterators over the blocks, which may be read at different times."""

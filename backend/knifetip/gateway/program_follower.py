@@ -18,13 +18,12 @@ from __future__ import annotations
 
 import itertools
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from knifetip.gateway.controller import Status
 from knifetip.gateway.interpreter import EMPTY_BLOCK, Block
-from knifetip.gateway.motion import NOTHING, Limits
-from knifetip.gateway.program_blocks import seconds_of
+from knifetip.gateway.motion import NOTHING
 
 #: Largest distance of a reported position from its move (mm and degrees): steps, chords, rounding.
 NEAR = 0.05
@@ -47,16 +46,18 @@ class ProgramFollower:
     ----------
     blocks
         The effect of each program line, None for a line that is refused.
-    limits
-        Limits of the axes, from which the nominal durations of the lines are computed.
+    seconds
+        Duration of each line (s).
     ahead
         Largest number of moves that have left the planner and are not executed yet.
     """
 
-    def __init__(self, blocks: Iterator[Block | None], limits: Limits, ahead: int = AHEAD) -> None:
+    def __init__(
+        self, blocks: Iterator[Block | None], seconds: Sequence[float], ahead: int = AHEAD
+    ) -> None:
         self._ahead = max(ahead, AHEAD)
         self._blocks = blocks
-        self._limits = limits
+        self._durations = seconds
         self._window: deque[_Line] = (
             deque()
         )  # lines from the first one that is not executed to the last answered
@@ -64,7 +65,7 @@ class ProgramFollower:
         self._read = 0  # lines that have entered the window
         self._fraction = 0.0  # of the line being executed
         self.lines = 0  #: number of executed lines
-        self.seconds = 0.0  #: nominal duration of the executed lines
+        self.seconds = 0.0  #: duration of the executed lines (s)
         self.output = -1  #: digital output last switched on by an executed line
 
     def update(self, status: Status, acknowledged: int, capacity: int | None) -> int:
@@ -103,7 +104,7 @@ class ProgramFollower:
 
     @property
     def seconds_done(self) -> float:
-        """Nominal duration of the executed lines and of the executed part of the next line (s)."""
+        """Duration of the executed lines and of the executed part of the next line (s)."""
         part = self._window[0].seconds * self._fraction if self._window else 0.0
         return self.seconds + part
 
@@ -142,7 +143,7 @@ class ProgramFollower:
         """
         for read in itertools.islice(self._blocks, max(acknowledged - self._read, 0)):
             block = read or EMPTY_BLOCK
-            self._window.append(_Line(block, seconds_of(block, self._limits)))
+            self._window.append(_Line(block, self._durations[self._read]))
             self._moves += _moves(block)
             self._read += 1
             if block.waits:

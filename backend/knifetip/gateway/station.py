@@ -9,6 +9,8 @@ answers a report with the operations that a person has asked for:
   own monotonic clock.
 - Operations are executed one after another, except ``stop_jog``: it does not wait, and cancels
   the operations that do.
+- A jog moves only while the person holds its button.  The page states it again and again, and the
+  server passes that on with its answers; without it the jog is stopped (``held_jogs``).
 - Without an answer of the server for ``operations.EXPIRY`` a running jog or dry run is stopped,
   and a spindle that was switched on by hand is switched off, because the person can no
   longer do it.
@@ -29,25 +31,31 @@ import httpx
 from knifetip.errors import (
     ControllerAlarm,
     ControllerError,
+    ControllerOccupied,
     GatewayRefused,
     KnifetipError,
     OperationExpired,
 )
-from knifetip.gateway.controller import State, Status
+from knifetip.gateway.controller import ConfiguredController, State, Status
 from knifetip.gateway.dry_programs import DryPrograms
 from knifetip.gateway.dry_run import DryRun
+from knifetip.gateway.held_jogs import HeldJogs
 from knifetip.gateway.job_run import JobRun
 from knifetip.gateway.job_server import JobServer
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.machine_link import MachineLink
+from knifetip.gateway.obstacle import notice_of, obstacle_in_job, obstacle_of
 from knifetip.gateway.open_loop import OpenLoop
 from knifetip.gateway.operations import (
+    BETWEEN_COPIES,
+    DURING_JOBS,
     EXPIRY,
     OF_RUNS,
     RUNS,
     OperableController,
     Operation,
     OperationName,
+    override_feed,
     perform,
     require_possible,
 )
@@ -55,6 +63,7 @@ from knifetip.gateway.station_report import (
     UNREPORTED,
     OperationRequest,
     OperationResult,
+    StationAnswer,
     StationReport,
 )
 from knifetip.gateway.tool_check import CheckedPoint, ToolCheck
@@ -67,6 +76,10 @@ WATCHED_INTERVAL = 0.3
 IDLE_INTERVAL = 3.0
 #: Pause after a report that the server did not answer (s).
 _PAUSE = 1.0
+#: Longest time by which a report of the machine delays the report of the end of a job (s).
+_NOW = 1.0
+#: Why a report is not stored: the server is silent, refuses it, or answers something else.
+_REFUSED = (httpx.HTTPError, GatewayRefused, ValueError, KeyError, TypeError)
 
 _log = logging.getLogger(__name__)
 
@@ -108,6 +121,9 @@ class MachineStation:
         self._cancelled = 0  # number of stops; an operation that was asked before a stop is dropped
         self._answered = 0.0  # time of the last answer of the server
         self._wake = asyncio.Event()  # an operation has ended
+        self._jogs = HeldJogs(link)
+        self._reporting: set[asyncio.Task[None]] = set()  # at once, besides those of ``run``
+        link.on_change = self._report_soon
 
     async def run(self) -> None:
         """Report and execute operations until cancelled."""
@@ -120,15 +136,9 @@ class MachineStation:
                 asked = _now()
                 try:
                     answer = await self._server.report_station(
-                        self._report(), results, 0.0 if self._tasks else interval
+                        self.report(), results, 0.0 if self._tasks else interval
                     )
-                except (
-                    httpx.HTTPError,
-                    GatewayRefused,
-                    ValueError,
-                    KeyError,
-                    TypeError,
-                ) as error:
+                except _REFUSED as error:
                     self._results = results + self._results
                     if (reason := repr(error)) != complaint:
                         complaint = reason
@@ -137,11 +147,7 @@ class MachineStation:
                     await asyncio.sleep(_PAUSE)
                     continue
                 complaint = ""
-                self._answered = now = _now()
-                # The time on the way, at most: the server has waited for the rest.
-                transit = max(now - asked - answer.waited, 0.0)
-                for request in answer.operations:
-                    self._begin(_Pending(request, now + EXPIRY - request.age - transit))
+                self._accept(answer, asked)
                 interval = WATCHED_INTERVAL if answer.watched else IDLE_INTERVAL
                 if self._tasks:
                     with suppress(TimeoutError):
@@ -149,9 +155,39 @@ class MachineStation:
                 elif answer.waited < interval and not answer.operations:
                     await asyncio.sleep(interval - answer.waited)
         finally:
-            for task in self._tasks:
+            tasks = [*self._tasks, *self._reporting]
+            for task in tasks:
                 task.cancel()
-            await asyncio.gather(*self._tasks, return_exceptions=True)
+            await asyncio.gather(*tasks, return_exceptions=True)
+            await self._jogs.stop_all()
+
+    def _accept(self, answer: StationAnswer, asked: float) -> None:
+        """Begin the operations in the answer to a report that was sent at the time ``asked``."""
+        self._answered = now = _now()
+        # The time on the way, at most: the server has waited for the rest.
+        transit = max(now - asked - answer.waited, 0.0)
+        for request in answer.operations:
+            self._begin(_Pending(request, now + EXPIRY - request.age - transit))
+        if answer.held is not None:
+            self._jogs.renew(answer.held.id, now - answer.held.age - transit)
+
+    def _report_soon(self) -> None:
+        """Report a change of the connection at once: a report of ``run`` may wait for seconds."""
+        task = asyncio.create_task(self.report_now(), name="report of the connection")
+        self._reporting.add(task)
+        task.add_done_callback(self._reporting.discard)
+
+    async def report_now(self) -> None:
+        """Request a status of the machine and report it, unless server or controller are silent."""
+        controller = self._link.controller
+        if controller is not None and controller.fault is None:
+            with suppress(ControllerError):
+                await controller.status()
+        asked = _now()
+        with suppress(*_REFUSED, TimeoutError):
+            async with asyncio.timeout(_NOW):
+                answer = await self._server.report_station(self.report(), [], 0.0)
+            self._accept(answer, asked)
 
     async def _stop_unwatched(self) -> None:
         """Stop what a person has begun if the server has not answered for ``EXPIRY`` seconds."""
@@ -173,36 +209,49 @@ class MachineStation:
 
     # -- reports --------------------------------------------------------------------------------
 
-    def _report(self) -> StationReport:
+    def report(self) -> StationReport:
+        """Return the present state of the machine."""
         controller, run = self._link.controller, self._link.run
         if isinstance(controller, OpenLoop):
             return StationReport(connected=controller.fault is None, state=UNREPORTED)
         if not isinstance(controller, OperableController) or not controller.connected:
-            return StationReport(connected=False)
+            refusal = self._link.refusal
+            return StationReport(connected=False, notices=() if refusal is None else (refusal,))
         status = controller.last_status
         state = "" if status is None else _state(status, controller.alarm)
         outputs = controller.switched_on
         if run is not None and self._link.runs_job and run.output >= 0:
             outputs = outputs | {run.output}
+        if controller.fault is not None:
+            outputs = outputs | self._link.left_on
         return StationReport(
             connected=True,
             # Some controllers report nothing while they home.
             state=State.HOME.value if self._homing else state,
             alarm=None if self._homing else controller.alarm,
+            obstacle=None
+            if controller.alarm is not None
+            else self._obstacle(status, controller.name),
             position=None if status is None or not status.located else status.position,
             outputs=tuple(sorted(outputs)),
+            outputs_known=self._link.outputs_known,
             operations=tuple(sorted(controller.operations)),
+            override=_override(controller, status),
             spindle=controller.spinning or None,
             activity=None if self._link.dry_run is None else self._link.dry_run.activity,
+            notices=_notices(controller, status),
         )
 
     # -- operations -----------------------------------------------------------------------------
 
     def _begin(self, pending: _Pending) -> None:
         """Start a task that executes an operation."""
-        stops = pending.request.operation.name is OperationName.STOP_JOG
-        if stops:
+        name = pending.request.operation.name
+        if name is OperationName.STOP_JOG:
             self._cancelled += 1
+            self._jogs.release_all()
+        if name is OperationName.JOG:
+            self._jogs.begin(pending.request.id, pending.expires - EXPIRY)
         task = asyncio.create_task(self._carry_out(pending, self._cancelled), name="operation")
         self._tasks.add(task)
         task.add_done_callback(self._end)
@@ -221,15 +270,17 @@ class MachineStation:
         stops
             Number of stops that were asked before the operation.
         """
-        id = pending.request.id
+        id, operation = pending.request.id, pending.request.operation
 
         def is_late() -> bool:
-            return _now() >= pending.expires or self._cancelled != stops
+            released = operation.name is OperationName.JOG and self._jogs.is_released(id)
+            return released or _now() >= pending.expires or self._cancelled != stops
 
-        operation = pending.request.operation
         try:
-            self._refuse_during_job()
-            if operation.name in OF_RUNS and await self._change_run(operation.name):
+            self._refuse_during_job(operation.name)
+            if operation.name is OperationName.FEED_OVERRIDE:
+                await override_feed(operation, self._link.controller, self._machine, is_late)
+            elif operation.name in OF_RUNS and await self._change_run(operation.name):
                 pass
             elif self._link.runs_dry:
                 raise ControllerError("dry-run.uses-machine")
@@ -240,10 +291,15 @@ class MachineStation:
                 return
             else:
                 async with self._link.in_use:
-                    self._refuse_during_job()
-                    with suppress(ControllerAlarm):  # ``unlock`` and ``home`` clear it
+                    self._refuse_during_job(operation.name)
+                    # ``unlock``, ``home`` and ``release`` clear it
+                    with suppress(ControllerAlarm, ControllerOccupied):
                         await self._link.renew()
-                    await self._perform(operation, is_late)
+                    if operation.name is OperationName.JOG:
+                        await self._jog(id, operation, is_late)
+                    else:
+                        await self._perform(operation, is_late)
+                        self._link.record_secured()  # by unlock, home or release
         except OperationExpired as late:
             result = OperationResult(id, "expired", late.message)
         except KnifetipError as refused:
@@ -254,8 +310,19 @@ class MachineStation:
             result = OperationResult(id, "done")
         self._results.append(result)
 
+    async def _jog(self, id: str, operation: Operation, is_late: Callable[[], bool]) -> None:
+        """Begin a jog; the rest of it follows while its button is held."""
+        self._jogs.send(id)
+        controller = self._link.controller
+        start = None
+        if isinstance(controller, OperableController) and controller.alarm is None:
+            start = (await controller.status()).position
+        await self._perform(operation, is_late)
+        if start is not None:
+            self._jogs.accept(id, operation, start)
+
     async def _perform(self, operation: Operation, is_late: Callable[[], bool]) -> None:
-        self._refuse_during_job()  # a job may have started during the wait
+        self._refuse_during_job(operation.name)  # a job may have started during the wait
         controller = self._link.controller
         if not isinstance(controller, OperableController):
             raise ControllerError("operation.no-controller", machine=self._machine.name)
@@ -314,7 +381,7 @@ class MachineStation:
             The machine cannot do it now, or the program cannot be run above the board.
         """
         async with self._link.in_use:
-            self._refuse_during_job()
+            self._refuse_during_job(operation.name)
             job, controller = self._link.run, self._link.controller
             if not isinstance(controller, OperableController):
                 raise ControllerError("operation.no-controller", machine=self._machine.name)
@@ -354,9 +421,33 @@ class MachineStation:
         program = await self._programs.prepare(operation, job.claim, start)
         return DryRun(operation.name.value, id, program, machine, may_go_on)
 
-    def _refuse_during_job(self) -> None:
-        if self._link.runs_job:
+    def _refuse_during_job(self, name: OperationName) -> None:
+        """Raise ``ControllerError`` if a job is on the machine, unless it waits for a sheet or the
+        operation is one of a running job.
+        """
+        free = self._link.is_between_copies and name in BETWEEN_COPIES
+        if self._link.runs_job and not free and name not in DURING_JOBS:
             raise ControllerError("operation.job-on-machine")
+
+    def _obstacle(self, status: Status | None, name: str) -> Message | None:
+        """Return why the machine takes no job, or why that on it does not move; None if it can."""
+        if status is None or self._link.runs_dry or self._homing:
+            return None
+        in_job = self._link.runs_job and not self._link.is_between_copies
+        return (obstacle_in_job if in_job else obstacle_of)(status, name)
+
+
+def _override(controller: OperableController, status: Status | None) -> int | None:
+    """Return the feed override of a controller (%); None if it has none."""
+    has_one = OperationName.FEED_OVERRIDE in controller.operations
+    return None if status is None or not has_one else status.override
+
+
+def _notices(controller: OperableController, status: Status | None) -> tuple[Message, ...]:
+    """Return the harmless differences of the settings, and what else a person should know."""
+    settings = controller.notices if isinstance(controller, ConfiguredController) else ()
+    notice = None if status is None else notice_of(status, controller.name)
+    return settings if notice is None else (notice, *settings)
 
 
 def _state(status: Status, alarm: Message | None) -> str:
@@ -364,7 +455,7 @@ def _state(status: Status, alarm: Message | None) -> str:
     if alarm is not None:
         return State.ALARM.value
     # With its door closed again the machine is only held.
-    closed = status.state is State.DOOR and status.still
+    closed = status.state is State.DOOR and not status.door_open
     return (State.HOLD if closed else status.state).value
 
 

@@ -23,11 +23,18 @@ class StationReport:
     connected: bool
     state: str = ""  #: state of the controller; "" if it is not connected
     alarm: Message | None = None
+    #: why the machine takes no job although no alarm locks it, or why the job on it does not move,
+    #: with what to do; None if nothing is in its way
+    obstacle: Message | None = None
     position: Pose | None = None  #: in work coordinates
     outputs: tuple[int, ...] = ()  #: outputs that are on
+    outputs_known: bool = True  #: all others are off; if False, they may be on
     operations: tuple[str, ...] = ()  #: operations that the controller can do
+    override: int | None = None  #: feed override (%); None if the controller has none
     spindle: int | None = None  #: station whose spindle was switched on by hand; None for none
     activity: Activity | None = None  #: the last program above the board; None if there was none
+    #: why there is no connection, or harmless differences of settings from the machine file
+    notices: tuple[Message, ...] = ()
 
     def as_json(self) -> dict[str, object]:
         """Return the fields of the request that reports the state to the server."""
@@ -35,11 +42,15 @@ class StationReport:
             "connected": self.connected,
             "state": self.state,
             "alarm": None if self.alarm is None else with_text(self.alarm),
+            "obstacle": None if self.obstacle is None else with_text(self.obstacle),
             "position": self.position,
             "outputs": self.outputs,
+            "outputs_known": self.outputs_known,
             "operations": self.operations,
             "spindle": self.spindle,
+            "override": self.override,
             "activity": None if self.activity is None else self.activity.as_json(),
+            "notices": [with_text(notice) for notice in self.notices],
         }
 
 
@@ -67,12 +78,21 @@ class OperationRequest:
 
 
 @dataclass(frozen=True, slots=True)
+class HeldJog:
+    """A jog whose button a person still holds."""
+
+    id: str
+    age: float  #: time from the last statement of the person to the answer of the server (s)
+
+
+@dataclass(frozen=True, slots=True)
 class StationAnswer:
     """The server's answer to a report."""
 
     operations: Sequence[OperationRequest]
     waited: float  #: time that the server waited before it answered (s)
     watched: bool  #: a person looks at the machine
+    held: HeldJog | None = None  #: the jog whose button the person still holds; None for none
 
     @classmethod
     def of(cls, answer: Mapping[str, Any]) -> StationAnswer:
@@ -87,6 +107,7 @@ class StationAnswer:
             [_request(one) for one in answer["operations"]],
             _duration(answer["waited"]),
             bool(answer["watched"]),
+            _held(answer.get("jog")),
         )
 
 
@@ -105,12 +126,17 @@ def _request(fields: Mapping[str, Any]) -> OperationRequest:
             bool(given.get("on", False)),
             int(given.get("station", 0)),
             _finite(given.get("share", 1.0)),
+            int(given.get("percent", 100)),
             _box(given.get("box")),
             _point(given.get("point")),
             _finite(given.get("height", 0.0)),
             _box(given.get("shift")) or (0.0, 0.0, 0.0, 0.0),
         ),
     )
+
+
+def _held(fields: Mapping[str, Any] | None) -> HeldJog | None:
+    return None if fields is None else HeldJog(str(fields["id"]), _duration(fields["age"]))
 
 
 def _box(value: Any) -> tuple[float, float, float, float] | None:

@@ -7,7 +7,8 @@ closed early, the machine is stopped and brought into its safe state.  For this 
 an exception in the code that uses the iterator, wrap the iterator in ``contextlib.aclosing``.
 
 The bytes are sent unaltered.  A line that switches an output is sent when the machine is at rest.
-Memory does not grow with the length of the program, except for its bytes.
+Memory does not grow with the length of the program, except for its bytes and the durations of its
+lines.
 """
 
 from __future__ import annotations
@@ -15,13 +16,19 @@ from __future__ import annotations
 import asyncio
 import logging
 import math
-from collections.abc import AsyncGenerator, Mapping
+from collections.abc import AsyncGenerator, Callable, Mapping
 from dataclasses import dataclass
 
-from knifetip.errors import ControllerAlarm, ControllerError
+from knifetip.errors import (
+    CheckRefused,
+    ControllerAlarm,
+    ControllerError,
+    ControllerRejected,
+)
 from knifetip.gateway.controller import (
     Controller,
     InterpretingController,
+    LimitedController,
     LineController,
     ProgramController,
     State,
@@ -32,11 +39,13 @@ from knifetip.gateway.interpreter import Interpreter, LineInterpreter, switches_
 from knifetip.gateway.motion import Limits, Pose
 from knifetip.gateway.program_blocks import ProgramBlocks, lines_of
 from knifetip.gateway.program_follower import ProgramFollower
+from knifetip.gateway.time_left import TimeLeft
+from knifetip.gateway.travel import find_excess
 from knifetip.messages import Message
 from knifetip.model.program import Program
 
-#: Nominal seconds after which the measured pace is used.
-PACE = 1.0
+#: Longest time until a check run has ended after a failure of the controller (s).
+_CHECK_END = 0.5
 #: Default limits of the axes: 1 m/s, 5 m/s², two turns per second.
 TYPICAL = Limits(
     (1000.0, 1000.0, 200.0, 720.0),
@@ -44,6 +53,11 @@ TYPICAL = Limits(
     (-math.inf,) * 4,
     (math.inf,) * 4,
 )
+
+#: Number of lines that are announced together before they are sent.
+_AHEAD = 64
+#: States in which a controller executes no program: it never goes on by itself, nor with a resume.
+_NO_PROGRAM = frozenset({State.CHECK, State.SLEEP, State.TOOL})
 
 _log = logging.getLogger(__name__)
 
@@ -58,11 +72,11 @@ class Progress:
     position: Pose  #: X, Y, Z, C in work coordinates
     state: State
     output: int  #: digital output last switched on (the station in use), -1 for none
-    #: estimated from the pace so far, without holds (s); None if unknown
+    #: estimated by ``TimeLeft``, without holds (s); None if unknown
     seconds_left: float | None
     located: bool = True  #: the position is known
     awaits_end: bool = False  #: a person must confirm the end of the program: see ``Status``
-    still: bool = False  #: no axis moves
+    door_open: bool = False  #: the safety door is open
 
     @property
     def held(self) -> bool:
@@ -72,7 +86,7 @@ class Progress:
     @property
     def resumable(self) -> bool:
         """Whether the machine is held and would continue at once; not with an open door."""
-        return self.state is State.HOLD or (self.state is State.DOOR and self.still)
+        return self.held and not self.door_open
 
 
 async def stream(
@@ -83,6 +97,8 @@ async def stream(
     tools: Mapping[int, Pose] | None = None,
     check: bool = True,
     interval: float = 0.1,
+    time_left: TimeLeft | None = None,
+    sending: Callable[[int], None] | None = None,
 ) -> AsyncGenerator[Progress, None]:
     """Run a program; yield the progress every ``interval`` seconds.
 
@@ -101,6 +117,12 @@ async def stream(
         Whether the controller first parses the whole program without motion.
     interval
         Time between two progress reports (s).
+    time_left
+        Estimates the remaining time; that of the copies before this one, so that it has learned
+        from them.  None for an estimate from the limits of the axes.
+    sending
+        Called before lines are sent to a ``LineController``, with the number of the last line that
+        is sent before the next call; None for no call.
 
     Yields
     ------
@@ -109,6 +131,9 @@ async def stream(
 
     Raises
     ------
+    CheckRefused
+        The controller refused the program in its check run, or the program leaves its travel;
+        nothing was executed.
     ControllerError
         The controller is not idle, refused a line, is in alarm, was reset, does not answer, lost
         the connection, or left the path of the program.  The message states how many lines may have
@@ -130,31 +155,41 @@ async def stream(
         return Interpreter(status.position, tools)
 
     blocks = ProgramBlocks(text, interpreter)
-    lines, total = await blocks.measure(limits)
+    durations = await blocks.measure(limits)
+    if isinstance(controller, LimitedController):
+        await _require_travel(controller, blocks)
+    lines = len(durations)
     followed, expected = blocks.readers()
-    follower = ProgramFollower(followed, limits, controller.ahead)
+    follower = ProgramFollower(followed, durations, controller.ahead)
     corridor = Corridor(
         expected, status, controller.capacity, off=controller.accuracy, ahead=controller.ahead
     )
-    clock = _Clock(total)
+    time_left = TimeLeft() if time_left is None else time_left
+    time_left.begin(sum(durations))
     base = status
     controller.observer = corridor
-    feeding = asyncio.create_task(_feed(text, controller, corridor, check), name="feed")
+    feeding = asyncio.create_task(_feed(text, controller, corridor, check, sending), name="feed")
     try:
         while True:
             status = await controller.status()
             if feeding.done():
                 feeding.result()
                 break
-            _check_alarm(controller, status)
+            _check_state(controller, status, base)
             answered = status.acknowledged - base.acknowledged
             if status.state is not State.CHECK:
                 follower.update(status, answered, controller.capacity)
-            yield _progress(
-                follower, status, answered, lines, clock.left(follower.seconds_done, status)
-            )
+            now = asyncio.get_running_loop().time()
+            left = time_left.update(follower.seconds_done, status.state, now, status.override)
+            yield _progress(follower, status, answered, lines, left)
             await asyncio.sleep(interval)
-    except ControllerError as error:
+    except ControllerError as found:
+        error = found
+        if controller.sent == base.sent:
+            # The check run may state what the controller has found in it.
+            await asyncio.wait({feeding}, timeout=_CHECK_END)
+            if feeding.done() and isinstance(refused := feeding.exception(), CheckRefused):
+                error = refused
         await _give_up(feeding)
         if controller.fault is None and controller.sent == base.sent:
             raise  # refused in check mode: nothing has moved
@@ -170,13 +205,39 @@ async def stream(
                 raise
         raise
     controller.observer = None
+    time_left.end()
     follower.finish(lines)
     yield _progress(follower, status, lines, lines, 0.0)
 
 
-def _check_alarm(controller: Controller, status: Status) -> None:
+async def _require_travel(controller: LimitedController, blocks: ProgramBlocks) -> None:
+    """Raise ``CheckRefused`` if a program leaves the travel of its controller."""
+    travel = await controller.travel()
+    if travel is None:
+        return
+    moves, _ = blocks.readers()
+    if (excess := await find_excess(moves, travel)) is not None:
+        raise controller.beyond_travel(excess)
+
+
+def _check_state(controller: Controller, status: Status, base: Status) -> None:
+    """Raise ``ControllerError`` if the state of a controller shows that the program has ended.
+
+    Parameters
+    ----------
+    controller
+        Controller of the machine.
+    status
+        Last report.
+    base
+        Report before the first line of the program was sent.
+    """
     if status.state is State.ALARM:
         raise controller.fault or ControllerAlarm("controller.reports-alarm", name=controller.name)
+    if status.state in _NO_PROGRAM and status.sent > base.sent:
+        raise ControllerError(
+            "controller.left-program", name=controller.name, state=status.state.value
+        )
 
 
 async def _make_safe(controller: Controller) -> Status:
@@ -208,20 +269,26 @@ async def _stop(
     lines
         Number of lines of the program.
     """
-    progress = _progress_message(follower.lines, controller.sent - base.sent, lines)
+
+    def progress() -> Message:
+        return _progress_message(follower.lines, controller.sent - base.sent, lines)
+
     try:
         status = await _make_safe(controller)
     except ControllerError as unsafe:
         if _states_same_alarm(error.message, unsafe.message):
-            return type(error)("controller.unsafe", error=error.message, progress=progress)
+            return type(error)("controller.unsafe", error=error.message, progress=progress())
         return type(error)(
             "controller.not-stopped",
             error=error.message,
-            progress=progress,
+            progress=progress(),
             unsafe=unsafe.message,
         )
     return type(error)(
-        "controller.stopped", error=error.message, progress=progress, height=status.position[2]
+        "controller.stopped",
+        error=error.message,
+        progress=progress(),  # only at rest it is known whether a whole program was begun at all
+        height=status.position[2],
     )
 
 
@@ -255,14 +322,27 @@ def _progress_message(executed: int, sent: int, lines: int) -> Message:
     return Message("run.in-buffer", executed=executed, lines=lines, rest=rest)
 
 
-async def _feed(text: bytes, controller: Controller, corridor: Corridor, check: bool) -> None:
+async def _feed(
+    text: bytes,
+    controller: Controller,
+    corridor: Corridor,
+    check: bool,
+    sending: Callable[[int], None] | None,
+) -> None:
     if check:
-        await controller.check(lines_of(text))
+        try:
+            await controller.check(lines_of(text))
+        except ControllerRejected as refused:
+            raise CheckRefused(refused.message) from refused
     if isinstance(controller, ProgramController):
         corridor.check_rest(await controller.run(text))
         return
     assert isinstance(controller, LineController)
+    announced = 0
     for number, line in enumerate(lines_of(text), 1):
+        if number > announced and sending is not None:
+            announced = number + _AHEAD - 1
+            sending(announced)
         if switches_output(line):
             # grblHAL switches an output when it reads M64 or M65, even while axes move.
             corridor.check_rest(await controller.settle())
@@ -292,37 +372,5 @@ def _progress(
         seconds_left,
         status.located,
         status.awaits_end,
-        status.still,
+        status.door_open,
     )
-
-
-class _Clock:
-    """Estimates the remaining time of a program.
-
-    The estimate is the nominal duration of the part that is not executed yet, multiplied by the
-    real duration of the executed part and divided by its nominal duration.
-    """
-
-    def __init__(self, total: float) -> None:
-        self._total = total
-        self._running = 0.0
-        self._last: float | None = None
-
-    def left(self, executed: float, status: Status) -> float | None:
-        """Return the estimated remaining time of the program (s).
-
-        None is returned if the durations of the program lines are unknown.
-
-        Parameters
-        ----------
-        executed
-            Nominal duration of the executed part of the program (s).
-        status
-            Present status; time counts as running time only in the state ``run``.
-        """
-        now = asyncio.get_running_loop().time()
-        if self._last is not None and status.state is State.RUN:
-            self._running += now - self._last
-        self._last = now
-        pace = self._running / executed if executed > PACE and self._running > 0.0 else 1.0
-        return max(self._total - executed, 0.0) * pace if self._total > 0.0 else None

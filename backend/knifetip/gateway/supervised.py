@@ -11,8 +11,11 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import Generic, Protocol, TypeVar
 
-from knifetip.errors import ControllerAlarm, ControllerError
+from knifetip.errors import ControllerAlarm, ControllerError, ControllerOccupied
 from knifetip.gateway.controller import Observer, SafeState, Status
+from knifetip.gateway.presupposed import Presupposed, compare
+from knifetip.messages import Message
+from knifetip.model.machine import Machine
 
 
 class SupervisedConnection(Protocol):
@@ -59,6 +62,36 @@ class SupervisedController(ABC, Generic[ConnectionT]):
         self._safe = safe
         self._switched_on: frozenset[int] = frozenset()
         self._spinning = 0
+        self._notices: tuple[Message, ...] = ()
+
+    @property
+    def notices(self) -> tuple[Message, ...]:
+        """Harmless differences between the settings and what the programs presuppose."""
+        return self._notices
+
+    async def verify_settings(self) -> None:
+        """Read the settings, and compare them with what the programs of the machine presuppose.
+
+        Without a machine nothing is read.
+
+        Raises
+        ------
+        ControllerError
+            A difference is dangerous; it is recorded as the fault of the controller.
+        """
+        if self._safe is None or self._safe.machine is None:
+            return
+        settings = await self._read_presupposed(self._safe.machine)
+        try:
+            differences = compare(self.name, settings.required, settings.found)
+        except ControllerError as dangerous:
+            raise self._connection.fail(dangerous) from None
+        self._notices = (*settings.notices, *differences)
+
+    async def _read_presupposed(self, machine: Machine) -> Presupposed:
+        """Read the settings; a controller whose settings cannot be read has none."""
+        del machine
+        return Presupposed()
 
     @property
     def name(self) -> str:
@@ -115,9 +148,9 @@ class SupervisedController(ABC, Generic[ConnectionT]):
         """Record that all outputs and the spindle have been switched off."""
         self._switched_on, self._spinning = frozenset(), 0
 
-    def lock(self, alarm: ControllerAlarm) -> None:
-        """Record an alarm as the fault of the controller, until ``unlock`` or ``home``."""
-        self._connection.fail(alarm)
+    def lock(self, reason: ControllerAlarm | ControllerOccupied) -> None:
+        """Record why the controller takes no program, until ``unlock``, ``home`` or ``release``."""
+        self._connection.fail(reason)
 
     async def stop(self) -> Status:
         """Discard the rest of the program and bring the machine into its safe state.

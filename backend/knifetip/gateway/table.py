@@ -15,6 +15,7 @@ Simulated time passes only while an axis moves or the table dwells (see ``table_
 from __future__ import annotations
 
 import asyncio
+import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -26,12 +27,19 @@ from knifetip.gateway.interpreter import (
     LineRefused,
     strip_comments,
 )
+from knifetip.gateway.motion import Pose
 from knifetip.gateway.table_firmware import Firmware, settings
 from knifetip.gateway.table_machine import BLOCKS, TableMachine
 from knifetip.model.machine import Machine
 
 #: Stores the present position as the work zero of some axes.
-_SET_ZERO = re.compile(rb"G10L20P1((?:[XYZC]0(?:\.0*)?)+)")
+_SET_ZERO = re.compile(rb"G10L20P1((?:[XYZABC]0(?:\.0*)?)+)")
+#: A command that reads a setting, or writes it.
+_SETTING = re.compile(rb"\$(\d+)(?:=([-\d.]+))?")
+#: Last setting that ``$$`` reports; grblHAL reports further ones only by their numbers.
+_LAST_LISTED = 255
+#: Changes of the feed override (%) by realtime commands; 0 sets it to 100.
+_OVERRIDES = {0x90: 0, 0x91: 10, 0x92: -10, 0x93: 1, 0x94: -1}
 BANNER = "GrblHAL 1.1f ['$' or '$HELP' for help]"
 
 
@@ -79,8 +87,11 @@ class Table(TableMachine):
         super().__init__(machine, sample)
         self.speed = speed
         self.faults = faults or Faults()
-        self.firmware = firmware or Firmware()
+        self.firmware = firmware or Firmware(f"XYZ{machine.heading_letter}")
+        #: settings of the controller by their numbers, which ``$n=value`` changes
+        self.settings = settings(machine, self.firmware)
         self.window = window
+        self.pressed = ""  #: letters of the axes whose limit switches are pressed
         self.lost = 0  #: bytes that overflowed the buffer
         self.answer: Callable[[str], None] = discard_answer
         self.hang_up: Callable[[], None] = lambda: None
@@ -89,6 +100,8 @@ class Table(TableMachine):
         self._buffer = bytearray()
         self._state = "Idle"
         self._critical = False
+        self.override = 100  #: feed override (%)
+        self._override_changed = True  # since the last report that contained it
         self._error = 0  # of the last program line that was refused, until it is cleared
         self._check = False
         self._door_open = False
@@ -113,6 +126,16 @@ class Table(TableMachine):
             return "Hold:0" if at_rest else "Hold:1"
         return "Run" if len(self._planner) or self._dwell > 0.0 else "Idle"
 
+    @property
+    def lines_read(self) -> int:
+        """Number of program lines that were read outside check mode."""
+        return self._count
+
+    @property
+    def jogs_to(self) -> Pose:
+        """Position at which the moves that the controller has got end (mm and degrees)."""
+        return self._interpreter.position
+
     # -- received bytes -------------------------------------------------------------------------
 
     def receive(self, data: bytes) -> None:
@@ -124,6 +147,8 @@ class Table(TableMachine):
                 self._report()
             elif byte == 0x21:
                 self._hold()
+            elif byte in _OVERRIDES:
+                self._change_override(byte)
             elif byte == 0x7E:
                 self._resume()
             elif byte >= 0x80:
@@ -137,6 +162,13 @@ class Table(TableMachine):
                 self.lost += 1
         self.awake.set()
 
+    def _change_override(self, command: int) -> None:
+        """Change the feed override by a realtime command; the next report contains it."""
+        step = _OVERRIDES[command]
+        changed = 100 if step == 0 else min(max(self.override + step, 10), 200)
+        self._override_changed |= changed != self.override
+        self.override = changed
+
     def _hold(self) -> None:
         if self._state == "Idle" and not self._check and (self.busy or len(self._planner)):
             self._planner.holding = True
@@ -146,10 +178,10 @@ class Table(TableMachine):
             self._planner.holding = self._held_by_door = False
 
     def open_door(self) -> None:
-        """Open the safety door, which holds a machine that moves."""
+        """Open the safety door, which holds the machine, also one at rest."""
         self._door_open = True
-        self._hold()
-        self._held_by_door = self._planner.holding
+        if self._state == "Idle" and not self._check:
+            self._planner.holding = self._held_by_door = True
         self.awake.set()
 
     def close_door(self) -> None:
@@ -169,9 +201,10 @@ class Table(TableMachine):
         moving = self._planner.moving
         locked = self._critical or self._state == "Alarm"
         self._critical = self._check = False
-        self._held_by_door = False
         self._error = 0
         self._discard_motion()
+        # A reset does not close the door.
+        self._planner.holding = self._held_by_door = self._door_open
         self._buffer.clear()
         self.oscillating = False
         if moving:
@@ -198,6 +231,11 @@ class Table(TableMachine):
         ]
         if self._planner.tag:
             fields.append(f"Ln:{self._planner.tag}")
+        if self.pressed:
+            fields.append(f"Pn:{self.pressed}")
+        if self._override_changed:
+            fields.append(f"Ov:{self.override},100,100")
+            self._override_changed = False
         if self._reports % 10 == 1:
             fields.append(f"WCO:{self.firmware.by_axis(self._offset)}")
         self.answer(f"<{'|'.join(fields)}>")
@@ -325,7 +363,7 @@ class Table(TableMachine):
         """Store the present position as the work zero of the axes named in ``words``."""
         shift = tuple(
             value if axis in words else 0.0
-            for axis, value in zip("XYZC", self.position, strict=True)
+            for axis, value in zip(f"XYZ{self.firmware.rotary or '-'}", self.position, strict=True)
         )
         self._move_zero(shift)
         self._interpreter.reset(self.position)
@@ -354,8 +392,18 @@ class Table(TableMachine):
             self._interpreter.reset(self._planner.position)
             self._state = "Idle"
         elif text == b"$$":
-            for line in settings(self._limits, beam=self.machine.has_beam):
-                self.answer(line)
+            for number, value in self.settings.items():
+                if number <= _LAST_LISTED:
+                    self.answer(f"${number}={value}")
+        elif setting := _SETTING.fullmatch(text):
+            number = int(setting[1])
+            if number not in self.settings:
+                self.answer("error:3")
+                return
+            if setting[2] is None:
+                self.answer(f"${number}={self.settings[number]}")
+            else:
+                self.settings[number] = setting[2].decode("ascii", "replace")
         elif text == b"$G":
             self.answer("[GC:G0 G54 G17 G21 G90 G94 G49 M5 M9 T0 F0 S0]")
         elif text.startswith(b"$J="):
@@ -403,7 +451,9 @@ class Table(TableMachine):
             self._read()
             step = min(left, self.trace.interval) if self.trace else left
             if len(self._planner) and self._planner.moving:
-                used = self._move(step)
+                move = self._planner.current
+                share = self.override / 100.0 if move is not None and move.rate < math.inf else 1.0
+                used = self._move(step * share) / share
             elif self._dwell > 0.0 and not self._planner.holding:
                 used = min(step, self._dwell)
                 self._dwell -= used

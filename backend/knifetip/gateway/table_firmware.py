@@ -5,14 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from knifetip.gateway.interpreter import Block, LineRefused
-from knifetip.gateway.motion import Limits, Pose
+from knifetip.gateway.motion import Pose
+from knifetip.model.machine import Machine
+
+#: Setting with the rotary axes; as all settings of grblHAL from 256 on, ``$$`` does not report it.
+ROTARY_AXES = 376
 
 
 @dataclass(frozen=True, slots=True)
 class Firmware:
     """Properties that differ between builds of grblHAL, and between grblHAL and grbl 1.1."""
 
-    axes: str = "XYZC"  #: letters in the order of status reports; one of them is A or C, or none
+    axes: str = "XYZC"  #: letters in the order of status reports; one of them is A, B or C, or none
     outputs: int = 16  #: number of digital outputs (M64, M65)
     grblhal: bool = True  #: grblHAL, which states its axes and outputs; False for grbl 1.1
     sizes: bool = True  #: whether it states the sizes of planner and receive buffer
@@ -20,7 +24,7 @@ class Firmware:
     @property
     def rotary(self) -> str:
         """Letter of the axis that rotates the tool; empty if there is none."""
-        return next((letter for letter in "CA" if letter in self.axes), "")
+        return next((letter for letter in "CAB" if letter in self.axes), "")
 
     def by_axis(self, pose: Pose) -> str:
         """Return the figures of a pose for each axis of the controller; 0 for further axes."""
@@ -29,7 +33,7 @@ class Firmware:
 
     def require_axes(self, text: bytes) -> None:
         """Raise ``LineRefused`` for an unknown axis letter."""
-        if any(letter in text and letter != self.rotary.encode() for letter in (b"A", b"C")):
+        if any(letter in text and letter != self.rotary.encode() for letter in (b"A", b"B", b"C")):
             raise LineRefused(36 if self.grblhal else 20)
 
     def require_output(self, block: Block) -> None:
@@ -61,19 +65,34 @@ class Firmware:
         return lines
 
 
-def settings(limits: Limits, *, beam: bool) -> list[str]:
-    """Return the answer to ``$$`` without its ``ok``.
+def settings(machine: Machine, firmware: Firmware) -> dict[int, str]:
+    """Return the settings of the controller of a machine by their numbers, as ``$$`` reports them.
 
     Parameters
     ----------
-    limits
-        Limits of the axes.
-    beam
-        Whether the machine has a laser, so that the controller is in laser mode.
+    machine
+        The machine, with whose file the settings agree.
+    firmware
+        Build of the firmware.
     """
-    rows = ["$10=511", "$13=0", "$20=1", "$22=1", f"$32={int(beam)}"]
-    for axis in range(4):
-        rows.append(f"$11{axis}={limits.velocity[axis] * 60.0:.3f}")
-        rows.append(f"$12{axis}={limits.acceleration[axis]:.3f}")
-        rows.append(f"$13{axis}={limits.high[axis] - limits.low[axis]:.3f}")
-    return rows
+    fastest = max((station.speed for station in machine.stations), default=0)
+    found = {
+        10: "511" if firmware.grblhal else "3",
+        13: "0",
+        20: "1",
+        21: "1",
+        22: "1",
+        23: "0",
+        30: f"{max(fastest, 1000)}",
+        32: f"{int(machine.has_beam)}",
+    }
+    axes = dict(zip(f"XYZ{firmware.rotary or '-'}", machine.carriages[0].axes, strict=True))
+    for index, letter in enumerate(firmware.axes):
+        axis = axes.get(letter, machine.c)
+        found[100 + index] = "80.000"
+        found[110 + index] = f"{axis.velocity * 60.0:.3f}"
+        found[120 + index] = f"{axis.acceleration:.3f}"
+        found[130 + index] = f"{axis.high - axis.low:.3f}"
+    if firmware.grblhal and len(firmware.axes) > len("XYZ"):
+        found[ROTARY_AXES] = f"{(1 << (len(firmware.axes) - len('XYZ'))) - 1}"
+    return found

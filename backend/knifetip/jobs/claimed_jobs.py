@@ -75,7 +75,9 @@ class ClaimedJobs:
         self.move(session, row, State.RUNNING, event, **changes)
         return self._transitions.lock(session, row.id)
 
-    def give_back(self, session: Session, row: Job, actor: Actor, cause: Message) -> None:
+    def give_back(
+        self, session: Session, row: Job, actor: Actor, cause: Message, *, refused: bool = False
+    ) -> None:
         """Put a claimed job that was never started back into the queue, at its former position.
 
         Parameters
@@ -86,6 +88,8 @@ class ClaimedJobs:
             Person or process that returns the job, for the log of events.
         cause
             Reason for the return, for the log of events.
+        refused
+            Whether the job waits for an operator before it is claimed again.
         """
         self.change(
             session,
@@ -94,15 +98,29 @@ class ClaimedJobs:
                 "epoch": row.epoch + 1,
                 "owner": "",
                 "lease": 0.0,
+                "check_refusal": cause if refused else None,
                 "requested_action": "",
                 "confirmation": Confirmation.NONE.value,
                 "updated": self._db.clock(),
             },
         )
-        event = Message("job.claim-returned", reason=cause)
+        event = return_event(cause, refused=refused)
         self._transitions.write_event(
             session, "job", row.id, State.QUEUED, actor, event, row.machine
         )
+
+
+def return_event(cause: Message, *, refused: bool) -> Message:
+    """Return the message for the log of events about a job that returns to the queue.
+
+    Parameters
+    ----------
+    cause
+        Reason for the return.
+    refused
+        Whether the job waits for an operator before it is claimed again.
+    """
+    return Message("job.check-refused" if refused else "job.claim-returned", reason=cause)
 
 
 def silent_gateway_message(gateway: str) -> Message:

@@ -333,11 +333,8 @@ class CompileService:
         except KnifetipError as reason:
             self._refuse(id, epoch, reason)
         except TaskFailed as reason:
-            self._refuse(
-                id,
-                epoch,
-                KnifetipError("job.compile-crashed", reason=reason),
-            )
+            crash = KnifetipError("job.compile-crashed", incident=reason.incident)
+            self._refuse(id, epoch, crash)
 
     def _watch(self, id: str, epoch: int, stages: ReportedStages) -> Watch:
         """Return a function that stores the progress of a compile and renews its lease."""

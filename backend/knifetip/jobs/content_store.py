@@ -26,6 +26,7 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session, aliased
 
 from knifetip.errors import ContentLost, NotFound, StoreError, WrongState
+from knifetip.jobs.accounts.acting import acting_limits
 from knifetip.jobs.database import Database, insert_into, rows, short
 from knifetip.jobs.objects import Objects
 from knifetip.jobs.tables import Base, Content, Drawing, Job
@@ -184,6 +185,7 @@ class ContentStore:
         """
         contents = [aliased(Content) for _ in names]
         query = sa.select(table, *(content.data for content in contents)).where(condition)
+        query = query.where(*acting_limits().conditions(table))
         for name, content in zip(names, contents, strict=True):
             query = query.outerjoin(content, content.address == getattr(table, f"{name}_address"))
         with self._db.reading() as session:
@@ -224,6 +226,7 @@ class ContentStore:
         """
         address = getattr(table, f"{name}_address")
         query = sa.select(address, Content.data).outerjoin(Content, Content.address == address)
+        query = query.where(*acting_limits().conditions(table))
         with self._db.reading() as session:
             found = session.execute(query.where(table.id == id)).first()
         if found is None:

@@ -14,9 +14,11 @@ from sqlalchemy import event as on
 from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.orm import Session
 
+from knifetip.errors import StoreError
 from knifetip.jobs import schema
 from knifetip.jobs.accounts.acting import add_audit_entry
 from knifetip.jobs.changes import Changes
+from knifetip.jobs.database_damage import find_damage
 from knifetip.jobs.database_url import add_options, sqlite_file
 from knifetip.jobs.schema import Migration, Schema
 from knifetip.jobs.shared_clock import SharedClock
@@ -55,7 +57,12 @@ def _check(url: str) -> Path | None:
     """Create the folder of an SQLite database; return its file, or None for PostgreSQL."""
     file = sqlite_file(url)
     if file is not None:
-        file.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            file.parent.mkdir(parents=True, exist_ok=True)
+        except OSError as reason:
+            raise StoreError(
+                "database.folder-unusable", folder=file.parent, reason=reason.strerror
+            ) from reason
     return file
 
 
@@ -174,6 +181,14 @@ class Database:
         now = sa.select(sa.func.extract("epoch", sa.func.clock_timestamp()))
         with self.reading() as session:
             return float(session.scalar(now) or 0.0)
+
+    def damage(self) -> str:
+        """Return a fault of the file of an SQLite database; "" if there is none.
+
+        A PostgreSQL server checks its files itself.
+        """
+        file = sqlite_file(self.url)
+        return "" if file is None or not file.is_file() else find_damage(file)
 
     def close(self) -> None:
         """Close all connections."""

@@ -11,6 +11,7 @@ import sqlalchemy as sa
 from sqlalchemy.exc import IntegrityError
 
 from knifetip.errors import ContentLost, NotFound, StaleRevision, WrongState
+from knifetip.jobs.accounts.acting import acting_limits, acting_owner
 from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.interpretations import drawing_columns
@@ -74,7 +75,11 @@ class DrawingStore:
             The key was used for a request with another content.
         StoreError
             The contents cannot be written to the folder or the bucket.
+        AccessDenied
+            The key of the sender is for another customer.
         """
+        details = acting_limits().ordered_details(new.details)
+        now = self._db.clock()
         staged = self._contents.stage(
             content=new.content,
             overrides=new.interpretation.overrides,
@@ -84,7 +89,9 @@ class DrawingStore:
         row = Drawing(
             id=new_id(),
             name=new.name,
-            created=self._db.clock(),
+            created=now,
+            updated=now,
+            owner=acting_owner(),
             sha256=new.sha256,
             **drawing_columns(new.interpretation),
             version=1,
@@ -95,7 +102,7 @@ class DrawingStore:
             edges=new.edges,
             import_report=new.import_report,
             **staged.columns,
-            **new.details,
+            **details,
         )
         try:
             with self._db.writing() as session:
@@ -202,6 +209,7 @@ class DrawingStore:
             Conditions on the details of their orders; None for none.
         """
         query = sa.select(Drawing).order_by(Drawing.serial.desc()).limit(limit)
+        query = query.where(*acting_limits().drawing_conditions())
         if before is not None:
             query = query.where(Drawing.serial < before)
         if wanted is not None:
@@ -230,6 +238,7 @@ class DrawingStore:
         StaleRevision
             The drawing has another version, because it was changed since it was read.
         """
+        acting_limits().check_change(changes)
         large = [name for name in changes if isinstance(getattr(Drawing, name), LargeValue)]
         contents = {name: changes.pop(name) for name in large}
         import_report = contents.get("import_report")
@@ -244,7 +253,7 @@ class DrawingStore:
                 session,
                 sa.update(Drawing)
                 .where(Drawing.id == id, Drawing.version == version)
-                .values(version=version + 1, **changes),
+                .values(version=version + 1, updated=self._db.clock(), **changes),
             )
             if not changed:
                 now = session.scalar(sa.select(Drawing.version).where(Drawing.id == id))
@@ -260,8 +269,15 @@ class DrawingStore:
         row.import_report = import_report
         return row
 
-    def delete(self, id: str) -> None:
+    def delete(self, id: str, check: Callable[[Drawing], None] | None = None) -> None:
         """Delete a drawing from which no job was made.
+
+        Parameters
+        ----------
+        id
+            Id of the drawing.
+        check
+            Called with the drawing, locked; an error of it keeps the drawing.  None for no check.
 
         Raises
         ------
@@ -273,7 +289,9 @@ class DrawingStore:
         self.get(id)
         with self._db.writing() as session:
             # An order of this drawing that is being stored ends first, or finds it deleted.
-            session.execute(sa.select(Drawing.serial).where(Drawing.id == id).with_for_update())
+            row = session.scalar(sa.select(Drawing).where(Drawing.id == id).with_for_update())
+            if row is not None and check is not None:
+                check(row)
             if used := session.scalar(sa.select(Job.id).where(Job.drawing == id).limit(1)):
                 raise WrongState("drawing.in-use", job=used, drawing=id)
             session.execute(sa.delete(Drawing).where(Drawing.id == id))

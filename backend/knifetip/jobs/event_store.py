@@ -6,8 +6,9 @@ from collections.abc import Collection
 
 import sqlalchemy as sa
 
+from knifetip.jobs.accounts.acting import acting_limits
 from knifetip.jobs.database import Database
-from knifetip.jobs.tables import Event
+from knifetip.jobs.tables import Event, Job
 from knifetip.jobs.transitions import unknown_job_error
 
 
@@ -23,9 +24,12 @@ class EventStore:
         Raises
         ------
         NotFound
-            There is and was no job with this id.
+            There is and was no job with this id, or the acting key may not see it; a key with
+            limits sees no deleted job.
         """
         query = sa.select(Event).where(Event.subject == id, Event.kind == "job").order_by(Event.id)
+        if visible := acting_limits().job_conditions():
+            query = query.where(sa.select(Job.id).where(Job.id == id, *visible).exists())
         with self._db.reading() as session:
             found = list(session.scalars(query))
         if not found:

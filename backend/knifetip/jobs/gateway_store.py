@@ -9,19 +9,27 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from knifetip.errors import MachineBusy
+from knifetip.jobs.accounts.acting import acting_owner
 from knifetip.jobs.batches import (
     WornStations,
     begins_batch,
     no_worn_stations,
     uses_worn_tool,
 )
-from knifetip.jobs.claimed_jobs import ClaimedJobs, is_claimed, silent_gateway_message
+from knifetip.jobs.checks import event_of_feed
+from knifetip.jobs.claimed_jobs import (
+    ClaimedJobs,
+    is_claimed,
+    return_event,
+    silent_gateway_message,
+)
 from knifetip.jobs.database import Database
 from knifetip.jobs.heartbeats import GatewayReport, Heartbeats
 from knifetip.jobs.job import CLOCK, LEASED, Action, Actor, ActorKind, Confirmation, State
-from knifetip.jobs.job_ends import JobEnds, StopPlace
+from knifetip.jobs.job_ends import JobEnds
 from knifetip.jobs.left_sheet import unfinished_sheet
 from knifetip.jobs.machine_queues import CLAIMED, MachineQueues, lock_queue, next_queued
+from knifetip.jobs.stop_place import StopPlace
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE, Transitions, stale_epoch_error
 from knifetip.messages import Message
@@ -136,6 +144,7 @@ class GatewayStore:
             "epoch": row.epoch + 1,
             "owner": gateway,
             "owner_epoch": row.epoch + 1,
+            "claimed_by": acting_owner(),
             "lease": self._db.clock() + LEASE,
             "requested_action": "",
             "line": 0,
@@ -143,6 +152,7 @@ class GatewayStore:
             "copies_before": row.copies_done,
             "phase": 0,
             "feeds": feeds,
+            "awaits_end": False,
             "stopped_at": None,
         }
         if confirm:
@@ -165,6 +175,16 @@ class GatewayStore:
             new_epoch=changes.pop("epoch"),
             **changes,
         )
+        if feeds:
+            self._transitions.write_event(
+                session,
+                "job",
+                row.id,
+                State.RUNNING,
+                Actor(ActorKind.GATEWAY, gateway),
+                event_of_feed(),
+                row.machine,
+            )
 
     def heartbeat(
         self,
@@ -234,7 +254,8 @@ class GatewayStore:
             Epoch of the gateway's claim: a number that increases with each new owner of the job.
         outcome
             ``done``, ``interrupted`` or ``cancelled``; ``returned`` puts the job back into the
-            queue, if the gateway has sent nothing to the machine.
+            queue, if no program line was executed.  So does ``refused``: the program was not begun
+            for a reason that a person must see, and the job is not claimed again by itself.
         cause
             Cause that the gateway reports; None if it reports none.
         line
@@ -251,7 +272,7 @@ class GatewayStore:
         StaleEpoch
             The gateway no longer owns the job.
         """
-        returned = outcome == "returned"
+        returned = outcome in ("returned", "refused")
         goal = State.INTERRUPTED if returned else State(outcome)
         with self._db.writing(urgent=True) as session:
             row = self._transitions.lock(session, id)
@@ -262,9 +283,12 @@ class GatewayStore:
             owned = row.epoch == epoch and (row.state in LEASED or is_claimed(row))
             if not (late or owned):
                 raise stale_epoch_error(id, row.state, row.epoch, epoch)
-            if returned and row.state == State.QUEUED:
-                owner = Actor(ActorKind.GATEWAY, row.owner)
-                self._claimed.give_back(session, row, owner, cause or Message("job.nothing-sent"))
+            executed = row.line if line is None else line
+            # A late report only states that no line was executed.
+            if returned and not (late or copies_done or executed):
+                refused = outcome == "refused"
+                unstated = Message("gateway.no-reason" if refused else "job.nothing-sent")
+                self._return(session, row, cause or unstated, refused=refused)
                 return self._transitions.lock(session, id)
             if row.state == State.QUEUED:
                 row = self._claimed.start(session, row)
@@ -275,6 +299,42 @@ class GatewayStore:
                 session, row, goal, cause, line, done, place or StopPlace(row.position)
             )
             return self._transitions.lock(session, id)
+
+    def _return(self, session: Session, row: Job, cause: Message, *, refused: bool) -> None:
+        """Put a job of which no line was executed back into the queue, at its former position.
+
+        Parameters
+        ----------
+        session, row
+            Session of the transaction, and the job.
+        cause
+            Reason that the gateway reports.
+        refused
+            Whether the job waits for an operator before it is claimed again.
+        """
+        owner = Actor(ActorKind.GATEWAY, row.owner)
+        if row.state == State.QUEUED:
+            self._claimed.give_back(session, row, owner, cause, refused=refused)
+            return
+        self._transitions.move(
+            session,
+            row.id,
+            Action.RETURN,
+            owner,
+            return_event(cause, refused=refused),
+            epoch=row.epoch,
+            new_epoch=row.epoch + 1,
+            check_refusal=cause if refused else None,
+            owner="",
+            lease=0.0,
+            line=0,
+            position=None,
+            stopped_at=None,
+            message=None,
+            seconds_left=None,
+            requested_action="",
+            confirmation=Confirmation.NONE.value,
+        )
 
 
 def _busy_error(machine: str, job: str) -> MachineBusy:

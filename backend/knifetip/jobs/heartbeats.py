@@ -9,15 +9,19 @@ from typing import Any
 from sqlalchemy.orm import Session
 
 from knifetip.jobs.batches import WornStations, uses_worn_tool
+from knifetip.jobs.checks import event_of_feed
 from knifetip.jobs.claimed_jobs import ClaimedJobs
 from knifetip.jobs.database import Database
 from knifetip.jobs.job import Actor, ActorKind, Confirmation, State
+from knifetip.jobs.station_store import obstacle_on
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE, Transitions
 from knifetip.messages import Message
 
 #: Confirmations with which a machine that feeds its sheets itself begins the next copy.
 _CONTINUES = (Confirmation.NONE, Confirmation.GIVEN)
+#: Requested actions with which the gateway goes on.
+_GOES_ON = ("resume", "end")
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +39,8 @@ class GatewayReport:
     #: for the confirmation of the end, or because its lease has expired.  A request to resume
     #: counts only in the phase in which the operator made it.
     phase: int = 0
+    #: the program is handed over, and a person must confirm that the machine has executed it
+    awaits_end: bool = False
 
 
 class Heartbeats:
@@ -60,9 +66,9 @@ class Heartbeats:
         - ``cancel`` if the operator has cancelled the job;
         - ``wait`` if the operator has not confirmed the job yet;
         - ``wait`` if the operator has confirmed the job but requested a hold; the job is stored as
-          ``held`` until the operator resumes it;
+          ``held`` until the operator confirms it again;
         - ``wait`` if the lease has expired since the operator confirmed the job; the operator must
-          confirm it again, or resume it if it was started already;
+          confirm it again;
         - ``start`` otherwise; the job is stored as ``running``.
         """
         late = self._is_late(row)
@@ -82,6 +88,9 @@ class Heartbeats:
         starts = not late and (resumes or not holds)
         goal = State.RUNNING if starts else State.HELD
         renewed["requested_action"] = ""
+        if not starts and row.confirmation == Confirmation.GIVEN:
+            # Hands may be at the table again: the first line needs a new confirmation.
+            renewed["confirmation"] = Confirmation.AWAITED.value
         if row.state == State.QUEUED:
             self._claimed.start(session, row, **renewed)
         elif row.state != goal:
@@ -92,6 +101,11 @@ class Heartbeats:
         else:
             self._claimed.change(session, row, renewed)
         return "start" if starts else "wait"
+
+    def _needs_person(self, session: Session, row: Job, worn: WornStations) -> bool:
+        """Return whether a machine that feeds its sheets itself must not begin the next copy."""
+        obstacle = obstacle_on(session, row.machine, self._db.timer())
+        return obstacle is not None or uses_worn_tool(row, worn)
 
     def _is_late(self, row: Job) -> bool:
         """Return whether the lease of a job has expired, and its gateway still owns the job."""
@@ -123,8 +137,8 @@ class Heartbeats:
         - ``cancel`` if the operator has requested a cancel;
         - ``hold`` if the operator must first confirm the job, or if the machine is not held
           although the operator must confirm the next sheet;
-        - ``hold`` or ``resume`` if this action is requested and the machine has not executed it;
-          ``resume`` only if the lease has not expired since the request;
+        - ``hold``, ``resume`` or ``end`` if this action is requested and the machine has not
+          executed it; ``resume`` and ``end`` only if the lease has not expired since the request;
         - ``continue`` in all other cases.
 
         Parameters
@@ -139,17 +153,22 @@ class Heartbeats:
         copies_done = min(row.copies_before + report.copies_done, row.copies)
         copy_done = row.copies_done < copies_done < row.copies
         confirmation, requested = row.confirmation, row.requested_action
-        # The action is completed: a resume must not also start the copy after the next, or confirm
-        # the end of the program.
+        # The action is completed: a resume must not also start the copy after the next.
         late = copy_done or report.phase != row.phase or self._is_late(row)
-        if requested == ("hold" if report.held else "resume") or (requested == "resume" and late):
+        if (requested == "hold" and report.held) or (
+            requested in _GOES_ON and (late or not report.held)
+        ):
             requested = ""
         by_hand = confirmation == Confirmation.GIVEN and not row.feeds
-        if copy_done and (by_hand or (row.feeds and uses_worn_tool(row, worn))):
+        between = report.held and report.copies_done > 0 and row.lines <= report.line
+        if copy_done and (by_hand or (row.feeds and self._needs_person(session, row, worn))):
+            confirmation = Confirmation.SHEET
+        elif between and row.requested_action == "hold" and confirmation in _CONTINUES:
+            # A person is at the machine: the next copy starts with a confirmation only.
             confirmation = Confirmation.SHEET
         elif copy_done and confirmation in _CONTINUES and report.held:
-            # The machine feeds the next sheet itself, unless the operator has requested a hold.
-            requested = "resume" if row.requested_action in ("", "resume") else requested
+            # The machine feeds the next sheet itself.
+            requested = "resume" if row.requested_action in ("", *_GOES_ON) else requested
         changes: dict[str, Any] = {
             "line": min(report.line, row.lines),
             "copies_done": copies_done,
@@ -159,6 +178,7 @@ class Heartbeats:
             "lease": self._db.clock() + LEASE,
             "confirmation": confirmation,
             "requested_action": requested,
+            "awaits_end": report.awaits_end,
         }
         goal = State.HELD if report.held else State.RUNNING
         event = Message("job.at-line", line=report.line)
@@ -169,15 +189,16 @@ class Heartbeats:
                 copy=copies_done,
                 copies=row.copies,
             )
+        gateway, events = Actor(ActorKind.GATEWAY, row.owner), []
         if goal != row.state:
             self._claimed.move(session, row, goal, event, **changes)
         else:
             self._claimed.change(session, row, changes)
-            if copy_done:
-                gateway = Actor(ActorKind.GATEWAY, row.owner)
-                self._transitions.write_event(
-                    session, "job", row.id, goal, gateway, event, row.machine
-                )
+            events += [event] if copy_done else []
+        if copy_done and row.feeds and confirmation != Confirmation.SHEET:
+            events.append(event_of_feed())
+        for one in events:
+            self._transitions.write_event(session, "job", row.id, goal, gateway, one, row.machine)
         unconfirmed = confirmation == Confirmation.AWAITED or (
             confirmation == Confirmation.SHEET and not report.held
         )

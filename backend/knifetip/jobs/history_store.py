@@ -8,6 +8,7 @@ from typing import Final
 
 import sqlalchemy as sa
 
+from knifetip.jobs.accounts.acting import acting_limits
 from knifetip.jobs.database import Database, rows
 from knifetip.jobs.job import ENDED, State
 from knifetip.jobs.order_details import DetailsFilter
@@ -66,7 +67,7 @@ class HistoryStore:
         limit
             Greatest number of jobs.
         """
-        query = sa.select(Job).where(*conditions.conditions())
+        query = sa.select(Job).where(*conditions.conditions(), *acting_limits().job_conditions())
         if after is not None:
             query = query.where(sa.tuple_(Job.ended, Job.serial) < after)
         with self._db.reading() as session:

@@ -111,6 +111,7 @@ class InterruptedJobs:
                 line=row.lines,
                 copies_done=row.copies,
                 message=None,
+                stopped_at=None,
                 requested_action="",
                 lease=0.0,
                 seconds_left=0.0,

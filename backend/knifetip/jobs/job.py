@@ -13,6 +13,10 @@ interrupted job becomes ``continued`` and no longer occupies the table.  A late 
 owner may move an interrupted job to ``done`` or correct its message, but
 it never restarts the job.
 
+A machine may refuse a program in its check run, or fail before it executes anything.  The job is
+then ``queued`` again with the reason (``check_refusal``), frees the table, and is not claimed until
+an operator lets it be tried again.
+
 On a machine with manual feed, a gateway claims a queued job and waits: the job stays ``queued``
 until the operator has confirmed the sheet (see ``Confirmation``).  The gateway sends nothing to the
 machine before the confirmation, so the claim can be released safely when its lease expires.
@@ -121,6 +125,7 @@ class Action(StrEnum):
     RESUME = "resume"
     FINISH = "finish"
     INTERRUPT = "interrupt"
+    RETURN = "return"  #: the program was not begun: no line of it was executed
     REQUEUE = "requeue"
     SCRAP = "scrap"
     REST = "rest"  #: another job continues its work
@@ -175,6 +180,9 @@ TRANSITIONS: tuple[Transition, ...] = (
     Transition(State.HELD, Action.CANCEL, State.CANCELLED, (_GATEWAY,)),
     Transition(State.INTERRUPTED, Action.REQUEUE, State.QUEUED, (_OPERATOR,)),
     Transition(State.INTERRUPTED, Action.SCRAP, State.SCRAPPED, (_OPERATOR,)),
+    # No line of the program was executed.
+    Transition(State.RUNNING, Action.RETURN, State.QUEUED, (_GATEWAY,)),
+    Transition(State.HELD, Action.RETURN, State.QUEUED, (_GATEWAY,)),
     # When the job that continues it is released, by the operator or as ordered.
     Transition(State.INTERRUPTED, Action.REST, State.CONTINUED, (_OPERATOR, _WORKER)),
     # Late report of the gateway that the whole program was executed.

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from sqlalchemy.orm import Session
@@ -13,17 +11,10 @@ from knifetip.jobs.database import Database
 from knifetip.jobs.interruption import interruption
 from knifetip.jobs.job import Actor, ActorKind, Confirmation, State
 from knifetip.jobs.machine_runs import end_run
+from knifetip.jobs.stop_place import StopPlace, most_lines, stopped
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import Transitions
 from knifetip.messages import Message
-
-
-@dataclass(frozen=True, slots=True)
-class StopPlace:
-    """Place at which a machine stopped a job, as its gateway reports it."""
-
-    position: Sequence[float] | None = None  #: on the sheet: x, y, z (mm) and c (degrees)
-    station: int | None = None  #: number of the station in use; None if none or unknown
 
 
 class JobEnds:
@@ -72,14 +63,15 @@ class JobEnds:
         event = cause or Message("job.executed" if goal is State.DONE else "job.cancelled")
         if goal is State.DONE:
             ended |= {"line": row.lines, "copies_done": row.copies, "seconds_left": 0.0}
-            ended["message"] = None
+            ended |= {"message": None, "stopped_at": None}
             if late:
                 event = Message("job.late-report", report=event)
         elif goal is State.INTERRUPTED:
-            stop = interruption(row, cause or Message("gateway.no-reason"), line, copies_done)
+            cause = cause or Message("gateway.no-reason")
+            stop = interruption(row, cause, line, copies_done, place.at_most)
             event = stop.message
             ended |= {"message": event, "line": stop.line, "copies_done": stop.copies_done}
-            ended |= stopped(stop.line, place)
+            ended |= stopped(stop.line, stop.at_most, place)
             if late:
                 if event != row.message:
                     self._claimed.change(session, row, ended)
@@ -92,20 +84,5 @@ class JobEnds:
                 return
         else:
             ended["line"] = row.line if line is None else min(line, row.lines)
-            ended |= stopped(ended["line"], place)
+            ended |= stopped(ended["line"], most_lines(row, ended["line"], place.at_most), place)
         self._claimed.move(session, row, goal, event, **ended)
-
-
-def stopped(line: int, place: StopPlace) -> dict[str, Any]:
-    """Return the columns of a job that record where the machine stopped it.
-
-    Parameters
-    ----------
-    line
-        Number of executed lines of the present copy.
-    place
-        Position and station.
-    """
-    position = None if place.position is None else list(place.position)
-    where = {"line": line, "position": position, "station": place.station}
-    return {"stopped_at": where, "position": position}

@@ -12,7 +12,7 @@ from sqlalchemy.orm import Session
 
 from knifetip import tracing
 from knifetip.errors import WrongState
-from knifetip.jobs.accounts.acting import acting_owner
+from knifetip.jobs.accounts.acting import acting_limits, acting_owner
 from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database
 from knifetip.jobs.drawing_store import unknown_drawing_error
@@ -121,7 +121,12 @@ class JobStore:
             The drawing was deleted since it was read.
         KeyReused
             The key was used for a request with another content.
+        AccessDenied
+            The key of the sender is for other machines, or another customer.
         """
+        limits = acting_limits()
+        limits.check_machine(order.machine)
+        details = limits.ordered_details(order.details)
         staged = self._contents.stage(overrides=order.interpretation.overrides)
         row = Job(
             **_initial_columns(self._db.clock(), key),
@@ -137,7 +142,7 @@ class JobStore:
             priority=order.priority,
             release=order.release,
             exceptions=None if order.exceptions is None else order.exceptions.as_json(),
-            **order.details,
+            **details,
         )
         try:
             with self._db.writing() as session:
@@ -296,7 +301,8 @@ class JobStore:
             There is no job with this id.
         """
         with self._db.reading() as session:
-            row = session.scalar(sa.select(Job).where(Job.id == id))
+            visible = acting_limits().job_conditions()
+            row = session.scalar(sa.select(Job).where(Job.id == id, *visible))
         if row is None:
             raise unknown_job_error(id)
         return row
@@ -376,6 +382,7 @@ class JobStore:
             Further conditions; None for none.
         """
         query = sa.select(Job).order_by(Job.serial.desc()).limit(limit)
+        query = query.where(*acting_limits().job_conditions())
         if states:
             query = query.where(Job.state.in_(states))
         if before is not None:
@@ -402,6 +409,7 @@ class JobStore:
                 Job.machine == row.machine,
                 Job.board == row.board,
                 Job.verdict_summary["exceptions"].as_integer() > 0,
+                *acting_limits().job_conditions(),
             )
             .order_by((Job.serial + 0).desc())
             .limit(1)
@@ -458,6 +466,7 @@ def _initial_columns(now: float, key: RequestKey | None) -> dict[str, Any]:
         "owner": "",
         "lease": 0.0,
         "owner_epoch": 0,
+        "claimed_by": "",
         "confirmation": Confirmation.NONE.value,
         "tools": [],
         "requested_action": "",

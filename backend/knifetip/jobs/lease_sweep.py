@@ -11,8 +11,8 @@ from knifetip.jobs.compile_store import CompileStore
 from knifetip.jobs.database import Database
 from knifetip.jobs.interruption import interruption
 from knifetip.jobs.job import CLOCK, LEASED, Action, Confirmation, State
-from knifetip.jobs.job_ends import StopPlace, stopped
 from knifetip.jobs.machine_queues import CLAIMED
+from knifetip.jobs.stop_place import StopPlace, stopped
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import Transitions
 from knifetip.messages import Message
@@ -89,7 +89,7 @@ class LeaseSweep:
                 epoch=row.epoch,
                 new_epoch=row.epoch + 1,
                 line=stop.line,
-                **stopped(stop.line, StopPlace(row.position)),
+                **stopped(stop.line, stop.at_most, StopPlace(row.position)),
                 copies_done=stop.copies_done,
                 message=stop.message,
                 seconds_left=None,

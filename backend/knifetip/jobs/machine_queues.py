@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
+from knifetip.jobs.accounts.acting import acting_limits
 from knifetip.jobs.database import Database
 from knifetip.jobs.job import LEASED, ON_TABLE, Confirmation, State
 from knifetip.jobs.outdated_jobs import outdated
-from knifetip.jobs.tables import Gateway, Job
+from knifetip.jobs.tables import Gateway, Job, Station
 
 #: A job that a gateway has claimed and that waits for the operator's confirmation.
 CLAIMED = sa.and_(Job.state == State.QUEUED, Job.confirmation != Confirmation.NONE)
@@ -60,15 +61,24 @@ class MachineQueues:
         """Return the names of the machines whose gateway is connected.
 
         A gateway is connected if it requested a job in the last ``max_age`` seconds, or has a valid
-        lease of a job.
+        lease of a job, or has reported in this time that its controller is connected: it requests
+        no job while the controller is not at rest.
         """
         now = self._db.clock()
         recent_requests = sa.select(Gateway.machine).where(Gateway.seen > now - max_age)
         leased_jobs = sa.select(Job.machine).where(
             sa.or_(Job.state.in_(LEASED), CLAIMED), Job.lease > now
         )
+        timer = self._db.timer()
+        reporting = sa.select(Station.machine).where(
+            Station.connected, Station.reported > timer - max_age, Station.reported <= timer
+        )
         with self._db.reading() as session:
-            return {*session.scalars(recent_requests), *session.scalars(leased_jobs)}
+            return {
+                *session.scalars(recent_requests),
+                *session.scalars(leased_jobs),
+                *session.scalars(reporting),
+            }
 
     def machines_with_queue(self) -> set[str]:
         """Return the names of the machines for which jobs are queued."""
@@ -83,6 +93,7 @@ class MachineQueues:
         Machines without a job on their table are omitted.
         """
         query = sa.select(Job.machine, Job.id).where(Job.state.in_(ON_TABLE))
+        query = query.where(*acting_limits().job_conditions())
         with self._db.reading() as session:
             return {row.machine: row.id for row in session.execute(query)}
 
@@ -122,9 +133,10 @@ def next_queued(machine: str) -> sa.Select[Job]:
     """Return a query for the queued job of a machine that is to be claimed next.
 
     A job whose machine or board has changed since its compile is left in the queue, because the
-    operator must first have it compiled again.
+    operator must first have it compiled again.  So is one whose program the machine has refused.
     """
-    return waiting_jobs(machine).where(Job.on_hold.is_(False), ~outdated()).limit(1)
+    free = (Job.on_hold.is_(False), Job.check_refusal.is_(None))
+    return waiting_jobs(machine).where(*free, ~outdated()).limit(1)
 
 
 def waiting_jobs(machine: str) -> sa.Select[Job]:

@@ -33,6 +33,12 @@ def record_run(session: Session, id: str, action: Action, now: float) -> None:
         _begin(session, id, now)
     elif action in (Action.FINISH, Action.INTERRUPT, Action.CANCEL):
         end_run(session, id, now)
+    elif action is Action.RETURN:
+        # Nothing was executed, so there was no run.
+        epoch = sa.select(Job.owner_epoch).where(Job.id == id).scalar_subquery()
+        session.execute(
+            sa.delete(MachineRun).where(MachineRun.job == id, MachineRun.epoch == epoch)
+        )
 
 
 def _begin(session: Session, id: str, now: float) -> None:

@@ -24,10 +24,12 @@ class OperatorAction(StrEnum):
     CONFIRM = "confirm"  #: table, board and tools are ready
     HOLD = "hold"
     RESUME = "resume"
+    END = "end"  #: the machine has executed the program, but does not report it
     REST = "rest"  #: make the rest of the sheet, or the whole program again, with another job
     REQUEUE = "requeue"
     FINISH = "finish"  #: declare an interrupted job finished
     SCRAP = "scrap"
+    RECHECK = "recheck"  #: let the machine check a program again that it has refused
     RECOMPILE = "recompile"  #: compile for the newest versions of machine and board
     CANCEL = "cancel"
 
@@ -63,6 +65,8 @@ def allowed_actions(row: Job, now: float) -> list[OperatorAction]:
         allowed.discard(OperatorAction.ACCEPT)
     if row.rest is not None:
         allowed.discard(OperatorAction.RECOMPILE)
+    if state is State.QUEUED and row.check_refusal is not None:
+        allowed.add(OperatorAction.RECHECK)
     if awaits_confirmation(row, now):
         allowed.add(OperatorAction.CONFIRM)
     if state in CONTINUABLE and row.lines > 0:
@@ -79,7 +83,8 @@ def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None
 
     If a cancel was requested, hold and resume are removed.  If a hold was requested that the
     machine has not executed, resume is allowed; if a resume was requested, hold is allowed.
-    Resume is removed if the operator must first confirm the job.
+    Resume is removed if the operator must first confirm the job or its next sheet, and replaced if
+    a person must confirm the end of the program.
 
     Parameters
     ----------
@@ -96,12 +101,13 @@ def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None
     # A request that the machine has not executed can be replaced by the opposite one.
     if state is State.HELD and row.requested_action == OperatorAction.RESUME:
         allowed.add(OperatorAction.HOLD)
-    if state is State.RUNNING and (
-        row.requested_action == OperatorAction.HOLD or row.confirmation == Confirmation.SHEET
-    ):
+    if state is State.RUNNING and row.requested_action == OperatorAction.HOLD:
         allowed.add(OperatorAction.RESUME)
-    if row.confirmation == Confirmation.AWAITED:
+    if row.confirmation in (Confirmation.AWAITED, Confirmation.SHEET):
         allowed.discard(OperatorAction.RESUME)
+    elif row.awaits_end:
+        allowed.discard(OperatorAction.RESUME)
+        allowed.add(OperatorAction.END)
 
 
 def awaits_confirmation(row: Job, now: float) -> bool:

@@ -5,17 +5,18 @@ Actions on interrupted jobs are in ``interrupted_jobs``.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Any
 
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from knifetip.errors import WrongState
+from knifetip.jobs.checks import Check, CheckList, events_of_checks
 from knifetip.jobs.command_keys import CommandKeys
 from knifetip.jobs.compile_result import VerdictColumns
 from knifetip.jobs.content_store import ContentStore
-from knifetip.jobs.database import Database, short
+from knifetip.jobs.database import Database
 from knifetip.jobs.job import (
     ADVICE,
     LEASED,
@@ -35,7 +36,12 @@ from knifetip.jobs.operator_actions import (
 )
 from knifetip.jobs.outdated_jobs import changes_since_compile, newest_versions
 from knifetip.jobs.request_key import RequestKey
-from knifetip.jobs.station_store import dry_run_on
+from knifetip.jobs.station_store import (
+    dry_run_on,
+    end_hands_clear,
+    obstacle_on,
+    require_hands_clear,
+)
 from knifetip.jobs.tables import Job
 from knifetip.jobs.tool_check import NOTHING_STATED, ToolCheck, ToolGate
 from knifetip.jobs.transitions import Transitions, advice
@@ -68,12 +74,14 @@ class OperatorStore:
         database: Database,
         contents: ContentStore,
         transitions: Transitions,
+        checks: CheckList,
         tools: ToolGate,
         keys: CommandKeys,
     ) -> None:
         self._db = database
         self._contents = contents
         self._transitions = transitions
+        self._checks = checks
         self._tools = tools
         self._keys = keys
 
@@ -200,32 +208,59 @@ class OperatorStore:
                 owner="",
                 lease=0.0,
                 message=None,
+                check_refusal=None,
                 progress=0.0,
                 **_WITHOUT_PROGRAM,
             )
             return self._transitions.lock(session, id)
 
+    def recheck(self, id: str, key: RequestKey | None = None) -> Job:
+        """Let the machine take a job again whose program it has refused, and return the job.
+
+        Raises
+        ------
+        WrongState
+            The job is not ``queued``, or no machine has refused its program.
+        """
+        with self._db.writing() as session:
+            if (repeated := self._keys.repeated(session, id, key)) is not None:
+                return repeated
+            row = self._transitions.lock(session, id)
+            if row.state != State.QUEUED or row.check_refusal is None:
+                raise WrongState("job.nothing-refused", job=id, state=row.state)
+            self._change(session, id, check_refusal=None)
+            event = Message("job.rechecked")
+            self._transitions.write_event(
+                session, "job", id, row.state, OPERATOR, event, row.machine
+            )
+            return self._transitions.lock(session, id)
+
+    def checks(self, row: Job) -> list[Check]:
+        """Return what a person checks at the machine before the next start of a job."""
+        with self._db.reading() as session:
+            return self._checks.checks_of(session, row)
+
     def confirm(
         self,
         id: str,
-        board: str = "",
+        checked: Collection[str],
         by: str = "",
         tools: ToolCheck = NOTHING_STATED,
         key: RequestKey | None = None,
     ) -> Job:
         """Store the operator's confirmation that the machine may begin, and return the job.
 
-        The operator confirms that the table is clear and that the board and the tools of the job
-        are in place.  The gateway then starts the claimed job, or the next copy of a job that waits
-        for a new sheet.  A job that was started before its confirmation, and was therefore held, is
-        resumed.  A repeated confirmation has no effect.
+        The operator has made each check of the job at the machine (see ``checks``).  The gateway
+        then starts the claimed job, or the next copy of a job that waits for a new sheet.  A job
+        that was started before its confirmation, and was therefore held, is resumed.  A repeated
+        confirmation has no effect.
 
         Parameters
         ----------
         id
             Id of the job.
-        board
-            Name of the board on the table; "" if the operator does not name it.
+        checked
+            Ids of the checks that the operator has made.
         by
             Name of the operator, for the log of events.
         tools
@@ -235,38 +270,56 @@ class OperatorStore:
         ------
         NotFound
             There is no such job, or its machine has no station whose tool was changed.
+        RequestError
+            ``checked`` names a check that the job does not have.
         WrongState
-            The job does not wait for a confirmation, needs another board, uses a station that was
-            not checked or a tool at the end of its life, its machine or board has changed since its
-            compile, or its machine runs above the board.
+            The job does not wait for a confirmation, a check is missing, it uses a tool at the end
+            of its life, its machine or board has changed since its compile, an alarm or an obstacle
+            keeps its machine from work, or its machine runs above the board.
         """
         with self._db.writing() as session:
             if (repeated := self._keys.repeated(session, id, key)) is not None:
                 return repeated
             row = self._transitions.lock(session, id)
-            if board and board != row.board:
-                raise WrongState("job.other-board", job=id, board=row.board, given=short(board))
             confirmed = row.confirmation == Confirmation.GIVEN and row.requested_action != "cancel"
             starts = row.state in (State.QUEUED, State.RUNNING) or row.requested_action == "resume"
             if confirmed and starts:
+                self._checks.require(session, row, checked)
                 return row
             _check_current(session, row)
+            self._check_free(session, row)
             self._check_waiting(row)
             if dry_run_on(session, row.machine, self._db.timer()):
                 raise WrongState("dry-run.in-progress", job=row.id)
+            checks = self._checks.require(session, row, checked)
             actor = Actor(ActorKind.OPERATOR, by)
-            events = self._tools.check(session, row, tools, actor)
+            events = [
+                *events_of_checks(row, checks),
+                *self._tools.check(session, row, tools, actor),
+            ]
             sheet = row.confirmation == Confirmation.SHEET
             action = "" if row.state == State.QUEUED else "resume"
             self._change(
                 session, id, confirmation=Confirmation.GIVEN.value, requested_action=action
             )
+            end_hands_clear(session, row.machine)
             events.append(
                 Message("job.confirmed-sheet" if sheet else "job.confirmed-table", board=row.board)
             )
             for event in events:
                 self._transitions.write_event(session, "job", id, row.state, actor, event)
             return self._transitions.lock(session, id)
+
+    def _check_free(self, session: Session, row: Job) -> None:
+        """Raise ``WrongState`` if a job could start, and an alarm or an obstacle is in the way.
+
+        A job whose machine is not free may have been returned to the queue already.
+        """
+        if row.state != State.QUEUED and not awaits_confirmation(row, self._db.clock()):
+            return
+        reason = obstacle_on(session, row.machine, self._db.timer())
+        if reason is not None:
+            raise WrongState("job.machine-not-free", job=row.id, reason=reason)
 
     def _check_waiting(self, row: Job) -> None:
         """Raise ``WrongState`` unless the job waits for the operator's confirmation."""
@@ -304,11 +357,17 @@ class OperatorStore:
         """
         return self._request(id, OperatorAction.HOLD, key=key)
 
-    def resume(self, id: str, phase: int | None = None, key: RequestKey | None = None) -> Job:
+    def resume(
+        self,
+        id: str,
+        phase: int | None = None,
+        key: RequestKey | None = None,
+        *,
+        hands_clear: bool = False,
+    ) -> Job:
         """Store an operator's request to resume a job, and return the job.
 
-        The gateway of the job executes the request.  Between two copies, the request also
-        confirms that a new sheet is on the table.
+        The gateway of the job executes the request.  The next copy is never started by it.
 
         Parameters
         ----------
@@ -316,13 +375,36 @@ class OperatorStore:
             Id of the job.
         phase
             Phase of the run for which the operator decided; None for the present one.
+        hands_clear
+            Whether the operator states with the request that hands are clear of the machine.
 
         Raises
         ------
         WrongState
-            The job cannot be resumed now, or is in another phase.
+            The job cannot be resumed now, or is in another phase.  It waits for a new sheet or for
+            its confirmation, or a person must confirm the end of its program.  Nobody has stated
+            within ``HANDS_CLEAR`` seconds that hands are clear.
         """
-        return self._request(id, OperatorAction.RESUME, phase, key)
+        return self._request(id, OperatorAction.RESUME, phase, key, hands_clear=hands_clear)
+
+    def confirm_end(self, id: str, phase: int | None = None, key: RequestKey | None = None) -> Job:
+        """Store that a person has seen the end of a program whose controller does not report it.
+
+        The job is done then, or waits for the sheet of its next copy.
+
+        Parameters
+        ----------
+        id
+            Id of the job.
+        phase
+            Phase of the run for which the person decided; None for the present one.
+
+        Raises
+        ------
+        WrongState
+            The job does not wait for the end of its program, or is in another phase.
+        """
+        return self._request(id, OperatorAction.END, phase, key)
 
     def cancel(self, id: str, key: RequestKey | None = None) -> Job:
         """Cancel a job and return it; a cancelled job stays as it is.
@@ -336,7 +418,7 @@ class OperatorStore:
             The job is interrupted or has already ended.
         """
         with self._db.writing() as session:
-            state = session.scalar(sa.select(Job.state).where(Job.id == id).with_for_update())
+            state = self._transitions.lock(session, id).state
             if state not in LEASED:
                 if (repeated := self._keys.repeated(session, id, key)) is not None:
                     return repeated
@@ -361,6 +443,8 @@ class OperatorStore:
         action: OperatorAction,
         phase: int | None = None,
         key: RequestKey | None = None,
+        *,
+        hands_clear: bool = False,
     ) -> Job:
         """Store an operator's request for the gateway of a job; return the job.
 
@@ -371,9 +455,11 @@ class OperatorStore:
         id
             Id of a job that is on a table.
         action
-            Requested action: hold, resume or cancel.
+            Requested action: hold, resume, end or cancel.
         phase
             Phase of the run that the job must have; None for any.
+        hands_clear
+            Whether the operator states that hands are clear, which ``resume`` needs.
 
         Raises
         ------
@@ -392,12 +478,11 @@ class OperatorStore:
                 raise WrongState("job.other-phase", job=id)
             if row.requested_action == action:
                 return row
-            changes = {"requested_action": action.value}
-            if action is OperatorAction.RESUME and row.confirmation == Confirmation.SHEET:
-                _check_current(session, row)
-                self._tools.check(session, row, NOTHING_STATED, OPERATOR)
-                changes["confirmation"] = Confirmation.GIVEN.value
-            self._change(session, id, **changes)
+            if action is OperatorAction.RESUME:
+                now = self._db.timer()
+                require_hands_clear(session, row.machine, action, now, stated=hands_clear)
+                end_hands_clear(session, row.machine)
+            self._change(session, id, requested_action=action.value)
             event = Message("job.action-requested", action=action)
             self._transitions.write_event(session, "job", id, row.state, OPERATOR, event)
             return self._transitions.lock(session, id)
@@ -442,10 +527,17 @@ def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:
     action
         Action that the operator requested.
     """
-    if action is OperatorAction.RESUME and row.confirmation == Confirmation.AWAITED:
-        return WrongState("job.not-confirmed", job=row.id)
     if row.requested_action == OperatorAction.CANCEL:
         return WrongState("job.cancelled-before-request", job=row.id, request=action)
+    if action is OperatorAction.END:
+        return WrongState("job.no-end-awaited", job=row.id, state=row.state)
+    if action is OperatorAction.RESUME and row.state in LEASED:
+        if row.confirmation == Confirmation.AWAITED:
+            return WrongState("job.not-confirmed", job=row.id)
+        if row.confirmation == Confirmation.SHEET:
+            return WrongState("job.needs-sheet", job=row.id)
+        if row.awaits_end:
+            return WrongState("job.needs-end", job=row.id)
     return WrongState(
         "job.wrong-state-for-request",
         job=row.id,

@@ -30,6 +30,10 @@ class DetailsFilter:
     due_before: float | None = None  #: due before this time (seconds since 1970)
     notes: str = ""  #: part of the notes, in any case
     metadata: Mapping[str, str] = field(default_factory=dict)  #: values as text, by key
+    created_after: float | None = None  #: earliest creation (seconds since 1970)
+    created_before: float | None = None  #: created before this time (seconds since 1970)
+    updated_after: float | None = None  #: earliest last change (seconds since 1970)
+    updated_before: float | None = None  #: changed last before this time (seconds since 1970)
 
     def conditions(self, table: type[Drawing] | type[Job]) -> list[sa.ColumnElement[bool]]:
         """Return the conditions on the rows of a table as SQL expressions."""
@@ -38,10 +42,15 @@ class DetailsFilter:
             found.append(table.external_id == self.external_id)
         if self.customer:
             found.append(table.customer == self.customer)
-        if self.due_after is not None:
-            found.append(table.due >= self.due_after)
-        if self.due_before is not None:
-            found.append(table.due < self.due_before)
+        for column, after, before in (
+            (table.due, self.due_after, self.due_before),
+            (table.created, self.created_after, self.created_before),
+            (table.updated, self.updated_after, self.updated_before),
+        ):
+            if after is not None:
+                found.append(column >= after)
+            if before is not None:
+                found.append(column < before)
         if self.notes:
             found.append(contains(table.notes, self.notes))
         labels = JobMetadata if table is Job else DrawingMetadata

@@ -8,7 +8,7 @@ listed first.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,6 +16,7 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from knifetip.errors import StaleVersion, WrongState
+from knifetip.jobs.accounts.acting import acting_limits
 from knifetip.jobs.claimed_jobs import ClaimedJobs, is_claimed
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.compile_store import result_columns, result_contents
@@ -189,7 +190,12 @@ class QueueStore:
         return first + _STEP * count
 
     def change(
-        self, id: str, change: WaitingChange, actor: Actor, details: Details | None = None
+        self,
+        id: str,
+        change: WaitingChange,
+        actor: Actor,
+        details: Details | None = None,
+        check: Callable[[Job], None] | None = None,
     ) -> Job:
         """Change a job that no machine works on yet, or the details of any job; return the job.
 
@@ -208,6 +214,8 @@ class QueueStore:
         details
             New details of the order, by name of the column; None for none.  They can be changed in
             every state of the job.
+        check
+            Called with the job, locked; an error of it prevents the change.  None for no check.
 
         Raises
         ------
@@ -217,6 +225,9 @@ class QueueStore:
         """
         with self._db.writing() as session:
             row = self._lock(session, id)
+            acting_limits().check_change(details or {})
+            if check is not None:
+                check(row)
             if details and any(getattr(row, name) != value for name, value in details.items()):
                 self._set(session, id, **details)
                 if "extra" in details:

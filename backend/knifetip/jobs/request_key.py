@@ -9,9 +9,9 @@ from typing import TypeVar
 from knifetip.errors import KeyReused
 from knifetip.jobs.accounts.acting import acting_principal
 from knifetip.jobs.database import short
-from knifetip.jobs.tables import CommandKey, Drawing, Job
+from knifetip.jobs.tables import AnsweredRequest, CommandKey, Drawing, Job
 
-Row = TypeVar("Row", Drawing, Job, CommandKey)
+Row = TypeVar("Row", Drawing, Job, CommandKey, AnsweredRequest)
 
 
 @dataclass(frozen=True, slots=True)

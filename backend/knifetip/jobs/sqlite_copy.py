@@ -12,6 +12,7 @@ from contextlib import closing, suppress
 from pathlib import Path
 
 from knifetip.errors import StoreError
+from knifetip.jobs.database_damage import find_damage, is_damaged
 from knifetip.jobs.disk_sync import sync
 
 _BUSY = 30.0  # seconds to wait for a lock
@@ -35,7 +36,7 @@ def copy_database(source: Path, target: Path) -> None:
     Raises
     ------
     StoreError
-        The copy cannot be made; ``target`` is then as it was.
+        The copy cannot be made, or the database is damaged; ``target`` is then as it was.
     """
     part = target.with_name(f"{target.name}.part")
     try:
@@ -49,12 +50,18 @@ def copy_database(source: Path, target: Path) -> None:
             original.backup(copy)
             # In WAL mode a reader of the copy would need write access to its folder.
             copy.execute("PRAGMA journal_mode=DELETE")
+        # A damaged copy would replace the good ones of earlier days.
+        if fault := find_damage(part):
+            part.unlink()
+            raise StoreError("database.damaged", file=source, reason=fault)
         sync(part)
         part.replace(target)
         sync(target.parent)
     except (OSError, sqlite3.Error) as reason:
         with suppress(OSError):  # the first error is reported
             part.unlink(missing_ok=True)
+        if is_damaged(reason):
+            raise StoreError("database.damaged", file=source, reason=reason) from reason
         cause = getattr(reason, "strerror", None) or str(reason)
         raise StoreError("backup.unwritable", file=target, reason=cause) from reason
 

@@ -8,7 +8,7 @@ operation that is not fetched within ``EXPIRY`` seconds expires: it is never exe
 from __future__ import annotations
 
 import secrets
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
@@ -18,13 +18,22 @@ from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
 from knifetip.errors import NotFound, WrongState
-from knifetip.gateway.operations import EXPIRY, RUNS
+from knifetip.gateway.operations import (
+    BETWEEN_COPIES,
+    DURING_JOBS,
+    EXPIRY,
+    HANDS_CLEAR,
+    JOG_RENEWAL,
+    RUNS,
+    OperationName,
+    needs_clear_hands,
+)
 from knifetip.gateway.station_report import UNREPORTED
 from knifetip.jobs.changes import ALL, machine_topic
 from knifetip.jobs.database import Database, note_change, short
 from knifetip.jobs.job import LEASED, ON_TABLE, Confirmation, State
 from knifetip.jobs.machine_queues import CLAIMED
-from knifetip.jobs.tables import Job, Operation, Station
+from knifetip.jobs.tables import NEVER_STATED, Job, Operation, Station
 from knifetip.messages import Message
 
 #: Seconds after its last report from which a gateway counts as disconnected.
@@ -51,6 +60,11 @@ class StationReport:
     operations: Sequence[str] = ()  #: operations that the controller can do
     activity: Mapping[str, Any] | None = None  #: last run above the board
     spindle: int | None = None  #: station whose spindle was switched on by hand
+    #: why the controller is not connected, or harmless differences of its settings
+    notices: Sequence[Message] = ()
+    obstacle: Message | None = None  #: why it takes no job; None if it is free
+    override: int | None = None  #: feed override (%); None if the controller has none
+    outputs_known: bool = True  #: all other outputs are off
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +83,14 @@ class Asked:
     id: str
     age: float  #: time since the person asked for it (s)
     request: Mapping[str, Any]  #: name and arguments
+
+
+@dataclass(frozen=True, slots=True)
+class HeldJog:
+    """A jog whose button a person holds."""
+
+    id: str  #: of the operation
+    age: float  #: time since the person last stated it (s)
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,9 +140,13 @@ class StationStore:
             "alarm": report.alarm,
             "position": None if report.position is None else list(report.position),
             "outputs": list(report.outputs),
+            "outputs_known": report.outputs_known,
             "operations": list(report.operations),
             "spindle": report.spindle,
             "activity": None if report.activity is None else dict(report.activity),
+            "notices": list(report.notices),
+            "obstacle": report.obstacle,
+            "override": report.override,
         }
         with self._db.reading() as session:
             row = session.get(Station, machine)
@@ -176,6 +202,21 @@ class StationStore:
                     _expire(row)
             return found
 
+    def held_jog(self, machine: str) -> HeldJog | None:
+        """Return the jog of a machine whose button a person holds now; None if there is none."""
+        now = self._db.timer()
+        held = (
+            sa.select(Operation.id, Operation.renewed)
+            .where(Operation.machine == machine, Operation.renewed > now - JOG_RENEWAL)
+            .order_by(Operation.serial.desc())
+            .limit(1)
+        )
+        with self._db.reading() as session:
+            found = session.execute(held).first()
+        if found is None or not (age := now - found.renewed) >= 0.0:
+            return None
+        return HeldJog(found.id, age)
+
     # -- for persons ----------------------------------------------------------------------------
 
     def get(self, machine: str) -> StationView:
@@ -204,19 +245,12 @@ class StationStore:
             jobs = {row.machine: session.scalar(_job_on(row.machine)) or "" for row in rows}
         return [self._view(row, jobs[row.machine], now) for row in rows]
 
-    def reports_nothing(self, machine: str) -> bool:
-        """Return whether the controller of a machine takes programs and reports nothing.
-
-        A person at the machine then confirms the end of each program.
-
-        Parameters
-        ----------
-        machine
-            Name of the machine.
-        """
+    def views(self, machines: Collection[str]) -> dict[str, StationView]:
+        """Return the states of the stations of some machines, by name, without their jobs."""
+        now = self._db.timer()
         with self._db.reading() as session:
-            row = session.get(Station, machine)
-        return row is not None and row.state == UNREPORTED
+            rows = session.scalars(sa.select(Station).where(Station.machine.in_(machines)))
+            return {row.machine: self._view(row, "", now) for row in rows}
 
     def is_watched(self, machine: str) -> bool:
         """Return whether a person has looked at a station in the last ``WATCHED`` seconds."""
@@ -224,7 +258,21 @@ class StationStore:
             row = session.get(Station, machine)
         return row is not None and self._view(row, "", self._db.timer()).watched
 
-    def ask(self, machine: str, request: Mapping[str, Any]) -> Operation:
+    def state_hands_clear(self, machine: str) -> float:
+        """Store that hands are clear of a machine; return for how long the statement counts (s).
+
+        Parameters
+        ----------
+        machine
+            Name of the machine.
+        """
+        with self._db.writing(urgent=True) as session:
+            _station(session, machine).hands_clear = self._db.timer()
+        return HANDS_CLEAR
+
+    def ask(
+        self, machine: str, request: Mapping[str, Any], *, hands_clear: bool = False
+    ) -> Operation:
         """Store an operation that a person at a machine asks for, and return it.
 
         Parameters
@@ -233,21 +281,30 @@ class StationStore:
             Name of the machine.
         request
             Name of the operation (``operation``) and its arguments.
+        hands_clear
+            Whether the person states with the request that hands are clear of the machine.
 
         Raises
         ------
         WrongState
-            A job is running or held on the machine, its gateway or its controller is not connected,
-            or its controller cannot do the operation; or the operation is a run above the board,
-            and no job waits for its operator.
+            A job is running or held on the machine and the operation is none of a running job, its
+            gateway or its controller is not connected,
+            or its controller cannot do the operation; it moves the machine, and nobody has stated
+            within ``HANDS_CLEAR`` seconds that hands are clear; or it is a run above the board, and
+            no job waits for its operator.
         """
         now = self._db.timer()
         with self._db.writing(urgent=True) as session:
             view = self._view(_station(session, machine), "", now)
             running = session.execute(
-                sa.select(Job.id, Job.state).where(Job.machine == machine, Job.state.in_(LEASED))
+                sa.select(Job.id, Job.state, Job.confirmation).where(
+                    Job.machine == machine, Job.state.in_(LEASED)
+                )
             ).first()
-            if running is not None:
+            name = str(request["operation"])
+            waits = running is not None and running.confirmation == Confirmation.SHEET
+            allowed = name in DURING_JOBS or (waits and name in BETWEEN_COPIES)
+            if running is not None and not allowed:
                 raise WrongState(
                     "operation.job-running", job=running.id, state=running.state, machine=machine
                 )
@@ -255,11 +312,12 @@ class StationStore:
                 raise WrongState("operation.gateway-absent", machine=machine)
             if not view.row.connected:
                 raise WrongState("operation.no-controller", machine=machine)
-            name = str(request["operation"])
             if view.row.state == UNREPORTED:
                 raise WrongState("operation.unreported", machine=machine, request=name)
             if name not in view.row.operations:
                 raise WrongState("operation.unsupported", name=machine, request=name)
+            if needs_clear_hands(name, bool(request.get("on"))):
+                require_hands_clear(session, machine, name, now, stated=hands_clear)
             if name in RUNS and session.scalar(_waiting_job(machine)) is None:
                 raise WrongState("dry-run.no-job")
             session.execute(
@@ -274,11 +332,43 @@ class StationStore:
                 request=dict(request),
                 state="waiting",
                 asked=now,
+                renewed=now if name == OperationName.JOG else None,
             )
             session.add(row)
             view.row.watched = now
             note_change(session, machine_topic(machine))
         return row
+
+    def renew(self, machine: str, id: str) -> Operation:
+        """Store that a person still holds the button of a jog, and return the operation.
+
+        Parameters
+        ----------
+        machine
+            Name of the machine.
+        id
+            Id of the operation.
+
+        Raises
+        ------
+        NotFound
+            The machine has no operation with this id, or it was removed after some minutes.
+        WrongState
+            The operation is no jog, or was refused, or the last statement is older than
+            ``JOG_RENEWAL`` seconds, so that the jog was stopped.
+        """
+        with self._db.writing(urgent=True) as session:
+            query = sa.select(Operation).where(Operation.id == id, Operation.machine == machine)
+            row = session.scalar(query.with_for_update())
+            if row is None:
+                raise NotFound("operation.unknown", id=short(id), machine=machine)
+            now = self._db.timer()
+            held = row.renewed is not None and 0.0 <= now - row.renewed < JOG_RENEWAL
+            if not held or row.state not in ("waiting", "done"):
+                raise WrongState("operation.jog-ended", id=short(id), seconds=JOG_RENEWAL)
+            row.renewed = now
+            note_change(session, machine_topic(machine))
+            return row
 
     def waiting_job(self, machine: str) -> Job | None:
         """Return the job of a machine that waits for its operator; None if there is none."""
@@ -345,7 +435,7 @@ def _station(session: Session, machine: str) -> Station:
     # Another process may add the row at the same time.
     with suppress(IntegrityError), session.begin_nested():
         added = Station(machine=machine, gateway="", reported=0.0, watched=0.0, connected=False)
-        added.state, added.outputs, added.operations = "", [], []
+        added.state, added.outputs, added.operations, added.notices = "", [], [], []
         session.add(added)
     return session.get_one(Station, machine, with_for_update=True)
 
@@ -387,6 +477,64 @@ def dry_run_on(session: Session, machine: str, now: float) -> bool:
         Operation.asked <= now,
     )
     return any(request.get("operation") in RUNS for request in session.scalars(waiting))
+
+
+def require_hands_clear(
+    session: Session, machine: str, request: str, now: float, *, stated: bool
+) -> None:
+    """Raise ``WrongState`` unless hands are clear of a machine, which may move at once.
+
+    Parameters
+    ----------
+    session
+        Session with the transaction of the caller.
+    machine
+        Name of the machine.
+    request
+        What moves it, for the message.
+    now
+        Present time, see ``Database.timer``.
+    stated
+        Whether the request itself states it; that counts for this request only.
+    """
+    row = _station(session, machine)
+    if not stated and not 0.0 <= now - row.hands_clear < HANDS_CLEAR:
+        raise WrongState(
+            "operation.hands-not-clear", request=request, machine=machine, seconds=HANDS_CLEAR
+        )
+
+
+def end_hands_clear(session: Session, machine: str) -> None:
+    """End the statement that hands are clear of a machine, as a job starts or goes on.
+
+    When the job has ended, a person takes the sheet from the table.
+
+    Parameters
+    ----------
+    session
+        Session with the transaction of the caller.
+    machine
+        Name of the machine.
+    """
+    _station(session, machine).hands_clear = NEVER_STATED
+
+
+def obstacle_on(session: Session, machine: str, now: float) -> Message | None:
+    """Return the alarm or the obstacle that keeps a machine from work; None if it reports none.
+
+    Parameters
+    ----------
+    session
+        Session with the transaction of the caller.
+    machine
+        Name of the machine.
+    now
+        Present time, see ``Database.timer``.
+    """
+    row = session.get(Station, machine)
+    if row is None or not row.connected or not 0.0 <= now - row.reported <= SILENCE:
+        return None
+    return row.alarm or row.obstacle
 
 
 def _is_busy(activity: Mapping[str, Any] | None) -> bool:

@@ -12,10 +12,13 @@ from collections.abc import Callable
 
 from knifetip.jobs.accounts.audit_store import AuditStore
 from knifetip.jobs.accounts.key_store import KeyStore
+from knifetip.jobs.accounts.pairing_store import PairingStore
 from knifetip.jobs.accounts.provider_users import ProviderUsers
 from knifetip.jobs.accounts.session_store import SessionStore
 from knifetip.jobs.accounts.user_store import UserStore
+from knifetip.jobs.answered_requests import AnsweredRequests
 from knifetip.jobs.changes import Changes
+from knifetip.jobs.checks import CheckList
 from knifetip.jobs.claimed_jobs import ClaimedJobs
 from knifetip.jobs.command_keys import CommandKeys
 from knifetip.jobs.compile_store import CompileStore
@@ -73,7 +76,10 @@ class Store:
         self.library = LibraryStore(self.database)
         gate = ToolGate(self.tools, self.library)
         keys = CommandKeys(self.database, transitions)
-        self.operators = OperatorStore(self.database, self.contents, transitions, gate, keys)
+        self.checks = CheckList(self.library)
+        self.operators = OperatorStore(
+            self.database, self.contents, transitions, self.checks, gate, keys
+        )
         self.interrupted = InterruptedJobs(self.database, transitions, keys)
         self.machines = MachineQueues(self.database)
         claimed = ClaimedJobs(self.database, transitions)
@@ -86,6 +92,8 @@ class Store:
         self.users = UserStore(self.database)
         self.provider_users = ProviderUsers(self.database, self.users)
         self.keys = KeyStore(self.database)
+        self.pairing = PairingStore(self.database)
+        self.answers = AnsweredRequests(self.database)
         self.sessions = SessionStore(self.database)
         self.audit = AuditStore(self.database)
         self.statistics = StatisticsStore(self.database)

@@ -16,13 +16,15 @@ from sqlalchemy.orm import DeclarativeBase, Mapped, mapped_column
 
 from knifetip import tracing
 from knifetip.jobs.large_value import LargeValue
-from knifetip.jobs.message_column import MessageColumn
+from knifetip.jobs.message_column import MessageColumn, MessagesColumn
 from knifetip.messages import Message
 
 #: Jobs that occupy their machine: on its table, or claimed and waiting for the operator.
 _RESERVES_TABLE = sa.text(
     "state IN ('running', 'held', 'interrupted') OR (state = 'queued' AND confirmation <> '')"
 )
+#: Time of a statement that was never made, or that has ended (s).
+NEVER_STATED = -1e9
 #: Type of serial numbers.
 SERIAL = sa.BigInteger().with_variant(sa.Integer(), "sqlite")
 
@@ -115,6 +117,8 @@ class Drawing(Base):
         sa.Index("drawing_by_external_id", "external_id", "serial"),
         sa.Index("drawing_by_customer", "customer", "serial"),
         sa.Index("drawing_by_due", "due"),
+        sa.Index("drawing_by_created", "created"),
+        sa.Index("drawing_by_updated", "updated"),
     )
 
     serial: Mapped[int] = mapped_column(SERIAL, primary_key=True, autoincrement=True)
@@ -134,6 +138,10 @@ class Drawing(Base):
     #: ``RequestKey.stored`` of the request; None if it had no key
     key: Mapped[str | None] = mapped_column(sa.String(200), unique=True)
     fingerprint: Mapped[str] = mapped_column(sa.String(64))  #: hash of the request with that key
+    updated: Mapped[float] = mapped_column(sa.Double, default=0.0)  #: time of the last change
+    #: account that uploaded it, see ``accounts.acting``; empty for one that every designer changes
+    owner: Mapped[str] = mapped_column(sa.String(80), default="")
+    shared: Mapped[bool] = mapped_column(default=False)  #: every designer may change it
     #: details of the order: see ``order_details``
     external_id: Mapped[str] = mapped_column(sa.String(200), default="")
     customer: Mapped[str] = mapped_column(sa.String(200), default="")
@@ -169,6 +177,8 @@ class Job(Base):
         sa.Index("job_by_external_id", "external_id", "serial"),
         sa.Index("job_by_customer", "customer", "serial"),
         sa.Index("job_by_due", "due"),
+        sa.Index("job_by_created", "created"),
+        sa.Index("job_by_updated", "updated"),
     )
 
     serial: Mapped[int] = mapped_column(SERIAL, primary_key=True, autoincrement=True)
@@ -194,6 +204,8 @@ class Job(Base):
     #: orders the queued jobs of equal priority, see ``machine_queues.TURN``
     rank: Mapped[float] = mapped_column(sa.Double, default=0.0)
     on_hold: Mapped[bool] = mapped_column(default=False)  #: not claimed while it is True
+    #: why the machine refused the program in its check run; not claimed while it is set
+    check_refusal: Mapped[Message | None] = mapped_column(MessageColumn)
     #: time of the last move to one of the states ``job.ENDED``; 0 before
     ended: Mapped[float] = mapped_column(sa.Double, default=0.0)
     #: why it was refused or interrupted, or why its compile has not begun
@@ -248,7 +260,11 @@ class Job(Base):
     stopped_at: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     #: account that ordered it, see ``accounts.acting``; empty for none
     ordered_by: Mapped[str] = mapped_column(sa.String(80), default="")
+    #: key of the gateway that claimed it last, see ``accounts.acting``; empty for none
+    claimed_by: Mapped[str] = mapped_column(sa.String(80), default="")
     feeds: Mapped[bool] = mapped_column(default=False)  #: the machine feeds the sheets itself
+    #: the program is handed over, and a person must confirm that the machine has executed it
+    awaits_end: Mapped[bool] = mapped_column(default=False)
     #: context of the trace of its order, for its compile and its run; empty for none
     traceparent: Mapped[str] = mapped_column(sa.String(tracing.LENGTH), default="")
     #: details of the order: see ``order_details``
@@ -329,6 +345,20 @@ class CommandKey(Base):
     fingerprint: Mapped[str] = mapped_column(sa.String(64))  #: hash of the command with that key
     job: Mapped[str] = mapped_column(sa.String(32), sa.ForeignKey("job.id", ondelete="CASCADE"))
     created: Mapped[float] = mapped_column(sa.Double)
+
+
+class AnsweredRequest(Base):
+    """A request with an Idempotency-Key, and its answer; kept for some days."""
+
+    __tablename__ = "answered_request"
+    __table_args__ = (sa.Index("answered_request_by_time", "created"),)
+
+    key: Mapped[str] = mapped_column(sa.String(200), primary_key=True)  #: ``RequestKey.stored``
+    fingerprint: Mapped[str] = mapped_column(sa.String(64))  #: hash of the request with that key
+    created: Mapped[float] = mapped_column(sa.Double)
+    status: Mapped[int]  #: HTTP status of the answer; 0 before it is known
+    headers: Mapped[dict[str, str]] = mapped_column(sa.JSON)  #: of the answer
+    body: Mapped[bytes] = mapped_column(sa.LargeBinary)
 
 
 class Event(Base):
@@ -440,15 +470,23 @@ class Station(Base):
     gateway: Mapped[str] = mapped_column(sa.String(200), default="")
     reported: Mapped[float] = mapped_column(sa.Double, default=0.0)  #: time of the report
     watched: Mapped[float] = mapped_column(sa.Double, default=0.0)  #: last time a person looked
+    #: last time a person stated that hands are clear, if the statement has not ended since
+    hands_clear: Mapped[float] = mapped_column(sa.Double, default=NEVER_STATED)
     connected: Mapped[bool] = mapped_column(default=False)  #: the controller is connected
     state: Mapped[str] = mapped_column(sa.String(16), default="")  #: of the controller
     alarm: Mapped[Message | None] = mapped_column(MessageColumn)
+    #: why the machine takes no job although it is connected and not locked; None if it is free
+    obstacle: Mapped[Message | None] = mapped_column(MessageColumn)
     position: Mapped[list[float] | None] = mapped_column(sa.JSON(none_as_null=True))
     outputs: Mapped[list[int]] = mapped_column(sa.JSON, default=list)  #: outputs that are on
+    outputs_known: Mapped[bool] = mapped_column(default=True)  #: all others are off
     operations: Mapped[list[str]] = mapped_column(sa.JSON, default=list)
     spindle: Mapped[int | None]  #: station whose spindle was switched on by hand; None for none
+    override: Mapped[int | None]  #: feed override (%); None if the controller has none
     #: last run above the board, as the gateway reports it; None if there was none
     activity: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
+    #: why the controller is not connected, or harmless differences of its settings
+    notices: Mapped[list[Message]] = mapped_column(MessagesColumn, default=list)
 
 
 class Operation(Base):
@@ -469,3 +507,5 @@ class Operation(Base):
     asked: Mapped[float] = mapped_column(sa.Double)
     #: when it was given to the gateway, so that it is given only once
     handed: Mapped[float | None] = mapped_column(sa.Double)
+    #: when the person last stated that the button of the jog is held; None for other operations
+    renewed: Mapped[float | None] = mapped_column(sa.Double)

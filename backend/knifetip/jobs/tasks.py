@@ -59,6 +59,16 @@ if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
 
 
+def import_stages() -> None:
+    """Import the modules of all stages, so that the first task of a process does not wait for it.
+
+    It takes seconds.
+    """
+    from knifetip import pipeline  # noqa: F401  # imported for the other tasks
+
+    missing_parts()
+
+
 @dataclass(frozen=True, slots=True)
 class Reading:
     """Result of reading and classifying a drawing, in the form in which it is stored."""

@@ -24,8 +24,6 @@ from knifetip.model.machine import Machine
 class ToolCheck:
     """What the operator states about the tools of a job."""
 
-    #: numbers of the stations whose tools were checked; None if the operator does not name them
-    stations: Collection[int] | None = None
     #: numbers of the stations into which the operator has put new tools
     changed: Collection[int] = ()
     #: why tools at the end of their lives stay in use; empty if they do not
@@ -68,10 +66,8 @@ class ToolGate:
         NotFound
             The machine has no station with a number in ``stated.changed``.
         WrongState
-            The job uses a station that was not checked, or a tool at the end of its life.
+            The job uses a tool at the end of its life.
         """
-        if stated.stations is not None:
-            _check_stations(row, stated.stations)
         events = []
         try:
             machine = self._library.machine(row.machine)
@@ -108,11 +104,3 @@ def _name_of(machine: Machine, number: int) -> str:
         if station.number == number:
             return station.name
     raise NotFound("tool-life.no-station", machine=machine.name, station=number)
-
-
-def _check_stations(row: Job, stations: Collection[int]) -> None:
-    """Raise ``WrongState`` if a job uses a station that is not in ``stations``."""
-    unchecked = [tool for tool in row.tools if tool["station"] not in stations]
-    if unchecked:
-        names = [f"{tool['station']} ({tool['name']})" for tool in unchecked]
-        raise WrongState("job.tools-not-checked", job=row.id, stations=names)

@@ -143,9 +143,21 @@ class ToolStore:
         session.add(event)
         session.flush()
 
-    def events(self, machine: str, limit: int = 200) -> list[ToolEvent]:
-        """Return the last changes of the tools of a machine and of their lives, newest first."""
+    def events(self, machine: str, before: int | None = None, limit: int = 200) -> list[ToolEvent]:
+        """Return changes of the tools of a machine and of their lives, newest first.
+
+        Parameters
+        ----------
+        machine
+            Name of the machine.
+        before
+            Return only changes with a smaller id; None for all.
+        limit
+            Greatest number of changes.
+        """
         query = sa.select(ToolEvent).where(ToolEvent.machine == machine)
+        if before is not None:
+            query = query.where(ToolEvent.id < before)
         with self._db.reading() as session:
             return list(session.scalars(query.order_by(ToolEvent.id.desc()).limit(limit)))
 

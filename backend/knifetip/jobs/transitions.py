@@ -13,7 +13,7 @@ import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from knifetip.errors import NotFound, StaleEpoch, WrongState
-from knifetip.jobs.accounts.acting import set_subject, signature
+from knifetip.jobs.accounts.acting import acting_limits, set_subject, signature
 from knifetip.jobs.changes import ALL, RECEIVED, machine_topic
 from knifetip.jobs.database import Database, note_change, short
 from knifetip.jobs.job import ADVICE, ENDED, Action, Actor, ActorKind, State, sources, target
@@ -76,6 +76,7 @@ class Transitions:
         """
         goal = target(action)
         statement = sa.update(Job).where(Job.id == id, Job.state.in_(sources(action, actor.kind)))
+        statement = statement.where(*acting_limits().job_conditions())
         if epoch is not None:
             statement = statement.where(Job.epoch == epoch)
         # Rows that this session has loaded keep their values; ``lock`` reloads them.
@@ -139,7 +140,7 @@ class Transitions:
         ``epoch`` is the epoch that the job should have, None for any.
         """
         columns = sa.select(Job.state, Job.epoch, Job.message).where(Job.id == id)
-        found = session.execute(columns).first()
+        found = session.execute(columns.where(*acting_limits().job_conditions())).first()
         if found is None:
             return unknown_job_error(id)
         state, current, message = found
@@ -206,7 +207,7 @@ class Transitions:
         """
         row = session.scalar(
             sa.select(Job)
-            .where(Job.id == id)
+            .where(Job.id == id, *acting_limits().job_conditions())
             .with_for_update()
             .execution_options(populate_existing=True)
         )

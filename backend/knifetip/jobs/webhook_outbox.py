@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import json
 import secrets
+from collections.abc import Mapping, Sequence
 from typing import Any, Final
 
 import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from knifetip import tracing
+from knifetip.jobs.accounts.key_limits import KeyLimits
 from knifetip.jobs.changes import WEBHOOK
 from knifetip.jobs.database import note_change
 from knifetip.jobs.job import State
@@ -55,7 +57,9 @@ def enqueue_event(session: Session, event: Event, *, new_state: bool) -> None:
         Whether the job was created or came to another state with this event.
     """
     endpoints = session.execute(
-        sa.select(Webhook.serial, Webhook.event_types).where(Webhook.active)
+        sa.select(Webhook.serial, Webhook.event_types, Webhook.customer, Webhook.machines).where(
+            Webhook.active
+        )
     ).all()
     if not endpoints:
         return
@@ -63,17 +67,23 @@ def enqueue_event(session: Session, event: Event, *, new_state: bool) -> None:
         event_type = f"job.{event.state}" if new_state else UPDATED
     else:
         event_type = f"{event.kind}.{event.state}"
-    receivers = [serial for serial, types in endpoints if not types or event_type in types]
-    if not receivers:
+    subscribed = [one for one in endpoints if not one.event_types or event_type in one.event_types]
+    if not subscribed:
         return
     session.flush()  # the event gets its number
+    data = _subject_data(session, event)
+    receivers = [
+        one.serial for one in subscribed if _may_see(one.customer, one.machines, event.kind, data)
+    ]
+    if not receivers:
+        return
     message = None if event.message is None else event.message.as_json()
     payload = {
         "type": event_type,
         "id": event.id,
         "timestamp": rfc3339(event.at),
         "data": {
-            **_subject_data(session, event),
+            **data,
             "event": {"who": event.who, "message": message},
         },
     }
@@ -81,6 +91,25 @@ def enqueue_event(session: Session, event: Event, *, new_state: bool) -> None:
     note_change(session, WEBHOOK)
     for serial in receivers:
         session.add(new_delivery(serial, event_type, event.subject, payload, event.at, context))
+
+
+def _may_see(only: str, machines: Sequence[str], kind: str, data: Mapping[str, Any]) -> bool:
+    """Return whether an endpoint gets an event of a job or a drawing.
+
+    Parameters
+    ----------
+    only, machines
+        Customer and machines of the endpoint, which are those of the key that added it; empty for
+        all.
+    kind, data
+        Kind of the event, and the data of its job or drawing.
+    """
+    limits = KeyLimits(only, frozenset(machines))
+    subject = data[kind]
+    customer = subject.get("customer", "")
+    if kind == "job":
+        return limits.sees_job(customer, subject.get("machine", ""))
+    return limits.customer in ("", customer)
 
 
 def new_delivery(

@@ -6,14 +6,18 @@ arrives at least once.
 
 Order: for one endpoint and one job or drawing, a delivery waits while an earlier one is pending,
 until that has failed ``IN_ORDER`` times; a request that an endpoint never accepts does not block
-the others for days.
+the others for days.  Deliveries of different jobs do not wait for each other.
+
+Failures: each delivery has its own delays.  An endpoint pauses only after ``PAUSE_AFTER`` failures
+in a row, and then gets one delivery at a time until it accepts one.
 """
 
 from __future__ import annotations
 
 import random
-from collections.abc import Collection
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Final
 
 import sqlalchemy as sa
@@ -25,13 +29,17 @@ from knifetip.jobs.webhook_tables import Webhook, WebhookDelivery
 
 #: Time from each failed attempt to the next one (s); 3.2 days in all.
 DELAYS: Final = (
-    *(5.0, 30.0, 120.0, 600.0, 1800.0, 3600.0, 7200.0, 14_400.0, 28_800.0),
+    *(1.0, 5.0, 30.0, 120.0, 600.0, 1800.0, 3600.0, 7200.0, 14_400.0, 28_800.0),
     *(43_200.0,) * 5,
 )
 #: Each delay is multiplied by a random number in this range.
 JITTER: Final = (0.8, 1.2)
 #: Failed attempts after which a delivery no longer holds back later ones of its subject.
-IN_ORDER: Final = 6
+IN_ORDER: Final = 7
+#: Failures in a row, of any deliveries, after which an endpoint pauses.
+PAUSE_AFTER: Final = 5
+#: Deliveries that one sender sends to one endpoint at the same time; fewer after failures.
+PER_ENDPOINT: Final = 4
 #: Time for which a sender has a delivery (s); longer than an attempt may take.
 LEASE: Final = 30.0
 #: Status with which an endpoint refuses all further deliveries.
@@ -39,7 +47,7 @@ GONE: Final = 410
 
 #: As SQL text: SQLite uses a partial index only if the query has its condition literally.
 _PENDING: Final[sa.ColumnClause[str]] = sa.literal_column("'pending'")
-_DOWN = 3  # consecutive failures after which an endpoint is considered unreachable
+_LONGEST_PAUSE = 600.0  # greatest pause of an endpoint (s)
 _KEPT = 100  # attempts of a delivery that are kept
 _KEEP = 30 * 86_400.0  # seconds for which deliveries that are not pending are kept
 _BATCH = 500  # deliveries that one transaction deletes
@@ -98,26 +106,30 @@ class WebhookQueue:
         with self._db.reading() as session:
             return session.scalar(query.limit(1)) is not None
 
-    def claim(self, busy: Collection[int] = (), lease: float = LEASE) -> ClaimedDelivery | None:
-        """Claim the delivery that is due first; return None if none is due.
+    def claim(
+        self, in_flight: Mapping[int, int] = MappingProxyType({}), lease: float = LEASE
+    ) -> ClaimedDelivery | None:
+        """Claim the next delivery; return None if none may be sent now.
+
+        It is one to the endpoint with the fewest deliveries in flight, so that slow and busy
+        endpoints do not delay the others; of these, the one that is due first.
 
         Parameters
         ----------
-        busy
-            Serial numbers of the endpoints to which this sender is sending, which are left out.
+        in_flight
+            Number of deliveries that this sender is sending to each endpoint, by serial number.
         lease
             Time for which the sender has the delivery (s).
         """
         now = self._db.clock()
         # Without a write, which would lock SQLite, as long as nothing is due.
         with self._db.reading() as session:
-            # The longest due first, so that busy endpoints do not delay the others.
             due = sorted(
-                (row.due, row.serial, serial)
-                for serial in self._ready_endpoints(session, busy, now)
+                (in_flight.get(serial, 0), row.due, row.serial, serial)
+                for serial in self._ready_endpoints(session, in_flight, now)
                 if (row := self._first_due(session, serial, now)) is not None
             )
-        for _, _, serial in due:
+        for *_, serial in due:
             with self._db.writing() as session:
                 row = self._first_due(session, serial, now)
                 endpoint = session.get(Webhook, serial)
@@ -139,11 +151,19 @@ class WebhookQueue:
                 )
         return None
 
-    def _ready_endpoints(self, session: Session, busy: Collection[int], now: float) -> list[int]:
-        query = sa.select(Webhook.serial).where(
-            Webhook.active, Webhook.resume_at <= now, Webhook.serial.not_in(busy)
+    def _ready_endpoints(
+        self, session: Session, in_flight: Mapping[int, int], now: float
+    ) -> list[int]:
+        """Return the serial numbers of the endpoints that may get a further delivery."""
+        query = sa.select(Webhook.serial, Webhook.failures).where(
+            Webhook.active, Webhook.resume_at <= now
         )
-        return list(session.scalars(query.order_by(Webhook.serial)))
+        return [
+            serial
+            for serial, failures in session.execute(query.order_by(Webhook.serial))
+            # An endpoint that does not answer does not occupy many senders.
+            if in_flight.get(serial, 0) < max(PER_ENDPOINT - failures, 1)
+        ]
 
     def _first_due(self, session: Session, webhook: int, now: float) -> WebhookDelivery | None:
         """Return the first delivery to an endpoint that may be sent now, locked in PostgreSQL."""
@@ -199,14 +219,14 @@ class WebhookQueue:
             else:
                 row.due = self._db.clock() + delay
             endpoint.failures += 1
-            endpoint.resume_at = self._db.clock() + (_delay(endpoint.failures) or DELAYS[-1])
+            endpoint.resume_at = self._db.clock() + _pause(endpoint.failures)
             if attempt.status == GONE:
                 endpoint.active = False
                 bury_pending(session, endpoint.serial)
 
     def _endpoint_works(self, session: Session, endpoint: Webhook) -> None:
-        """Make all pending deliveries to an endpoint due, after it was unreachable."""
-        if endpoint.failures >= _DOWN:
+        """Make all pending deliveries to an endpoint due, after it has paused."""
+        if endpoint.failures >= PAUSE_AFTER:
             session.execute(
                 sa.update(WebhookDelivery)
                 .where(
@@ -259,3 +279,11 @@ def _delay(failures: int) -> float | None:
     if failures > len(DELAYS):
         return None
     return DELAYS[failures - 1] * random.uniform(*JITTER)
+
+
+def _pause(failures: int) -> float:
+    """Return the pause of an endpoint after a number of failures in a row (s)."""
+    if failures < PAUSE_AFTER:
+        return 0.0
+    delay = _delay(failures - PAUSE_AFTER + 1)
+    return min(delay or _LONGEST_PAUSE, _LONGEST_PAUSE)

@@ -13,6 +13,7 @@ from sqlalchemy.orm import Session
 
 from knifetip import tracing
 from knifetip.errors import NotFound, WrongState
+from knifetip.jobs.accounts.acting import acting_limits, acting_owner
 from knifetip.jobs.changes import WEBHOOK
 from knifetip.jobs.database import Database, rows, short
 from knifetip.jobs.job import new_id
@@ -65,6 +66,7 @@ class WebhookStore:
         WrongState
             There are ``MAX_WEBHOOKS`` endpoints.
         """
+        limits = acting_limits()
         row = Webhook(
             id=new_id(),
             url=url,
@@ -76,6 +78,9 @@ class WebhookStore:
             active=True,
             created=self._db.clock(),
             created_by=who[:200],
+            owner=acting_owner(),
+            customer=limits.customer,
+            machines=sorted(limits.machines),
             failures=0,
             resume_at=0.0,
         )
@@ -235,6 +240,10 @@ class WebhookStore:
         overlaps = webhook.previous_secret and webhook.previous_until > self._db.clock()
         return webhook.previous_until if overlaps else None
 
+    def pause_end(self, webhook: Webhook) -> float | None:
+        """Return the end of the pause of an endpoint; None if it does not pause."""
+        return webhook.resume_at if webhook.resume_at > self._db.clock() else None
+
     def last_delivery(self, webhook: Webhook) -> WebhookDelivery | None:
         """Return the newest delivery to an endpoint, None if there is none."""
         query = (
@@ -304,8 +313,13 @@ def _find(session: Session, id: str, *, lock: bool = False) -> Webhook:
     query = sa.select(Webhook).where(Webhook.id == id)
     row = session.scalar(query.with_for_update() if lock else query)
     if row is None:
-        raise NotFound("webhook.unknown", webhook=short(id))
+        raise unknown_webhook_error(id)
     return row
+
+
+def unknown_webhook_error(id: str) -> NotFound:
+    """Return the error that there is no endpoint with an id."""
+    return NotFound("webhook.unknown", webhook=short(id))
 
 
 def _check_active(webhook: Webhook) -> None:

@@ -29,9 +29,14 @@ class Webhook(Base):
     active: Mapped[bool] = mapped_column(default=True)
     created: Mapped[float] = mapped_column(sa.Double)
     created_by: Mapped[str] = mapped_column(sa.String(200))
+    #: account that added it, see ``accounts.acting``; empty for none
+    owner: Mapped[str] = mapped_column(sa.String(80), default="")
+    #: limits of the key that added it, see ``accounts.key_limits``
+    customer: Mapped[str] = mapped_column(sa.String(200), default="")
+    machines: Mapped[list[str]] = mapped_column(sa.JSON, default=list)
     #: failed attempts since the last success, for all deliveries together
     failures: Mapped[int] = mapped_column(default=0)
-    #: nothing is sent before this time, because the last attempt failed
+    #: nothing is sent before this time, because several attempts failed one after the other
     resume_at: Mapped[float] = mapped_column(sa.Double, default=0.0)
 
 

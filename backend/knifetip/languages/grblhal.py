@@ -10,6 +10,7 @@ LANGUAGE = Language(
     reader="knifetip.verification.reading.rs274.reader:READER",
     timing="knifetip.sequencing.timing:no_halts",
     driver="knifetip.gateway.grbl.driver:dial",
+    setting_lines="knifetip.gateway.grbl.settings:setting_lines",
     linear_axes="XYZABUV",
     rotary_axes="ABCUV",
 )

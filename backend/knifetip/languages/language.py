@@ -42,6 +42,8 @@ class Language:
     simulator: str = "knifetip.gateway.simulator:serve"
     settings: str = ""  #: path of the function that reads ``[controller]``, or empty
     settings_table: str = ""  #: path of the pydantic model of ``[controller]``, for editors
+    #: path of the function that returns the lines that set the settings of a machine's controller
+    setting_lines: str = ""
     linear_axes: str = "XYZ"  #: letters of the words that move linear axes (mm)
     rotary_axes: str = "C"  #: letters of the words that turn rotary axes (degrees)
     #: digital outputs of a controller whose machine does not state them; 0 if that differs
@@ -51,7 +53,7 @@ class Language:
         """Import and return one component of the language.
 
         ``role`` is the field that names the component: ``emitter``, ``reader``, ``timing``,
-        ``driver``, ``simulator``, ``settings`` or ``settings_table``.
+        ``driver``, ``simulator``, ``settings``, ``settings_table`` or ``setting_lines``.
         """
         return pkgutil.resolve_name(getattr(self, role))
 
@@ -116,4 +118,5 @@ class Language:
                         language=self.title,
                         known=list(known),
                     )
-                    raise InvalidFields([fault], ("gantry", "carriage"))
+                    first = ("axes", "c", "letter")
+                    raise InvalidFields([fault], first if number == 1 else ("gantry", "carriage"))

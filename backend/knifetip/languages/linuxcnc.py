@@ -10,6 +10,7 @@ LANGUAGE = Language(
     reader="knifetip.verification.reading.rs274.reader:READER",
     timing="knifetip.sequencing.linuxcnc:halts",
     driver="knifetip.gateway.linuxcnc.driver:dial",
+    setting_lines="knifetip.gateway.linuxcnc.ini_settings:setting_lines",
     linear_axes="XYZUVW",
     rotary_axes="ABC",
     default_outputs=4,

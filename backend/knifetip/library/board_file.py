@@ -8,7 +8,8 @@ from annotated_types import Gt, Le
 from pydantic import Field, ValidationInfo, field_validator
 
 from knifetip.fields import LISTED, Table, field_error
-from knifetip.model.board import Board, Deflection
+from knifetip.model.board import Board, Deflection, ToolLimits
+from knifetip.model.tool import KINDS
 from knifetip.model.tool.base import NotNegative, Positive
 
 #: Largest number of passes along one groove, and least spacing of bridges (mm).  Values beyond them
@@ -30,11 +31,22 @@ class DeflectionTable(Table):
     y: NotNegative = Field(description="greatest deflection in Y (mm)")
 
 
+class LimitsTable(Table):
+    """The TOML table with limits for the tools of one kind in the board."""
+
+    feed: NotNegative = Field(0.0, description="greatest feed (mm/min); 0: no limit")
+    step: NotNegative = Field(
+        0.0, description="greatest depth of one pass of a cutter (mm); 0: no limit"
+    )
+
+
 class BoardFile(Table):
     """The fields of the TOML file of a board: one material in one thickness."""
 
     title: str
-    material: str = Field(description="greyboard, corrugated or folding boxboard")
+    material: str = Field(
+        description="corrugated, folding boxboard, solid board, greyboard or foam board"
+    )
     caliper: Positive = Field(description="thickness (mm)")
     grain: float = Field(description="direction of flute or grain on the sheet (degrees)")
     crease_along: Positive = Field(description="depth of a crease along flute or grain (mm)")
@@ -71,8 +83,21 @@ class BoardFile(Table):
     fold_angle: FoldAngle = Field(
         90.0, description="angle by which the board must fold at a V-groove (degrees)"
     )
+    crease_tolerance: Positive = Field(
+        0.25, description="largest distance at which the wheel may press beside a bent crease (mm)"
+    )
+    cut_tolerance: Positive = Field(
+        0.1,
+        description="largest distance between a bent cut in the top face and its line (mm)",
+    )
+    least_radius: NotNegative = Field(
+        0.0, description="smallest radius of a bend that a knife cuts (mm); 0: no limit"
+    )
     deflection: dict[str, DeflectionTable] = Field(
         {}, description="deflection of each tool, by the name of its station"
+    )
+    limits: dict[str, LimitsTable] = Field(
+        {}, description="feed and depth of a pass of each kind of tool, such as knife or cutter"
     )
 
     @field_validator("crease_along", "crease_across", "groove_depth", "half_cut_depth")
@@ -97,9 +122,18 @@ class BoardFile(Table):
             raise field_error("field.spacing", value=value, least=_LEAST_SPACING)
         return value
 
+    @field_validator("limits")
+    @classmethod
+    def _check_kinds(cls, value: dict[str, LimitsTable]) -> dict[str, LimitsTable]:
+        words = [kind.name for kind in KINDS]
+        for word in value:
+            if word not in words:
+                raise field_error("field.not-one-of", value=word, known=words)
+        return value
+
     def record(self, name: str) -> Board:
         """Return the board that the file describes, with the name ``name``."""
-        fields = self.model_dump(exclude={"perforation", "deflection"})
+        fields = self.model_dump(exclude={"perforation", "deflection", "limits"})
         cut, gap = self.perforation
         return Board(
             name=name,
@@ -107,5 +141,8 @@ class BoardFile(Table):
             perforation=(cut, gap),
             deflection=tuple(
                 Deflection(tool, most.x, most.y) for tool, most in self.deflection.items()
+            ),
+            limits=tuple(
+                ToolLimits(kind, most.feed, most.step) for kind, most in self.limits.items()
             ),
         )

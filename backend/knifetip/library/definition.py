@@ -230,9 +230,15 @@ def toml_from_json(shelf: Shelf, name: str, text: str) -> str:
         return write_toml(fields)
     except TypeError as reason:
         raise LibraryError("library.null-in-list", shelf=shelf.word, name=shown) from reason
-    except ValueError as reason:
+    except json.JSONDecodeError as reason:
+        text = f"the fault is in line {reason.lineno}, column {reason.colno}"
         raise LibraryError(
-            "library.not-json", shelf=shelf.word, name=shown, reason=str(reason)[:200]
+            "library.not-json", shelf=shelf.word, name=shown, reason=text
+        ) from reason
+    except ValueError as reason:
+        text = "a number in it is too long"
+        raise LibraryError(
+            "library.not-json", shelf=shelf.word, name=shown, reason=text
         ) from reason
     except RecursionError as reason:
         raise LibraryError("library.nested-too-deep", shelf=shelf.word, name=shown) from reason

@@ -24,9 +24,21 @@ from pydantic import (
 from knifetip.errors import LibraryError
 from knifetip.fields import LISTED, Table, field_error
 from knifetip.languages.registry import find_language, language_names
-from knifetip.model.machine import Axis, Carriage, Gantry, Machine, Station, Zone, has_spindle
+from knifetip.model.machine import (
+    NO_HEADING,
+    Axis,
+    Carriage,
+    Gantry,
+    Machine,
+    Station,
+    Zone,
+    has_spindle,
+)
 from knifetip.model.tool import KINDS, Kind, Tool
 from knifetip.model.tool.base import NotNegative, Positive
+
+#: Feed override with which every program begins (%).
+_NOMINAL: Final = 100
 
 
 class AxisTable(Table):
@@ -53,6 +65,16 @@ class AxisTable(Table):
         return Axis(self.low, self.high, self.velocity, self.acceleration)
 
 
+class HeadingAxis(AxisTable):
+    """The TOML table of the axis that rotates the tools: its letter, travel, velocity and
+    acceleration.
+    """
+
+    letter: Annotated[Literal["A", "B", "C"], LISTED] = Field(
+        "C", description="letter of the axis in programs"
+    )
+
+
 class Axes(Table):
     """The TOML table of the four axes of a machine: X, Y, Z, and C, which rotates the tools.
 
@@ -62,7 +84,15 @@ class Axes(Table):
     x: AxisTable
     y: AxisTable
     z: AxisTable
-    c: AxisTable = Field(description="heading of the tool head (degrees)")
+    c: HeadingAxis | None = Field(
+        None,
+        description="heading of the tool head (degrees); without it, the machine turns no tool",
+    )
+
+    @property
+    def letter(self) -> str:
+        """Letter of the axis that rotates the tools; empty if there is none."""
+        return self.c.letter if self.c else ""
 
 
 class LetteredAxis(AxisTable):
@@ -71,7 +101,7 @@ class LetteredAxis(AxisTable):
     """
 
     letter: Annotated[Literal["A", "B", "U", "V", "W"], LISTED] = Field(
-        description="letter of the axis in programs; X, Y, Z and C belong to [axes]"
+        description="letter of the axis in programs; X, Y, Z and the letter of c belong to [axes]"
     )
 
 
@@ -128,8 +158,7 @@ class GantryTable(Table):
     def _check_carriages(
         cls, value: list[CarriageTable], info: ValidationInfo
     ) -> list[CarriageTable]:
-        axes = [axis for carriage in value for axis in (carriage.y, carriage.z, carriage.c) if axis]
-        letters = [axis.letter for axis in axes]
+        letters = _letters(value)
         if len(set(letters)) != len(letters):
             raise field_error("field.repeated-letters", letters=letters)
         least, park = info.data.get("min_distance"), info.data.get("park")
@@ -139,6 +168,17 @@ class GantryTable(Table):
             if distance < least:
                 raise field_error("field.parks-too-near", distance=distance, least=least)
         return value
+
+    @property
+    def letters(self) -> list[str]:
+        """Letters of the axes of the further carriages."""
+        return _letters(self.carriage)
+
+
+def _letters(carriages: list[CarriageTable]) -> list[str]:
+    """Return the letters of the axes of further carriages."""
+    axes = [axis for one in carriages for axis in (one.y, one.z, one.c) if axis]
+    return [axis.letter for axis in axes]
 
 
 def _check_park(park: float | None, y: AxisTable) -> None:
@@ -350,6 +390,18 @@ class MachineFile(Table):
         description="number of digital outputs of the controller, for example num_dio of "
         "LinuxCNC's motmod; 0: not stated (LinuxCNC: 4)",
     )
+    arcs: Annotated[Literal["arcs", "chords"], LISTED] = Field(
+        "arcs",
+        description="whether programs may contain arcs (G2, G3); chords: the controller has none, "
+        "or does not turn the tool in them",
+    )
+    feed_override: list[Annotated[int, Field(ge=10, le=200)]] = Field(
+        [10, 200],
+        min_length=2,
+        max_length=2,
+        description="least and greatest feed override while a program runs (%), of a controller "
+        "that has one; programs begin with 100",
+    )
     axes: Axes
     gantry: GantryTable | None = Field(
         None, description="carriages, if the machine has more than one"
@@ -368,6 +420,14 @@ class MachineFile(Table):
                 "field.not-one-of", value=value[:80], known=language_names()
             ) from None
 
+    @field_validator("feed_override")
+    @classmethod
+    def _around_nominal(cls, value: list[int]) -> list[int]:
+        low, high = value
+        if not low <= _NOMINAL <= high:
+            raise field_error("field.override-range", low=low, high=high)
+        return value
+
     @field_validator("gantry")
     @classmethod
     def _first_reaches_park(
@@ -375,6 +435,11 @@ class MachineFile(Table):
     ) -> GantryTable | None:
         if value is not None and (axes := info.data.get("axes")) is not None:
             _check_park(value.park, axes.y)
+            if axes.c is None:
+                raise field_error("field.gantry-without-heading")
+            letters = [axes.letter, *value.letters]
+            if axes.letter in value.letters:
+                raise field_error("field.repeated-letters", letters=letters)
         return value
 
     @field_validator("station")
@@ -383,9 +448,11 @@ class MachineFile(Table):
         numbers = [station.number for station in value]
         if len(set(numbers)) != len(numbers):
             raise field_error("field.repeated-numbers", numbers=numbers)
-        gantry = info.data.get("gantry")
+        gantry, axes = info.data.get("gantry"), info.data.get("axes")
         count = 1 + len(gantry.carriage) if gantry else 1
         for station in value:
+            if axes and not axes.c and station.record().tool.needs_heading:
+                raise field_error("field.needs-heading", station=station.number)
             if "gantry" in info.data and station.carriage > count:
                 raise field_error(
                     "field.no-such-carriage",
@@ -426,13 +493,14 @@ class MachineFile(Table):
         The settings of the machine's controller are not included.
         """
         fields = self.model_dump(
-            exclude={"axes", "gantry", "station", "zone", "origin", "controller"}
+            exclude={"axes", "gantry", "station", "zone", "origin", "controller", "feed_override"}
         )
         tables = self.axes
-        x, y, z, c = (axis.axis() for axis in (tables.x, tables.y, tables.z, tables.c))
+        x, y, z = (axis.axis() for axis in (tables.x, tables.y, tables.z))
+        c = tables.c.axis() if tables.c else NO_HEADING
         gantry = None
         if self.gantry:
-            first = Carriage((x, y, z, c), "XYZC", self.gantry.park)
+            first = Carriage((x, y, z, c), f"XYZ{tables.letter}", self.gantry.park)
             further = (carriage.record(first) for carriage in self.gantry.carriage)
             gantry = Gantry((first, *further), self.gantry.min_distance)
         return Machine(
@@ -444,6 +512,8 @@ class MachineFile(Table):
             c=c,
             stations=tuple(station.record() for station in self.station),
             origin=(self.origin[0], self.origin[1]),
+            feed_override=(self.feed_override[0], self.feed_override[1]),
             gantry=gantry,
             zones=tuple(zone.record() for zone in self.zone),
+            heading_letter=tables.letter,
         )

@@ -6,7 +6,8 @@ contain tables made from the catalogue.  Each further language needs a module wi
 as ``english``.
 """
 
-from knifetip.messages.message import Argument, Message, finite, from_json, printable
+from knifetip.messages.characters import printable
+from knifetip.messages.message import Argument, Message, finite, from_json
 from knifetip.messages.render import hint, render, with_text
 
 __all__ = ["Argument", "Message", "finite", "from_json", "hint", "printable", "render", "with_text"]

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import PurePath
 from typing import Any, Final, Protocol, TypeAlias, runtime_checkable
 
+from knifetip.messages.characters import printable
 from knifetip.messages.codes import CODES, STORED
 from knifetip.messages.entry import Kind
 
@@ -149,11 +150,6 @@ def finite(number: float) -> float:
     if math.isfinite(number):
         return float(number)
     return -_NOT_FINITE if number < 0.0 else _NOT_FINITE
-
-
-def printable(text: str) -> str:
-    """Return a text that UTF-8 can encode: lone surrogates become ``?``, and NUL is removed."""
-    return text.encode("utf-8", "replace").decode("utf-8").replace("\0", "")
 
 
 def _texts(value: Iterable[object]) -> tuple[str, ...]:

@@ -24,7 +24,8 @@ from string import Formatter
 from typing import Any, Final
 
 from knifetip.messages import english
-from knifetip.messages.message import Message, from_json, printable
+from knifetip.messages.characters import printable
+from knifetip.messages.message import Message, from_json
 
 
 def render(message: Message) -> str:

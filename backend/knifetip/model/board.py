@@ -19,12 +19,22 @@ class Deflection:
 
 
 @dataclass(frozen=True, slots=True)
+class ToolLimits:
+    """How fast and how deep the tools of one kind may work in a board."""
+
+    kind: str  #: word of the kind of tool in TOML files, such as "knife"
+    feed: float = 0.0  #: greatest feed in the board (mm/min); 0: no limit
+    step: float = 0.0  #: greatest depth of one pass of a cutter (mm); 0: no limit
+
+
+@dataclass(frozen=True, slots=True)
 class Board:
     """A board: one material in one thickness, with the parameters of its operations."""
 
     name: str
     title: str
-    material: str  #: "greyboard", "corrugated" or "folding boxboard"
+    #: "corrugated", "folding boxboard", "solid board", "greyboard" or "foam board"
+    material: str
     caliper: float  #: thickness T (mm)
     grain: float  #: azimuth of flute or grain on the sheet (degrees)
     crease_along: float  #: depth of a crease that runs along flute or grain (mm)
@@ -42,5 +52,10 @@ class Board:
     groove_curve: float = 0.0  #: maximum chord error of a curved groove (mm); 0: refused
     groove_shift: float = 0.3  #: maximum shift of a V-groove away from a cut beside it (mm)
     fold_angle: float = 90.0  #: angle by which the board must fold at a V-groove (degrees)
+    #: greatest distance at which a wheel presses beside a bent crease (mm)
+    crease_tolerance: float = 0.25
+    cut_tolerance: float = 0.1  #: greatest distance of a cut in the top face from its line (mm)
+    least_radius: float = 0.0  #: smallest radius of a bend that a knife cuts (mm); 0: no limit
     deflection: tuple[Deflection, ...] = ()  #: deflection of each cutter measured in this board
+    limits: tuple[ToolLimits, ...] = ()  #: limits for kinds of tools; others have none
     version: int = 0  #: version of a user's board; 0 for a board of the library or of a file

@@ -27,6 +27,7 @@ class CleaningReason(IntEnum):
     SPECK = 7  #: dropped because it is too short to be machined
     NO_WORK = 8  #: not cleaned because it is ignored or not classified
     OFF_PANEL = 9  #: dropped, or kept in part; the rest is outside all panels
+    NEAR = 10  #: nearly coincides with other edges along its whole length
 
     @property
     def message(self) -> Message:
@@ -45,6 +46,7 @@ _MESSAGES = {
     CleaningReason.SPECK: Message("cleaning.speck"),
     CleaningReason.NO_WORK: Message("cleaning.as-drawn"),
     CleaningReason.OFF_PANEL: Message("cleaning.off-panel"),
+    CleaningReason.NEAR: Message("cleaning.near"),
 }
 
 
@@ -103,7 +105,7 @@ class Cleaned:
     merged: F64  #: (n,) length covered by other edges, which are machined (mm)
     dropped: F64  #: (n,) length that is too short to be machined or outside all panels (mm)
     added: F64  #: (n,) length added by closing gaps and fitting curves (mm)
-    moved: F64  #: (n,) maximum distance by which an end was moved (mm)
+    moved: F64  #: (n,) maximum distance by which an end, or a part to another edge, was moved (mm)
     off: F64  #: (n,) maximum distance of the drawn edge from the cleaned edges that cover it (mm)
     stretches: Stretches
 
@@ -147,6 +149,10 @@ class Cleaned:
                 return Message("cleaning.no-work")
             case CleaningReason.TWICE:
                 return Message("cleaning.on-edge", edge=self.replacement_row(row))
+            case CleaningReason.NEAR:
+                return Message(
+                    "cleaning.near-edge", edge=self.replacement_row(row), distance=self.moved[row]
+                )
             case CleaningReason.JOINED:
                 return Message("cleaning.joined-edge", edge=self.replacement_row(row))
             case CleaningReason.FITTED:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any, Final
 
+from knifetip.model.board import Board
 from knifetip.model.dieline import LineType
-from knifetip.model.tool import KINDS, Planner, Switching, Tool, kind_of
+from knifetip.model.tool import KINDS, Cutter, Planner, Switching, Tool, kind_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +32,9 @@ class Carriage:
     """
 
     axes: tuple[Axis, Axis, Axis, Axis]  #: X, Y, Z and C of the carriage
-    letters: str  #: letters of the words of these axes in programs: "XYZC", or for example "XVZA"
+    #: letters of the words of these axes in programs: "XYZC", or for example "XVZA"; "XYZ" if no
+    #: axis turns the tools
+    letters: str
     park: float  #: position of the Y of the carriage while another carriage is in use (mm)
 
     @property
@@ -57,6 +61,10 @@ class Zone:
     width: float  #: along X (mm)
     height: float  #: along Y (mm)
     top: float  #: height of its top above the mat (mm)
+
+
+#: Axis C of a machine that cannot rotate its tools: it has no limits and takes no time.
+NO_HEADING: Final = Axis(-1e9, 1e9, 1e9, 1e12)
 
 
 def has_spindle(tool: Tool) -> bool:
@@ -151,6 +159,12 @@ class Machine:
     #: number of digital outputs of the controller; 0 if it is not stated, and the default of the
     #: language applies
     output_count: int = 0
+    #: letter of the words of the axis ``c`` in programs: A, B or C; empty if the machine has no
+    #: such axis, and ``c`` is then an axis without limits that only tool paths have
+    heading_letter: str = "C"
+    #: least and greatest feed override that a person may choose while a program runs (%)
+    feed_override: tuple[int, int] = (10, 200)
+    arcs: str = "arcs"  #: ``chords`` if programs must not contain arcs, otherwise ``arcs``
 
     @property
     def carriages(self) -> tuple[Carriage, ...]:
@@ -162,15 +176,17 @@ class Machine:
         if self.gantry:
             return self.gantry.carriages
         park = min(max(0.0, self.y.low), self.y.high)
-        return (Carriage((self.x, self.y, self.z, self.c), "XYZC", park),)
+        return (Carriage((self.x, self.y, self.z, self.c), f"XYZ{self.heading_letter}", park),)
 
     @property
     def axes(self) -> dict[str, Axis]:
-        """All axes by the letters of their words in programs; X, Y, Z and C are the first four."""
+        """All axes by the letters of their words in programs; those of the first
+        carriage come first.
+        """
         return {
             letter: axis
             for carriage in self.carriages
-            for letter, axis in zip(carriage.letters, carriage.axes, strict=True)
+            for letter, axis in zip(carriage.letters, carriage.axes, strict=False)
         }
 
     @property
@@ -212,6 +228,11 @@ class Machine:
                 return held[0 if caliper is None else kind.tool.best_for(tools, caliper)]
         return None
 
+    def for_board(self, board: Board) -> Machine:
+        """Return the machine with its tools limited to the feeds and depths of a board."""
+        stations = tuple(_limited(station, board) for station in self.stations)
+        return self if stations == self.stations else replace(self, stations=stations)
+
     def carriage_of(self, station: Station) -> Carriage:
         """Return the carriage that carries a station."""
         return self.carriages[station.carriage - 1]
@@ -228,3 +249,15 @@ class Machine:
             if station.number == number:
                 return station
         raise KeyError(number)
+
+
+def _limited(station: Station, board: Board) -> Station:
+    """Return a station whose tool works within the limits of a board."""
+    tool: Any = station.tool
+    for limits in board.limits:
+        if limits.kind == kind_of(tool).name:
+            if 0.0 < limits.feed < tool.feed:
+                tool = replace(tool, feed=limits.feed)
+            if isinstance(tool, Cutter) and limits.step:
+                tool = replace(tool, step=min(limits.step, tool.step or limits.step))
+    return station if tool is station.tool else replace(station, tool=tool)

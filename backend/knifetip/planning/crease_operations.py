@@ -1,4 +1,4 @@
-"""crease_operations: plan the operation that rolls the creases of a dieline."""
+"""crease_operations: plan the operations that roll the creases of a dieline."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from knifetip.geometry.tolerance import ANGLE, GAP, POINT
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
+from knifetip.planning.crease_wheels import choose_wheels, crease_stations
 from knifetip.planning.dashes import merge_dashes
 from knifetip.planning.double_creases import double_creases
 from knifetip.planning.path_ends import close_joints, end_directions, end_points
@@ -27,8 +28,8 @@ from knifetip.planning.split_at_cuts import split_at_cuts
 _DEPTH_ERROR: Final = 0.004
 
 
-def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
-    """Return the operation that rolls the creases of a dieline.
+def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
+    """Return the operations that roll the creases of a dieline, one for each wheel that is used.
 
     The depth depends on the angle φ between the direction of a crease and the grain of the board:
     d = d∥ + (d⊥ - d∥) sin² φ, with the board's depths d∥ along and d⊥ across the grain.  The
@@ -40,7 +41,7 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
     rows : (m,)
         Indices of the creases in the dieline.
     setup
-        Machine, board and station of the crease wheel.
+        Machine, board and station of the crease wheel for straight creases.
     """
     board = setup.board
     paths, source, ends = _crease_paths(dieline, rows)
@@ -53,8 +54,19 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
     paths, segment = _split_by_depth(paths, board)
     # The tangent in the middle of an arc is parallel to its chord.
     depth = _depth_along(paths.end - paths.start, board)
-    operation = setup.operation(LineType.CREASE, paths, source[segment], depth[:, None], ends)
-    return replace(operation, end_depth=end_depth)
+    source = source[segment]
+    stations = crease_stations(setup.machine, setup.station)
+    wheel = choose_wheels(paths, source, depth, stations, board)
+    operations = []
+    for index in np.unique(wheel):
+        operation = replace(setup, station=stations[index]).operation(
+            LineType.CREASE, paths, source, depth[:, None], ends
+        )
+        operation = replace(operation, end_depth=end_depth)
+        if wheel.any():
+            operation = operation.with_paths(np.flatnonzero(wheel == index).astype(np.int32))
+        operations.append(operation)
+    return operations
 
 
 def _depth_along(direction: F64, board: Board) -> F64:

@@ -4,21 +4,25 @@ Each layer of cuts gives up to two operations: first open cuts, then contours.  
 centre of the cutter runs in the waste: outside a part, inside a hole.  The waste is on the left of
 travel, so the cutter runs clockwise round a part and counter-clockwise round a hole.  With a
 spindle that turns clockwise this is climb cutting.  A slit, with one part on both its sides, is cut
-on its line, and each side loses the cutter's radius.  An edge between two parts raises
-``PlanError``, since the disc would cut into one of them.
+on its line, and each side loses the cutter's radius.  So is an edge between two parts, unless the
+disc would cut into one of them beyond the edge (``PlanError``).
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 
 from knifetip.errors import PlanError
 from knifetip.geometry import arc
+from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.chain import chain
 from knifetip.geometry.columns import F64, I8, I32, I64, Bool
 from knifetip.geometry.path import Paths, reverse_paths, select_paths
+from knifetip.geometry.spatial_index.box_pairs import box_pairs
+from knifetip.geometry.tolerance import JOIN
 from knifetip.model.board import Board
 from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
@@ -35,6 +39,11 @@ from knifetip.planning.path_ends import close_joints
 from knifetip.planning.reachable import reachable_by_disc
 from knifetip.planning.setup import Setup
 from knifetip.topology.noding import split_at_ends
+
+#: Cosine of the least angle between an edge that two parts share and an outline at its end (45°).
+_SHALLOW: Final = 0.7072
+#: Number of places at which such an edge is compared with the lines beside it.
+_PLACES: Final = 17
 
 
 def plan_milling(
@@ -60,7 +69,7 @@ def plan_milling(
     Raises
     ------
     PlanError
-        An edge lies between two parts, or contours cross.
+        The disc on an edge between two parts would cut into them elsewhere, or contours cross.
     NoRoomForBridges
         A contour has no room for the bridges that the board requires.
     """
@@ -68,7 +77,7 @@ def plan_milling(
     x, y = machine.carriage_of(setup.station).axes[:2]
     assert isinstance(cutter, DiscTool)
     pieces = _divide_by_sides(dieline.ends[rows], dieline.bulge[rows])
-    _check_shared(rows[np.unique(pieces.row[pieces.shared])], cutter)
+    _check_shared(pieces, rows, cutter)
     check_contour_crossings(pieces.ends, pieces.bulge, pieces.removed, rows[pieces.row])
     ends, bulge, face = pieces.ends, pieces.bulge, pieces.face
     layers = cut_layers(ends, bulge, face, contours_whole=True)
@@ -80,7 +89,12 @@ def plan_milling(
     avoid = ends_of_others(dieline, rows[np.unique(pieces.row[pieces.waste != 0])])
     flip = np.where(chains.flipped, -1, 1)
     waste = (flip * pieces.waste[chains.order])[paths.first[:-1]]
-    inside = paths.closed & (waste == 0)
+    # On a closed path with a part on either side, one of the parts would lose its whole edge.
+    bounds = (pieces.removed[chains.order] != 0)[paths.first[:-1]]
+    inside = paths.closed & (waste == 0) & bounds
+    ring = paths.closed & (waste == 0) & ~bounds
+    if ring.any():
+        _refuse_shared(source[ring[paths.path_of]], cutter)
     side = np.where(inside, np.where(paths.areas > 0.0, 1, -1), waste)
     # All contours have the cutter on the left of travel.
     paths, order = reverse_paths(paths, side < 0)
@@ -250,16 +264,54 @@ def _divide_by_sides(ends: F64, bulge: F64) -> _Pieces:
     )
 
 
-def _check_shared(rows: I32, cutter: DiscTool) -> None:
-    """Raise ``PlanError`` if there is an edge that lies between two parts.
+def _check_shared(pieces: _Pieces, rows: I32, cutter: DiscTool) -> None:
+    """Raise ``PlanError`` if the disc on an edge between two parts would cut into a part elsewhere.
 
-    ``rows`` are the indices in the dieline of all such edges.  The error gives the diameter of the
+    It may if only a part of the edge is shared, if an outline continues the edge or leaves its end
+    at less than 45°, or if an outline that does not end there is nearer to the edge than the radius
+    of the disc.
+
+    ``rows`` are the indices in the dieline of the cuts.  The error gives the diameter of the
     ``cutter``.
     """
-    if len(rows):
-        raise PlanError(
-            "milling.shared-edge",
-            edge=rows[0],
-            diameter=2.0 * cutter.radius,
-            source=[str(row) for row in rows[:10]],
-        )
+    shared = np.flatnonzero(pieces.shared)
+    if len(shared) == 0:
+        return
+    # Where lines of several outlines lie on each other, only a part of an edge is shared.
+    partly = np.isin(pieces.row[shared], pieces.row[~pieces.shared])
+    if partly.any():
+        _refuse_shared(rows[pieces.row[shared[partly]]], cutter)
+    ends, bulge = pieces.ends, pieces.bulge
+    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
+    one, other = box_pairs(boxes[shared], boxes, cutter.radius)
+    one = shared[one]
+    keep = one != other
+    one, other = one[keep], other[keep]
+    ahead, last = arc.tangents(ends[:, 0], ends[:, 1], bulge)
+    # The directions in which the pieces leave their two ends.
+    leaving = np.stack([unit_vectors(ahead), -unit_vectors(last)], axis=1)
+    gap = ends[one][:, :, None] - ends[other][:, None]
+    meet = np.hypot(gap[..., 0], gap[..., 1]) <= JOIN
+    cosine = np.einsum("kia,kja->kij", leaving[one], leaving[other])
+    is_bound = (pieces.removed[other] != 0)[:, None, None]
+    bad = (meet & (np.abs(cosine) > _SHALLOW) & (is_bound | (cosine > 0.0))).any(axis=(1, 2))
+    apart = np.flatnonzero(~meet.any(axis=(1, 2)) & is_bound[:, 0, 0])
+    for share in np.linspace(0.0, 1.0, _PLACES):
+        start, end = ends[one[apart], 0], ends[one[apart], 1]
+        point = arc.point_at(start, end, bulge[one[apart]], np.full(len(apart), share))
+        facing = ends[other[apart], 0], ends[other[apart], 1], bulge[other[apart]]
+        nearest = arc.point_at(*facing, arc.nearest_fraction(*facing, point))
+        bad[apart] |= np.hypot(*(nearest - point).T) < cutter.radius
+    if bad.any():
+        _refuse_shared(rows[pieces.row[one[bad]]], cutter)
+
+
+def _refuse_shared(rows: I32, cutter: DiscTool) -> None:
+    """Raise the error for edges between two parts, whose indices in the dieline are ``rows``."""
+    edges = np.unique(rows)
+    raise PlanError(
+        "milling.shared-edge",
+        edge=edges[0],
+        diameter=2.0 * cutter.radius,
+        source=[str(row) for row in edges[:10]],
+    )

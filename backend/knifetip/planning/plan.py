@@ -68,8 +68,8 @@ def plan(
     Raises
     ------
     PlanError
-        A corner choice is invalid or is near no corner, or the machine has no milling cutter for
-        it.
+        A corner choice is invalid or is near no corner, the machine has no milling cutter for it,
+        or the head does not travel above the board.
     NoToolForLineType
         No station of the machine makes one of the line types.
     FlankOutside
@@ -80,6 +80,15 @@ def plan(
     """
     if corners is not None:
         check_corners(corners, machine)
+    if board.caliper + machine.clearance > machine.travel_z:
+        raise PlanError(
+            "board.above-travel",
+            caliper=board.caliper,
+            machine=machine.title,
+            travel=machine.travel_z,
+            clearance=machine.clearance,
+        )
+    machine = machine.for_board(board)
     line_type = dieline.line_type
     cuts = np.flatnonzero(line_type == LineType.CUT).astype(np.int32)
     cuts = cuts[distinct_edges(dieline.ends[cuts], dieline.bulge[cuts])]

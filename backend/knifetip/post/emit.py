@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from knifetip.languages.registry import find_language
+from knifetip.model.held_heading import hold_heading
 from knifetip.model.machine import Machine
 from knifetip.model.program import Program
 from knifetip.model.toolpath import Toolpath
@@ -66,5 +67,6 @@ def process(
         The toolpath cannot be written in this language.
     """
     check_toolpath(toolpath)
+    toolpath = hold_heading(toolpath, machine)
     emitter: Emitter = find_language(dialect or machine.dialect).load_part("emitter")
     return emitter(toolpath, machine, tolerance=tolerance, notes=notes)

@@ -26,6 +26,7 @@ import numpy as np
 from knifetip.errors import ProgramError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import azimuth
+from knifetip.geometry.chords import chord_counts, split_moves
 from knifetip.geometry.columns import I32, I64, U8, Bool
 from knifetip.geometry.tolerance import ANGLE
 from knifetip.languages.hpgl.plotter import CM_PER_SECOND, Device, Pen, PenWork, Plotter
@@ -34,7 +35,6 @@ from knifetip.model.program import Program
 from knifetip.model.tool import Engine, Knife, kind_of
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.check import describe_row
-from knifetip.post.chords import split_moves
 from knifetip.post.digits import Characters, digit_columns
 
 #: Fraction of the tolerance by which chords may deviate from their arc.
@@ -246,20 +246,18 @@ def _chord_counts(toolpath: Toolpath, machine: Machine, device: Device, toleranc
     """Return the number of chords for each of n moves, (n,); it is 1 for a straight move.
 
     The chords deviate from their arcs by at most half of ``tolerance`` (mm).  Where two chords
-    meet, the device turns the tool in the board.  The chords of an arc are halved until the tool
-    turns by no more than its swivel angle and the error of the directions, which the rounding of
-    points to plotter units causes.
+    meet, the device turns the tool in the board; a free blade turns by itself.  The chords of an
+    arc are halved until the tool turns by no more than its swivel angle and the error of the
+    directions, which the rounding of points to plotter units causes.
     """
     start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
-    # The sagitta of a part of an arc is proportional to the square of its length.
-    bow = np.abs(toolpath.bulge) * np.hypot(*(end - start).T) / 2.0
-    pieces: I64 = np.ceil(np.sqrt(bow / (CHORD_FRACTION * tolerance))).astype(np.int64).clip(1)
+    pieces = chord_counts(start, end, toolpath.bulge, CHORD_FRACTION * tolerance)
     is_arc = toolpath.bulge != 0.0
     most = arc.length(start, end, toolpath.bulge) * device.units
     swivel = np.full(256, ANGLE)
     for station in machine.stations:
         if isinstance(station.tool, Knife):
-            swivel[station.number] = station.tool.swivel
+            swivel[station.number] = station.tool.lift_angle
     while True:
         point, kind, row = _plotter_points(toolpath, device, pieces)
         # Where only the depth changes, the tool stays down and turns as at any other joint.

@@ -25,6 +25,7 @@ def machine_json(machine: Machine) -> dict[str, Any]:
         "turn_clearance": machine.turn_clearance,
         "into_mat": machine.into_mat,
         "feed": machine.feed,
+        "feed_override": list(machine.feed_override),
         "axes": {letter.lower(): asdict(axis) for letter, axis in machine.axes.items()},
         "carriages": [
             {"number": number, "letters": carriage.letters, "park": carriage.park}

@@ -13,15 +13,18 @@ convention.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any, Final, NamedTuple
 
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64, Bool
+from knifetip.geometry.chords import DEVIATION, chord_counts, split_moves
+from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import BULGE
 from knifetip.kernels import F64_1, F64_2, I64_1, U8_1, Bool_1, kernel
 from knifetip.languages.registry import find_language
+from knifetip.model.held_heading import hold_heading
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.timing import STILL, Timing
@@ -70,6 +73,26 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     """
     if len(toolpath) == 0:
         return np.zeros(0)
+    toolpath = hold_heading(toolpath, machine)
+    if machine.arcs == "chords":
+        chords, row = _in_chords(toolpath)
+        times = np.zeros(len(toolpath))
+        np.add.at(times, row, _move_times(chords, machine))
+        return times
+    return _move_times(toolpath, machine)
+
+
+def _in_chords(toolpath: Toolpath) -> tuple[Toolpath, I64]:
+    """Return a toolpath with chords instead of arcs, and the row of each of its moves, (m,)."""
+    start, end = toolpath.pose[:-1, :2], toolpath.pose[1:, :2]
+    pieces = chord_counts(start, end, toolpath.bulge, DEVIATION)
+    pose, row = split_moves(toolpath.pose, toolpath.bulge, pieces)
+    straight = replace(toolpath, bulge=np.zeros(len(toolpath)))
+    return straight.with_moves(row, pose), row
+
+
+def _move_times(toolpath: Toolpath, machine: Machine) -> F64:
+    """Return the time of each of the n moves of a toolpath, (n,) s; see ``durations``."""
     pose = np.ascontiguousarray(toolpath.pose)
     arcs = _measure_arcs(toolpath)
     parked = np.zeros(len(toolpath), np.bool_)

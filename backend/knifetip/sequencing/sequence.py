@@ -26,6 +26,7 @@ from knifetip.model.tool import Reversal
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.air_moves import interference, lift_clear, turns_outside_board, unwind
 from knifetip.sequencing.enclosed_tracks import split_enclosed
+from knifetip.sequencing.free_blades import turn_free_blades
 from knifetip.sequencing.head import Head, MoveColumns, join_moves
 from knifetip.sequencing.keep_out import avoid_zones
 from knifetip.sequencing.order import short_order
@@ -93,7 +94,8 @@ def sequence(
         count = int(moves.track.max()) + 1
     parts += head.park()
     notes = tuple(note for toolpath in work for note in toolpath.notes)
-    result = _lower_turns(join_moves(home, parts, notes), machine, outline, safety)
+    joined = turn_free_blades(join_moves(home, parts, notes), machine)
+    result = _lower_turns(joined, machine, outline, safety)
     result = avoid_zones(result, machine)
     check_travel(result, machine)
     return result

@@ -24,6 +24,7 @@ class TrackState(StrEnum):
     CUT = "cut"
     BEGUN = "begun"
     UNCUT = "uncut"
+    UNKNOWN = "unknown"  #: nobody observed whether the machine has made it
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -39,11 +40,32 @@ class Tracks:
     def __len__(self) -> int:
         return len(self.station)
 
-    def states(self, executed: int) -> list[TrackState]:
-        """Return the state of each track after the first ``executed`` lines of the program."""
+    def states(self, executed: int, at_most: int | None = None) -> list[TrackState]:
+        """Return the state of each track after the first ``executed`` lines of the program.
+
+        Parameters
+        ----------
+        executed
+            Number of executed lines.
+        at_most
+            Number of lines that may have been executed; None if it is ``executed``.
+        """
         begun, cut = self.first_line <= executed, self.last_line <= executed
         names = (TrackState.UNCUT, TrackState.BEGUN, TrackState.CUT)
-        return [names[count] for count in begun.astype(int) + cut]
+        states = [names[count] for count in begun.astype(int) + cut]
+        for number in np.flatnonzero(self.unknown(executed, at_most)):
+            states[number] = TrackState.UNKNOWN
+        return states
+
+    def unknown(self, executed: int, at_most: int | None) -> Bool:
+        """Return the mask of tracks that may be made, (t,); the parameters are those of ``states``.
+
+        A track whose lines were executed for certain is not among them.
+        """
+        most = executed if at_most is None or at_most <= executed else at_most
+        if most == executed:
+            return np.zeros(len(self), bool)
+        return np.asarray((self.last_line > executed) & (self.first_line <= most))
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +79,8 @@ class RestChoice:
     from_track: int | None = None  #: number of the first track, from 1
     from_line: int | None = None  #: program line; the rest begins with the track of this line
     station: int | None = None  #: only the tracks of this station
-    made: bool = False  #: the user has found all other tracks complete
+    #: the user has found all other tracks complete; or the numbers, from 1, of all complete tracks
+    made: bool | tuple[int, ...] = False
     #: the user has found that the tracks which are made again have not cut through the board
     uncut: bool = False
 
@@ -106,7 +129,9 @@ def find_tracks(toolpath: Toolpath, line: I32) -> Tracks:
     return Tracks(first, last, before + 1, reached[last], toolpath.tool[first].astype(np.int64))
 
 
-def select_rest(tracks: Tracks, executed: int, choice: RestChoice) -> RestSelection:
+def select_rest(
+    tracks: Tracks, executed: int, choice: RestChoice, job: str = "", at_most: int | None = None
+) -> RestSelection:
     """Return the tracks that remain to be made, and the lines whose work is complete.
 
     Parameters
@@ -117,16 +142,29 @@ def select_rest(tracks: Tracks, executed: int, choice: RestChoice) -> RestSelect
         Number of its lines that were executed.
     choice
         The user's choice.
+    job
+        Id of the job, for messages.
+    at_most
+        Number of lines that may have been executed; None if it is ``executed``.
 
     Raises
     ------
     PlanError
         There is no such track, line or station, no track remains, or a track that was not executed
-        is left out and the user has not found it complete.
+        is left out and the user has not found it complete; or it is not known which tracks are
+        made, and the user has not stated it.
     """
-    numbers = np.arange(len(tracks))
-    begin = _first_track(tracks, executed, choice)
-    kept = numbers >= begin
+    unknown = tracks.unknown(executed, at_most)
+    if unknown.any() and isinstance(choice.made, bool):
+        raise PlanError(
+            "rest.statement-needed",
+            job=job,
+            executed=executed,
+            most=at_most,
+            tracks=int(unknown.sum()),
+            track=int(np.argmax(unknown)) + 1,
+        )
+    kept = _kept_tracks(tracks, executed, choice)
     if choice.station is not None:
         if not (tracks.station == choice.station).any():
             raise PlanError("rest.no-such-station", station=choice.station)
@@ -134,7 +172,7 @@ def select_rest(tracks: Tracks, executed: int, choice: RestChoice) -> RestSelect
     if not kept.any():
         raise PlanError("rest.no-tracks")
     missing = ~kept & (tracks.last_line > executed)
-    if missing.any() and not choice.made:
+    if missing.any() and choice.made is False:
         raise PlanError(
             "rest.not-executed",
             count=int(missing.sum()),
@@ -147,6 +185,17 @@ def select_rest(tracks: Tracks, executed: int, choice: RestChoice) -> RestSelect
         ranges = _line_ranges(tracks, kept & (tracks.first_line <= executed))
         repeated = tuple((first, min(last, executed)) for first, last in ranges)
     return RestSelection(np.flatnonzero(kept), _line_ranges(tracks, ~kept), repeated)
+
+
+def _kept_tracks(tracks: Tracks, executed: int, choice: RestChoice) -> Bool:
+    """Return the mask of the tracks that the rest makes, of all stations, (t,)."""
+    numbers = np.arange(len(tracks))
+    if isinstance(choice.made, bool):
+        return np.asarray(numbers >= _first_track(tracks, executed, choice))
+    for number in choice.made:
+        if not 1 <= number <= len(tracks):
+            raise PlanError("rest.no-such-track", track=number, count=len(tracks))
+    return ~np.isin(numbers + 1, choice.made)
 
 
 def _first_track(tracks: Tracks, executed: int, choice: RestChoice) -> int:

@@ -2,7 +2,11 @@
 
 A vertical ray runs downwards from the lowest point of a component.  The first edge of another
 component that it hits bounds the face that contains the component, or belongs to a component that
-is in the same face.  Edges are split into spans, which run from left to right, so that a vertical
+is in the same face.  Edges with one face on both sides, such as a slit that begins at an outline,
+are hit by no ray, and a ray begins at them only if the component has no other edges: a slit that
+reaches a little past another outline would place its whole component inside that one.
+
+Edges are split into spans, which run from left to right, so that a vertical
 ray meets each span at most once.  A tree of bounding boxes finds the spans that a ray can hit.
 
 ``graph_nesting`` does the same for a graph whose pieces meet only within a tolerance.
@@ -66,10 +70,25 @@ def find_enclosing_faces(
     if count == 1:
         return np.full(1, -1, np.int64), np.zeros(1, np.int64)
     spans, above = _spans_of_edges(start, end, bulge)
+    divides = face[:, 0] != face[:, 1]
+    # Components without an area have no other edges.
+    divides_area = np.zeros(count, np.bool_)
+    divides_area[component[divides]] = True
+    bounds = divides | ~divides_area[component]
+    own = bounds[above // 2]
+    lowest = _lowest_points(
+        start[bounds],
+        end[bounds],
+        component[bounds],
+        spans[own],
+        component[above[own] // 2],
+        count,
+    )
+    hits = divides[above // 2]
+    spans, above = spans[hits], above[hits]
     if len(spans) == 0:
         return np.full(count, -1, np.int64), np.zeros(count, np.int64)
     owner = component[above // 2]
-    lowest = _lowest_points(start, end, component, spans, owner, count)
     boxes = _boxes_of_spans(spans)
     # The reversed order begins at the top, so that a search finds the span of a ray early.
     order = order_boxes(boxes)[::-1].copy()

@@ -30,6 +30,7 @@ from knifetip.verification.columns import F64, I32, I64, U8, Bool
 from knifetip.verification.curves.curve import arc_curves, line_curves, point_at, write_line
 from knifetip.verification.reading.moves import Moves
 from knifetip.verification.tools import expected_tool
+from knifetip.verification.trailing_blade import TrailingBlade
 
 #: Heights that differ by less are equal (mm).
 LEVEL: Final = 1e-6
@@ -149,7 +150,12 @@ def beam_moves(moves: Moves, machine: Machine) -> Bool:
 
 
 def tip_paths(
-    moves: Moves, tip: TipPoses, usable: Bool, machine: Machine, board: Board
+    moves: Moves,
+    tip: TipPoses,
+    usable: Bool,
+    machine: Machine,
+    board: Board,
+    blade: TrailingBlade | None = None,
 ) -> TipPaths:
     """Return the paths of the tip in the board, in the order of the program.
 
@@ -164,13 +170,19 @@ def tip_paths(
         Mask of the moves that give paths.  The other moves have findings from other checks.
     machine, board
         Machine and board of the program.
+    blade
+        Paths of the tips of free blades, if the machine has any.
     """
     tools = [expected_tool(station.tool) for station in machine.stations]
+    rests = blade.still if blade else np.zeros(len(moves.code), np.bool_)
     columns = _PathMoves(moves.code, moves.sweep, moves.station, tip.start, tip.end, tip.inside)
     beams = np.array([*(tool.beam is not None for tool in tools), False])
     reach = np.array([*(math.hypot(tool.ahead, tool.right) for tool in tools), 0.0])
-    rows, track, shape, curve = _select_paths(columns, usable, beams, reach, board.caliper - LEVEL)
-    fraction = np.tile([0.0, 1.0], (len(rows), 1))
+    rows, track, shape, curve = _select_paths(
+        columns, usable, rests, beams, reach, board.caliper - LEVEL
+    )
+    turn = tip.end[rows, 3] - tip.start[rows, 3]
+    heading = np.column_stack([tip.start[rows, 3], tip.start[rows, 3] + turn])
     arcs = np.flatnonzero(shape == _ARC)
     if len(arcs):
         own = rows[arcs]
@@ -180,16 +192,21 @@ def tip_paths(
     bent = np.flatnonzero(shape == _BENT)
     if len(bent):
         plain = np.flatnonzero(shape != _BENT)
+        trailed = bent[blade.free[rows[bent]]] if blade else bent[:0]
+        driven = np.setdiff1d(bent, trailed, assume_unique=True)
         chord_rows, chords, shares = _flatten_paths(
-            moves, tip, rows, bent, reach[tip.station[rows]], machine
+            moves, tip, rows, driven, reach[tip.station[rows]], machine
         )
-        picked = np.concatenate([plain, chord_rows])
+        parts = [(plain, curve[plain], heading[plain])]
+        turned = heading[chord_rows, :1] + turn[chord_rows, None] * shares
+        parts.append((chord_rows, chords, turned))
+        if blade and len(trailed):
+            parts.append(_trailed_paths(blade, rows, trailed))
+        picked = np.concatenate([part[0] for part in parts])
         order = np.argsort(picked, kind="stable")
         rows, track = rows[picked[order]], track[picked[order]]
-        curve = np.concatenate([curve[plain], chords])[order]
-        fraction = np.concatenate([fraction[plain], shares])[order]
-    turn = tip.start[rows, 3][:, None]
-    heading = turn + (tip.end[rows, 3][:, None] - turn) * fraction
+        curve = np.concatenate([part[1] for part in parts])[order]
+        heading = np.concatenate([part[2] for part in parts])[order]
     z = tip.end[rows, 2]
     return TipPaths(
         curve=curve,
@@ -201,6 +218,28 @@ def tip_paths(
         line=moves.line[rows],
         blend=moves.blend[rows],
     )
+
+
+def _trailed_paths(blade: TrailingBlade, rows: I64, trailed: I64) -> tuple[I64, F64, F64]:
+    """Return the k chords of the tip of a free blade in selected moves.
+
+    Parameters
+    ----------
+    rows
+        Indices of moves of the program.
+    trailed
+        Indices into ``rows`` of the selected moves.
+
+    Returns
+    -------
+    Index into ``rows`` of the move of each chord (k,); the chords as rows of six numbers, (k, 6);
+    and the headings at the start and the end of each, (k, 2) degrees.
+    """
+    chord, owner = blade.chords_of(rows[trailed])
+    curve = line_curves(blade.tip[chord, :2], blade.tip[chord, 2:])
+    # The tip of a blade that is turned across its path starts without a length.
+    kept = curve[:, 5] > 1e-6
+    return trailed[owner[kept]], curve[kept], blade.heading[chord[kept]]
 
 
 class _PathMoves(NamedTuple):
@@ -242,7 +281,12 @@ def is_known(start: F64_2, end: F64_2, row: int) -> bool:
 
 @kernel
 def _select_paths(
-    moves: _PathMoves, usable: Bool_1, beams: Bool_1, reach: F64_1, top: float
+    moves: _PathMoves,
+    usable: Bool_1,
+    rests: Bool_1,
+    beams: Bool_1,
+    reach: F64_1,
+    top: float,
 ) -> Any:
     """Return the k moves that give paths of the tip in the board, and those paths that are lines
     and points.
@@ -251,6 +295,8 @@ def _select_paths(
     ----------
     usable : (n,)
         Mask of the moves that may give paths.
+    rests : (n,)
+        Mask of the moves that only turn a free blade about its tip.
     beams, reach : (s + 1,)
         Whether the tool of each station is a laser, and the distance of its tip from the head's
         axis (mm); the last row is for no station.
@@ -267,6 +313,8 @@ def _select_paths(
     rows, track = np.empty(count, np.int64), np.empty(count, np.int32)
     shape = np.empty(count, np.uint8)
     used, tracks, stayed = 0, -1, False
+    # Whether the last path is the end of a plunge that the next path continues.
+    opens = False
     for row in range(count):
         stays = usable[row] and moves.inside[row] and moves.code[row] > 0
         if not (stays and is_known(moves.start, moves.end, row)):
@@ -280,10 +328,13 @@ def _select_paths(
         )
         if broken:
             tracks += 1
+            opens = False
         stayed = True
+        if rests[row]:
+            continue
         if _travels(moves, row):
-            if used > 0 and not broken and rows[used - 1] == row - 1 and shape[used - 1] == _POINT:
-                used -= 1
+            used -= opens
+            opens = False
             # If the tip is off the axis and C turns, its path is neither a line nor an arc.
             turns = moves.end[row, 3] != moves.start[row, 3] or moves.sweep[row] != 0.0
             if reach[moves.station[row]] > 0.0 and turns:
@@ -291,8 +342,11 @@ def _select_paths(
             else:
                 shape[used] = _LINE if moves.sweep[row] == 0.0 else _ARC
         elif moves.end[row, 2] - moves.start[row, 2] < -LEVEL:
+            used -= opens and rests[row - 1]
             shape[used] = _POINT
+            opens = True
         else:
+            opens = False
             continue
         rows[used], track[used] = row, tracks
         used += 1

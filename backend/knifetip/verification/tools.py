@@ -72,6 +72,7 @@ class ExpectedTool:
     right: float = 0.0  #: distance from the head's axis to the tip, to the right of C (mm)
     slope: float = 0.0  #: travel to the right per mm that the tip rises
     circles_tip: bool = False  #: the head moves round the resting tip while C turns
+    trails: bool = False  #: the tip is dragged behind the axis, and nothing else turns the tool
     swivel: float = MAX_TURN  #: greatest turn of C in place in the board (degrees)
     max_turn: float = 180.0  #: greatest turn of C that is ever needed (degrees)
     follows_path: bool = True  #: C follows the direction of the path
@@ -105,7 +106,8 @@ def _knife(tool: Knife) -> ExpectedTool:
         OperationKind.HALF_CUT,
         ahead=-tool.trail,
         circles_tip=tool.trail > 0.0,
-        swivel=tool.swivel + ANGLE_TOLERANCE,
+        trails=tool.free,
+        swivel=360.0 if tool.free else tool.swivel + ANGLE_TOLERANCE,
         needs_spindle=tool.oscillating,
         stopped_code="verify.knife-at-rest",
     )
@@ -241,8 +243,8 @@ def expected_spindle(station: Station) -> Spindle:
 def carriage_columns(machine: Machine) -> I64:
     """Return the columns of ``Machine.axes`` with the X, Y, Z and C of each station's carriage.
 
-    The shape is (stations + 1, 4).  The last row, index -1, is that of the first carriage, for
-    moves without a station.
+    The shape is (stations + 1, 4), or (stations + 1, 3) if the machine has no C.  The last row,
+    index -1, is that of the first carriage, for moves without a station.
     """
     letters = list(machine.axes)
     carriages = [machine.carriages[station.carriage - 1] for station in machine.stations]

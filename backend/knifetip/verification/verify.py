@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -27,9 +28,11 @@ from knifetip.verification.checks.board_move_check import check_board_moves
 from knifetip.verification.checks.carriage_check import check_carriages
 from knifetip.verification.checks.check_context import CheckContext, EdgeFigures
 from knifetip.verification.checks.edge_checks import check_edges
+from knifetip.verification.checks.near_lines import check_near_lines
 from knifetip.verification.checks.output_checks import check_switching
 from knifetip.verification.checks.overlap_check import check_overlaps
 from knifetip.verification.checks.repeated_work import check_repeated_work
+from knifetip.verification.checks.rim_check import check_rims
 from knifetip.verification.checks.unreached_areas import merge_unreached
 from knifetip.verification.checks.work_order import check_work_order
 from knifetip.verification.checks.zone_check import check_zones
@@ -40,6 +43,14 @@ from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.joined_work import join_work
 from knifetip.verification.kinematics import TipPaths, TipPoses, tip_paths, tip_poses
 from knifetip.verification.reading.moves import Moves, ProgramReader
+from knifetip.verification.trailing_blade import (
+    Swivels,
+    check_park_headings,
+    check_pushes,
+    find_swivels,
+    follow_blades,
+    with_headings,
+)
 
 #: Greatest number of sampled deviations in a verdict.
 MAX_SAMPLES: Final = 200_000
@@ -98,11 +109,12 @@ def verify(
     """
     if not (math.isfinite(tolerance) and tolerance > 0.0):
         raise ProgramError("verify.bad-tolerance", tolerance=tolerance)
+    machine = machine.for_board(board)
     edges = place_edges(dieline, placement)
     figures = EdgeFigures.zeros(len(dieline))
     findings, joined_findings = Findings(), Findings()
     area = None if sheet is None else place_sheet(sheet, edges)
-    moves, _, paths = _trace(text, machine, board, tolerance, findings, area)
+    moves, _, paths, swivels = _trace(text, machine, board, tolerance, findings, area)
     _check_placement(text, placement, machine, findings)
     _check_unclassified(dieline, findings)
     earlier_paths = [trace_program(one.text, machine, board)[2] for one in earlier]
@@ -122,10 +134,13 @@ def verify(
         moves.height_resolution,
         area,
         work.lines_before,
+        swivels,
     )
     check_edges(context, work.paths)
+    check_rims(context, work.paths)
     check_work_order(context, executed.paths)
     check_repeated_work(context, work)
+    check_near_lines(context)
     findings.extend(work.own_line(finding) for finding in joined_findings.sorted())
     found = findings.sorted()
     return Verdict(
@@ -169,9 +184,10 @@ def _samples(context: CheckContext) -> Samples:
 def trace_program(text: bytes, machine: Machine, board: Board) -> tuple[Moves, TipPoses, TipPaths]:
     """Return the moves of a program, the poses of the tip, and the paths of the tip in the board.
 
-    Findings are discarded.  Raises ProgramUnreadable if the text cannot be read as a program.
+    The tip of a free blade is that of its integrated heading, which no joint has.  Findings are
+    discarded.  Raises ProgramUnreadable if the text cannot be read as a program.
     """
-    return _trace(text, machine, board, math.inf, Findings())
+    return _trace(text, machine, board, math.inf, Findings())[:3]
 
 
 def _trace(
@@ -181,19 +197,30 @@ def _trace(
     tolerance: float,
     findings: Findings,
     sheet: SheetArea | None = None,
-) -> tuple[Moves, TipPoses, TipPaths]:
+) -> tuple[Moves, TipPoses, TipPaths, Swivels]:
     moves, faults = _reader(machine).read(text, machine, board)
     findings.add_faults(faults)
-    tip = tip_poses(moves, machine, board)
+    blade = follow_blades(moves, machine, board)
+    turned = moves
+    if blade is not None:
+        # The tip depends on two rounded points: where it came to rest, and where its axis is.
+        moves = replace(moves, resolution=2.0 * moves.resolution)
+        turned = with_headings(moves, blade, machine)
+        check_park_headings(moves, blade, machine, findings)
+        check_pushes(moves, blade, findings)
+    tip = tip_poses(turned, machine, board)
     usable = motion_checks.check_travel(moves, machine, findings)
     check_carriages(moves, machine, findings)
     check_zones(moves, machine, findings)
     motion_checks.check_feeds(moves, tip, machine, findings)
     motion_checks.check_outputs(moves, tip, machine, findings)
     check_switching(moves, machine, board, findings)
-    check_board_moves(moves, tip, machine, board, tolerance + moves.resolution, sheet, findings)
+    check_board_moves(turned, tip, machine, board, tolerance + moves.resolution, sheet, findings)
     check_overlaps(moves, tip, machine, tolerance, findings)
-    return moves, tip, tip_paths(moves, tip, usable, machine, board)
+    swivels = Swivels.none()
+    if blade is not None:
+        swivels = find_swivels(blade, tip.start, tip.end, moves.line)
+    return moves, tip, tip_paths(turned, tip, usable, machine, board, blade), swivels
 
 
 def read_placement(text: bytes, machine: Machine) -> tuple[float, float] | None:

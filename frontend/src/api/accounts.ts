@@ -9,7 +9,9 @@ export type Me = Schemas["MeOut"];
 export type User = Schemas["UserOut"];
 export type UserRole = User["role"];
 export type UserChange = Schemas["UserChangeIn"];
+export type PairingCode = Schemas["PairingCodeOut"];
 export type ApiKey = Schemas["KeyOut"];
+export type NewKey = Required<Schemas["KeyIn"]>;
 export type AccessScope = Schemas["AccessScope"];
 export type AuditEntry = Schemas["AuditOut"];
 
@@ -45,11 +47,15 @@ export const accounts = {
   },
   keys: (signal: AbortSignal): Promise<ApiKey[]> => read(api.GET("/api/v1/keys", { signal })),
   /** The secret of the new key, which cannot be read again. */
-  createKey: async (title: string, scopes: AccessScope[], expires: string | null) =>
-    (await read(api.POST("/api/v1/keys", { body: { title, scopes, expires } }))).secret,
+  createKey: async (body: NewKey) => (await read(api.POST("/api/v1/keys", { body }))).secret,
   revokeKey: async (id: string): Promise<void> => {
     await api.DELETE("/api/v1/keys/{id}", { params: { path: { id } } });
   },
+  /** The browsers that are paired with a machine. */
+  devices: (name: string, signal: AbortSignal): Promise<ApiKey[]> =>
+    read(api.GET("/api/v1/machines/{name}/devices", { params: { path: { name } }, signal })),
+  newPairingCode: (name: string): Promise<PairingCode> =>
+    read(api.POST("/api/v1/machines/{name}/pairing-codes", { params: { path: { name } } })),
   audit: (signal: AbortSignal): Promise<AuditEntry[]> =>
     read(api.GET("/api/v1/audit", { params: { query: { limit: AUDIT_ROWS } }, signal })),
 };

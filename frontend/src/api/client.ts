@@ -51,7 +51,7 @@ export type Operation = Schemas["OperationOut"];
 /** What a machine does above the board for a person, while a job waits. */
 export type Activity = Schemas["ActivityOut"];
 /** What a person at a machine requests between two jobs. */
-export type OperationRequest = Schemas["OperationIn"];
+export type OperationRequest = Omit<Schemas["OperationIn"], "hands_clear">;
 export type Override = Schemas["Override"];
 export type Profile = Schemas["ProfileOut"];
 export type ProfileDraft = Schemas["ProfileIn"];
@@ -82,7 +82,9 @@ export type Verdict = Schemas["VerdictOut"];
 export type VerdictSummary = Schemas["VerdictSummary"];
 
 /** Actions without further data, each a route of its own. */
-export type JobCommand = Exclude<Schemas["OperatorAction"], "accept" | "rest">;
+export type JobCommand = Exclude<Schemas["OperatorAction"], "accept" | "confirm" | "rest">;
+/** Actions of the person at the machine only, on the page of its station. */
+export type StationCommand = "resume" | "end";
 export type Exceptions = Schemas["ExceptionsIn"];
 export type EarlierExceptions = Schemas["EarlierExceptions"];
 
@@ -103,6 +105,13 @@ const byName = (name: string) => ({ path: { name } });
 const ifMatch = (revision: number | null) => ({
   header: revision === null ? {} : { "If-Match": `"${revision}"` },
 });
+
+/** Conditions on jobs of which the newest is wanted. */
+export interface LastJobWanted {
+  readonly drawing?: string;
+  readonly customer?: string;
+  readonly machine?: string;
+}
 
 /** Conditions on ended jobs; a condition that is missing or empty is met by all. */
 export interface HistoryFilter {
@@ -220,7 +229,15 @@ export const service = {
     JSON.parse(await upload(file, onProgress)) as Drawing,
   patchDrawing: (
     id: string,
-    { rules = "", ...change }: { unit?: Unit | "file"; profile?: string; rules?: string },
+    {
+      rules = "",
+      ...change
+    }: {
+      unit?: Unit | "file";
+      profile?: string;
+      rules?: string;
+      shared?: boolean;
+    },
     revision: number | null,
   ): Promise<Drawing> =>
     dataOf(
@@ -239,6 +256,14 @@ export const service = {
 
   jobs: (signal?: AbortSignal, cursor: number | null = null): Promise<Page<Job>> =>
     pageOf(api.GET("/api/v1/jobs", { params: { query: { cursor } }, ...uncached(signal) })),
+  /** The newest job that meets all conditions; null if there is none. */
+  lastJob: async (wanted: LastJobWanted, signal?: AbortSignal): Promise<Job | null> => {
+    const query = { ...wanted, limit: 1 };
+    const jobs: Job[] = await dataOf(
+      api.GET("/api/v1/jobs", { params: { query }, ...uncached(signal) }),
+    );
+    return jobs[0] ?? null;
+  },
   job: (id: string, signal?: AbortSignal): Promise<Job> =>
     dataOf(api.GET("/api/v1/jobs/{id}", { params: byId(id), ...uncached(signal) })),
   compile: (order: JobOrder): Promise<Job> =>
@@ -298,18 +323,8 @@ export const service = {
         body: { life, by: operatorName() },
       }),
     ),
-  /** Send a command; a job is resumed only in the phase of its run that the user has seen. */
-  command: (id: string, command: JobCommand, phase: number | null = null): Promise<Job> =>
-    command === "confirm"
-      ? dataOf(
-          api.POST("/api/v1/jobs/{id}/confirm", {
-            params: byId(id),
-            body: { changed: [], worn_reason: "", by: operatorName() },
-          }),
-        )
-      : command === "resume"
-        ? dataOf(api.POST("/api/v1/jobs/{id}/resume", { params: byId(id), body: { phase } }))
-        : dataOf(api.POST(`/api/v1/jobs/{id}/${command}`, { params: byId(id) })),
+  command: (id: string, command: Exclude<JobCommand, StationCommand>): Promise<Job> =>
+    dataOf(api.POST(`/api/v1/jobs/{id}/${command}`, { params: byId(id) })),
   confirmation: (id: string, signal?: AbortSignal): Promise<Confirmation> =>
     dataOf(api.GET("/api/v1/jobs/{id}/confirmation", { params: byId(id), ...uncached(signal) })),
   /** Confirm what the operator has checked: it is sent once, and never late. */
@@ -321,10 +336,14 @@ export const service = {
         ...nowOrNever(),
       }),
     ),
-  /** Resume in the phase of the run that the user has seen: it is sent once, and never late. */
-  resumeNow: (id: string, phase: number | null): Promise<Job> =>
+  /** Go on in the phase of the run that the user has seen: it is sent once, and never late. */
+  goOnNow: (id: string, command: StationCommand, phase: number | null): Promise<Job> =>
     dataOf(
-      api.POST("/api/v1/jobs/{id}/resume", { params: byId(id), body: { phase }, ...nowOrNever() }),
+      api.POST(`/api/v1/jobs/{id}/${command}`, {
+        params: byId(id),
+        body: { phase },
+        ...nowOrNever(),
+      }),
     ),
   tracks: (id: string, signal?: AbortSignal): Promise<readonly Track[]> =>
     dataOf(api.GET("/api/v1/jobs/{id}/tracks", { params: byId(id), ...uncached(signal) })),
@@ -369,7 +388,18 @@ export const service = {
     dataOf(
       api.POST("/api/v1/machines/{name}/operations", {
         params: byName(name),
-        body: request,
+        body: { hands_clear: false, ...request },
+        ...nowOrNever(),
+      }),
+    ),
+  stateHandsClear: (name: string): Promise<Schemas["HandsClearOut"]> =>
+    dataOf(
+      api.POST("/api/v1/machines/{name}/hands-clear", { params: byName(name), ...nowOrNever() }),
+    ),
+  renewJog: (name: string, id: string): Promise<Operation> =>
+    dataOf(
+      api.POST("/api/v1/machines/{name}/operations/{id}/renew", {
+        params: { path: { name, id } },
         ...nowOrNever(),
       }),
     ),

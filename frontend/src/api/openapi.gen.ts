@@ -27,7 +27,7 @@ export interface paths {
          *
          *     The format is detected from the content of the file.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order`.
          */
         post: operations["upload_drawing"];
         delete?: never;
@@ -58,7 +58,7 @@ export interface paths {
          * Delete Drawing
          * @description Delete a drawing; the status is 409 if a job uses the drawing.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order`.
          */
         delete: operations["delete_drawing"];
         options?: never;
@@ -68,9 +68,10 @@ export interface paths {
          * @description Set the unit of a drawing, classify it with another profile, or change its order details.
          *
          *     The drawing gets a new revision.  It is read and classified again, unless the request changes
-         *     details of the order only.
+         *     details of the order or the share only.  Its owner and operators may change it, and all
+         *     designers if it is shared.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order`.
          */
         patch: operations["change_drawing"];
         trace?: never;
@@ -100,7 +101,7 @@ export interface paths {
          *
          *     A line type that an earlier request set for one of the edges is also replaced.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order`.
          */
         patch: operations["override_edges"];
         trace?: never;
@@ -220,7 +221,7 @@ export interface paths {
          *     answer questions about the drawing, the status is 409 and the response contains the
          *     ``questions``.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order`.
          */
         post: operations["order_job"];
         delete?: never;
@@ -238,7 +239,7 @@ export interface paths {
         };
         /**
          * Get Job
-         * @description Get a job with its state and its progress.
+         * @description Get a job with its state and its progress; the ETag is for ``If-Match`` of a change.
          *
          *     Needs the scope `viewer`.
          */
@@ -257,9 +258,10 @@ export interface paths {
          *
          *     A job with a new priority comes after the other jobs of that priority.  A job on hold stays in
          *     the queue, and its machine takes other jobs first.  A job that waits for the confirmation of the
-         *     operator returns to the queue when it is put on hold.
+         *     operator returns to the queue when it is put on hold.  A key with the scope ``order`` changes
+         *     the jobs that it has ordered.
          *
-         *     Needs the scope `operator`.
+         *     Needs the scope `operator` or `order`.
          */
         patch: operations["change_job"];
         trace?: never;
@@ -274,6 +276,8 @@ export interface paths {
         /**
          * Get Job Events
          * @description List the state changes of a job with their times, causes and descriptions.
+         *
+         *     The header `Link` contains the URL of the next page.
          *
          *     Needs the scope `viewer`.
          */
@@ -297,7 +301,7 @@ export interface paths {
          * Get Program
          * @description Download the program of a job, byte for byte as it is sent to the machine.
          *
-         *     Needs the scope `viewer` or `gateway`.
+         *     Needs the scope `viewer`.
          */
         get: operations["get_program"];
         put?: never;
@@ -405,7 +409,7 @@ export interface paths {
          *     created with ``release``.  Faults cannot be accepted: the status is then 422.  The status is 409
          *     if the job is not ``refused``.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order`.
          */
         post: operations["accept_shortfalls"];
         delete?: never;
@@ -428,9 +432,9 @@ export interface paths {
          * @description Queue a job that has the state ``ready``, so that its machine can claim it.
          *
          *     A job that was released before and is queued, on its machine or done stays as it is; the status
-         *     is 200.
+         *     is 200.  A key with the scope ``order`` releases the jobs that it has ordered.
          *
-         *     Needs the scope `operator`.
+         *     Needs the scope `operator` or `order`.
          */
         post: operations["release_job"];
         delete?: never;
@@ -456,9 +460,34 @@ export interface paths {
          *     again when its new program is accepted.  The status is 409 if the job is neither ``ready`` nor
          *     ``queued``, or if its machine or board was deleted.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order`.
          */
         post: operations["recompile_job"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/recheck": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Recheck Job
+         * @description Let the machine take a job again whose program it has not begun.
+         *
+         *     Such a job is ``queued`` and has a ``check_refusal``; other jobs of the queue go on.  Correct
+         *     the cause first.  The status is 409 if no machine has refused the program of the job.
+         *
+         *     Needs the scope `operator`.
+         */
+        post: operations["recheck_job"];
         delete?: never;
         options?: never;
         head?: never;
@@ -476,15 +505,15 @@ export interface paths {
         put?: never;
         /**
          * Confirm Job
-         * @description Confirm that table, board and tools are ready; then the machine starts.
+         * @description Confirm what was checked at the machine; then the machine starts.
          *
-         *     A job can make several copies, each on a new sheet.  Between two copies, the request confirms
-         *     that the next sheet is on the table.  If a gateway claims the job again, a new confirmation is
-         *     necessary.  The status is 409 if the job does not wait for a confirmation, if the request names
-         *     another board than the job or not all stations that the program uses, or if a tool is at the end
-         *     of its life and the request states neither that it was changed nor why it stays in use.
+         *     `checked` names every one of the `checks` of `GET /api/jobs/{id}/confirmation`, also for the
+         *     next copy of a job, and if a gateway claims the job again.  The status is 409 if a check is
+         *     missing, if the job does not wait for a confirmation, or if a tool is at the end of its life and
+         *     the request states neither that it was changed nor why it stays in use.  An unknown check is
+         *     refused with 422.
          *
-         *     Needs the scope `operator`.
+         *     Needs the scope `station`.
          */
         post: operations["confirm_job"];
         delete?: never;
@@ -506,7 +535,7 @@ export interface paths {
          * Hold Job
          * @description Request to hold a job; its state is ``held`` as soon as the machine has stopped.
          *
-         *     Needs the scope `operator`.
+         *     Needs the scope `operator` or `station`.
          */
         post: operations["hold_job"];
         delete?: never;
@@ -526,16 +555,42 @@ export interface paths {
         put?: never;
         /**
          * Resume Job
-         * @description Request to resume a held job.
+         * @description Request to resume a job that is held in a copy.
          *
-         *     A job can make several copies, each on a new sheet.  If the job is held between two copies,
-         *     the call also confirms that the sheet of the next copy is on the table.  If its machine does not
-         *     report the end of a program, the call confirms the end.  The status is 409 if the job went on
-         *     since the phase that the request names.
+         *     The machine moves at once, so a person must have stated that hands are clear of it.  The status
+         *     is 409 without that statement, if the job waits for its confirmation or for a new sheet
+         *     (`confirm`), if it waits until a person has seen the end of its program (`end`), or if it went
+         *     on since the phase that the request names.
          *
-         *     Needs the scope `operator`.
+         *     Needs the scope `station`.
          */
         post: operations["resume_job"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/jobs/{id}/end": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Confirm End
+         * @description State that the machine has executed the program, if its controller does not report it.
+         *
+         *     A person has seen that the machine is at rest.  The job is then done, or waits for the sheet of
+         *     its next copy, which starts with a confirmation only.  The status is 409 if the job does not
+         *     wait for the end of a program, or if it went on since the phase that the request names.
+         *
+         *     Needs the scope `station`.
+         */
+        post: operations["confirm_end"];
         delete?: never;
         options?: never;
         head?: never;
@@ -556,9 +611,11 @@ export interface paths {
          * @description Cancel a job: a running job when the machine has stopped, any other job immediately.
          *
          *     A cancelled job stays as it is; the status is 200.  Designers can cancel the jobs that they have
-         *     ordered, until these are queued.
+         *     ordered, until these are queued; a key with the scope ``order`` can cancel those that it has
+         *     ordered, until they are on a machine; the person at a machine those that are on it or wait for
+         *     it.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order` or `station`.
          */
         post: operations["cancel_job"];
         delete?: never;
@@ -652,7 +709,7 @@ export interface paths {
          *     it is listed by the ``external_id`` of the order.  A repetition with the same
          *     ``Idempotency-Key`` creates the job as soon as the questions are answered.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order`.
          */
         post: operations["place_order_with_file"];
         delete?: never;
@@ -674,11 +731,13 @@ export interface paths {
          * Place Orders
          * @description Execute up to 100 orders, one after the other, and return a result for each.
          *
-         *     An order that is refused does not prevent the others; the status is 200 as soon as the request
-         *     can be read.  With an ``Idempotency-Key``, a repetition of the request creates nothing twice,
-         *     and repeats the refused orders.
+         *     An order that is invalid, refused or fails does not prevent the others; the status is 200 as
+         *     soon as the request is JSON with a list of 1 to 100 orders.  After a failure of the database or
+         *     of the disk, the orders that follow are not tried; their results state it.  With an
+         *     ``Idempotency-Key``, a repetition of the request creates nothing twice, and repeats the orders
+         *     that were invalid, refused or not tried.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order`.
          */
         post: operations["place_orders"];
         delete?: never;
@@ -698,7 +757,7 @@ export interface paths {
          * Get Confirmation
          * @description Get what the operator confirms before the machine starts a job or its next copy.
          *
-         *     The operator checks board, tools, placement and sheet at the machine, and then confirms them
+         *     The operator makes each of the `checks` at the machine, and then confirms them all by their ids
          *     with `POST /api/jobs/{id}/confirm`.
          *
          *     Needs the scope `viewer`.
@@ -722,6 +781,8 @@ export interface paths {
         /**
          * Get Queue
          * @description Get the queue of a machine in the order in which the jobs run, with estimated times.
+         *
+         *     A key that is limited to a customer gets the entries of this customer, at their places.
          *
          *     Needs the scope `viewer`.
          */
@@ -825,11 +886,14 @@ export interface paths {
          *
          *     The other job must have ended or be interrupted.  The program of the new job makes tracks of the
          *     other program in their order; it is verified against what is still uncut, and the other tracks
-         *     must not be made again.  Its program is refused if it works on a piece of board that executed
-         *     lines have cut out, also where it makes their tracks again, unless `uncut` is set.  When the new
-         *     job is queued, an interrupted job becomes ``continued`` and frees its table.  The operator must
-         *     confirm the new job on every machine before it starts.  The status is 409 if the other job is on
-         *     its machine, if a third job continues its sheet, or if no copies remain to be made.
+         *     must not be made again.  If the machine may have executed more lines than it reported
+         *     (``stopped_at.certain`` of the other job is false), `made` must list the tracks that the
+         *     operator has found complete; otherwise the status is 422 (``rest.statement-needed``).  Its
+         *     program is refused if it works on a piece of board that executed lines have cut out, also where
+         *     it makes their tracks again, unless `uncut` is set.  When the new job is queued, an interrupted
+         *     job becomes ``continued`` and frees its table.  The operator must confirm the new job on every
+         *     machine before it starts.  The status is 409 if the other job is on its machine, if a third job
+         *     continues its sheet, or if no copies remain to be made.
          *
          *     Needs the scope `operator`.
          */
@@ -876,7 +940,8 @@ export interface paths {
          * Get Statistics
          * @description Get statistics of each machine and period: jobs, sheets, lengths, time and interruptions.
          *
-         *     A run counts for the period in which it ended.  Periods without runs are left out.
+         *     A run counts for the period in which it ended.  Periods without runs are left out.  The status
+         *     is 403 for a key that is limited to a customer, because the sums contain all customers.
          *
          *     Needs the scope `viewer`.
          */
@@ -926,6 +991,9 @@ export interface paths {
         /**
          * List Machines
          * @description List the machines with their current jobs: those of users and those of the library.
+         *
+         *     A key that is limited to machines gets these only.  The header `Link` contains the URL of the
+         *     next page.
          *
          *     Needs the scope `viewer`.
          */
@@ -1000,6 +1068,32 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/machines/{name}/hands-clear": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * State Hands Clear
+         * @description State that hands are clear of a machine.
+         *
+         *     Operations that move the machine need such a statement that is younger than a minute. It ends
+         *     when a job starts or is resumed. A request can contain the statement itself, for this request
+         *     only: `hands_clear`.
+         *
+         *     Needs the scope `station`.
+         */
+        post: operations["state_hands_clear"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/machines/{name}/operations": {
         parameters: {
             query?: never;
@@ -1013,13 +1107,40 @@ export interface paths {
          * Ask For Operation
          * @description Ask for an operation of a machine, such as unlock, home or jog; the machine does it at once.
          *
-         *     It is refused with status 409 while a job is running or held on the machine.  It expires 3 s
-         *     after the request, and is never executed later.  The emergency stop of the machine does
-         *     not depend on this route.
+         *     It is refused with status 409 while a job is running or held on the machine, and if it moves the
+         *     machine and nobody has stated that hands are clear.  A jog moves while it is renewed.  An
+         *     operation expires 3 s after the request, and is never executed later.  The emergency stop of the
+         *     machine does not depend on this route.
          *
-         *     Needs the scope `operator`.
+         *     Needs the scope `station`.
          */
         post: operations["ask_for_operation"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/machines/{name}/operations/{id}/renew": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Renew Jog
+         * @description State that the button of a jog is still held.
+         *
+         *     Repeat it about every 0.3 s.  The machine stops 1 s after the last statement, or earlier at the
+         *     end of the distance, or with `stop_jog` when the button is released.  The status is 409 if the
+         *     jog was stopped or refused.
+         *
+         *     Needs the scope `station`.
+         */
+        post: operations["renew_jog"];
         delete?: never;
         options?: never;
         head?: never;
@@ -1079,7 +1200,9 @@ export interface paths {
         };
         /**
          * List Tool Events
-         * @description List the last changes of the tools of a machine and of their lives, newest first.
+         * @description List the changes of the tools of a machine and of their lives, newest first.
+         *
+         *     The header `Link` contains the URL of the next page.
          *
          *     Needs the scope `viewer`.
          */
@@ -1169,6 +1292,8 @@ export interface paths {
          * List Boards
          * @description List the boards: those of users and those of knifetip's library.
          *
+         *     The header `Link` contains the URL of the next page.
+         *
          *     Needs the scope `viewer`.
          */
         get: operations["list_boards"];
@@ -1250,7 +1375,7 @@ export interface paths {
         };
         /**
          * List Tools
-         * @description List the tools in the stations of all machines.
+         * @description List the tools in the stations of all machines; `Link` has the URL of the next page.
          *
          *     Needs the scope `viewer`.
          */
@@ -1273,6 +1398,8 @@ export interface paths {
         /**
          * List Library
          * @description List the machines, boards and tools: those of users and those of knifetip's library.
+         *
+         *     The header `Link` contains the URL of the next page.
          *
          *     Needs the scope `viewer`.
          */
@@ -1364,6 +1491,8 @@ export interface paths {
          * List Machine Versions
          * @description List the versions of a definition, newest first; one of knifetip's library has none.
          *
+         *     The header `Link` contains the URL of the next page.
+         *
          *     Needs the scope `viewer`.
          */
         get: operations["list_machine_versions"];
@@ -1431,6 +1560,8 @@ export interface paths {
         /**
          * List Board Versions
          * @description List the versions of a definition, newest first; one of knifetip's library has none.
+         *
+         *     The header `Link` contains the URL of the next page.
          *
          *     Needs the scope `viewer`.
          */
@@ -1500,6 +1631,8 @@ export interface paths {
          * List Tool Versions
          * @description List the versions of a definition, newest first; one of knifetip's library has none.
          *
+         *     The header `Link` contains the URL of the next page.
+         *
          *     Needs the scope `viewer`.
          */
         get: operations["list_tool_versions"];
@@ -1552,6 +1685,9 @@ export interface paths {
         /**
          * List Profiles
          * @description List the classification profiles: first those of customers, then those of the library.
+         *
+         *     A key that is limited to a customer gets those of the library only.  The header `Link` contains
+         *     the URL of the next page.
          *
          *     Needs the scope `viewer`.
          */
@@ -1679,7 +1815,10 @@ export interface paths {
          * List Webhooks
          * @description List the endpoints, oldest first, each with its newest delivery.
          *
-         *     Needs the scope `admin`.
+         *     A key with the scope ``webhooks`` gets those that it has added.  The header `Link` contains the
+         *     URL of the next page.
+         *
+         *     Needs the scope `admin` or `webhooks`.
          */
         get: operations["list_webhooks"];
         put?: never;
@@ -1688,8 +1827,10 @@ export interface paths {
          * @description Add an endpoint to which events of jobs and drawings are sent.
          *
          *     Only this answer contains the secret with which the requests are signed (Standard Webhooks).
+         *     If the key of the request is limited to a customer or to machines, the endpoint gets the events
+         *     of their jobs and drawings only.
          *
-         *     Needs the scope `admin`.
+         *     Needs the scope `admin` or `webhooks`.
          */
         post: operations["add_webhook"];
         delete?: never;
@@ -1709,7 +1850,7 @@ export interface paths {
          * Get Webhook
          * @description Get an endpoint.
          *
-         *     Needs the scope `admin`.
+         *     Needs the scope `admin` or `webhooks`.
          */
         get: operations["get_webhook"];
         put?: never;
@@ -1718,7 +1859,7 @@ export interface paths {
          * Delete Webhook
          * @description Delete an endpoint and its deliveries.
          *
-         *     Needs the scope `admin`.
+         *     Needs the scope `admin` or `webhooks`.
          */
         delete: operations["delete_webhook"];
         options?: never;
@@ -1727,7 +1868,7 @@ export interface paths {
          * Change Webhook
          * @description Change URL, description or event types of an endpoint, or switch it off and on.
          *
-         *     Needs the scope `admin`.
+         *     Needs the scope `admin` or `webhooks`.
          */
         patch: operations["change_webhook"];
         trace?: never;
@@ -1747,7 +1888,7 @@ export interface paths {
          *
          *     Only this answer contains the new secret.
          *
-         *     Needs the scope `admin`.
+         *     Needs the scope `admin` or `webhooks`.
          */
         post: operations["rotate_webhook_secret"];
         delete?: never;
@@ -1771,7 +1912,7 @@ export interface paths {
          *
          *     The list of deliveries shows the result.
          *
-         *     Needs the scope `admin`.
+         *     Needs the scope `admin` or `webhooks`.
          */
         post: operations["test_webhook"];
         delete?: never;
@@ -1793,7 +1934,7 @@ export interface paths {
          *
          *     The header ``Link`` contains the URL of the next page.
          *
-         *     Needs the scope `admin`.
+         *     Needs the scope `admin` or `webhooks`.
          */
         get: operations["list_webhook_deliveries"];
         put?: never;
@@ -1815,7 +1956,7 @@ export interface paths {
          * Get Webhook Delivery
          * @description Get a delivery with its attempts and the text that is sent.
          *
-         *     Needs the scope `admin`.
+         *     Needs the scope `admin` or `webhooks`.
          */
         get: operations["get_webhook_delivery"];
         put?: never;
@@ -1841,7 +1982,7 @@ export interface paths {
          *
          *     The header ``webhook-id`` of each remains, so that the receiver can recognise it.
          *
-         *     Needs the scope `admin`.
+         *     Needs the scope `admin` or `webhooks`.
          */
         post: operations["replay_dead_letters"];
         delete?: never;
@@ -1863,7 +2004,7 @@ export interface paths {
          * Replay Webhook Delivery
          * @description Send a delivery again, whatever its state; its header ``webhook-id`` remains.
          *
-         *     Needs the scope `admin`.
+         *     Needs the scope `admin` or `webhooks`.
          */
         post: operations["replay_webhook_delivery"];
         delete?: never;
@@ -1890,7 +2031,7 @@ export interface paths {
          *     relative URL or ``cid:``, or one that was uploaded, as ``/api/v1/drawings/ID``.  ``machine`` and
          *     ``board`` are used if the document names none.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order`.
          */
         post: operations["order_by_xjdf"];
         delete?: never;
@@ -1917,7 +2058,7 @@ export interface paths {
          *     document, its orders in XJDF and their drawings: ZIP with ``root.xjmf``, or multipart/related.
          *     The status is 200 as soon as the document can be read.
          *
-         *     Needs the scope `designer`.
+         *     Needs the scope `designer` or `order`.
          */
         post: operations["answer_xjmf"];
         delete?: never;
@@ -2006,7 +2147,7 @@ export interface paths {
         };
         /**
          * Get Gateway Program
-         * @description Download the program of a job that a gateway has claimed.
+         * @description Download the program of a job that the gateway has claimed with its key.
          *
          *     Needs the scope `gateway`.
          */
@@ -2138,7 +2279,7 @@ export interface paths {
          * Get Me
          * @description Get the sender of the request and its scopes.
          *
-         *     Needs the scope `viewer` or `gateway`.
+         *     Needs the scope `viewer` or `gateway` or `webhooks`.
          */
         get: operations["get_me"];
         put?: never;
@@ -2180,7 +2321,7 @@ export interface paths {
         };
         /**
          * List Users
-         * @description List the users, ordered by name.
+         * @description List the users, ordered by name; `Link` contains the URL of the next page.
          *
          *     Needs the scope `admin`.
          */
@@ -2237,6 +2378,8 @@ export interface paths {
          * List Keys
          * @description List the API keys without their secrets, the newest first.
          *
+         *     The header `Link` contains the URL of the next page.
+         *
          *     Needs the scope `admin`.
          */
         get: operations["list_keys"];
@@ -2248,6 +2391,30 @@ export interface paths {
          *     Needs the scope `admin`.
          */
         post: operations["create_key"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/keys/{id}/rotate-secret": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Rotate Key Secret
+         * @description Give an API key a new secret; the former one becomes invalid.
+         *
+         *     Only this answer contains the new secret.  Jobs, drawings and webhooks of the key stay its own.
+         *
+         *     Needs the scope `admin`.
+         */
+        post: operations["rotate_key_secret"];
         delete?: never;
         options?: never;
         head?: never;
@@ -2271,6 +2438,55 @@ export interface paths {
          *     Needs the scope `admin`.
          */
         delete: operations["revoke_key"];
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/machines/{name}/pairing-codes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Create Pairing Code
+         * @description Create a code with which one browser can be paired with a machine, for ten minutes.
+         *
+         *     Who enters it on the page `/pair` of the server may start, continue and move this machine with
+         *     that browser, and sees only its jobs, until the device is revoked or unpaired.
+         *
+         *     Needs the scope `admin`.
+         */
+        post: operations["create_pairing_code"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
+    "/api/v1/machines/{name}/devices": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * List Devices
+         * @description List the browsers that are paired with a machine, the newest first.
+         *
+         *     `DELETE /api/keys/{id}` revokes one.  `Link` contains the URL of the next page.
+         *
+         *     Needs the scope `admin`.
+         */
+        get: operations["list_devices"];
+        put?: never;
+        post?: never;
+        delete?: never;
         options?: never;
         head?: never;
         patch?: never;
@@ -2446,7 +2662,7 @@ export interface components {
          * @description One permission of a user or an API key.
          * @enum {string}
          */
-        AccessScope: "viewer" | "designer" | "operator" | "admin" | "gateway";
+        AccessScope: "viewer" | "designer" | "operator" | "admin" | "gateway" | "read" | "order" | "webhooks" | "station";
         /**
          * ActivityIn
          * @description A run above the board, as the gateway reports it.
@@ -2618,6 +2834,11 @@ export interface components {
              */
             share?: number | null;
             /**
+             * Percent
+             * @description Feed override (%)
+             */
+            percent?: number | null;
+            /**
              * Point
              * @description Point of a tool check
              */
@@ -2761,7 +2982,7 @@ export interface components {
             title: string;
             /**
              * Material
-             * @description Material: greyboard, corrugated or folding boxboard
+             * @description Material: corrugated, folding boxboard, solid board, greyboard or foam board
              */
             material: string;
             /**
@@ -2819,6 +3040,11 @@ export interface components {
              * @description Deflection of each cutter that was measured in this board; empty if none was
              */
             deflection: components["schemas"]["DeflectionOut"][];
+            /**
+             * Limits
+             * @description Limits for the tools of some kinds in this board; other tools have none
+             */
+            limits: components["schemas"]["ToolLimitsOut"][];
         };
         /** Body_upload_drawing */
         Body_upload_drawing: {
@@ -2986,6 +3212,29 @@ export interface components {
             edges: number[];
         };
         /**
+         * CheckOut
+         * @description One item that the operator checks at the machine.
+         */
+        CheckOut: {
+            /**
+             * Id
+             * @description Id for `checked` of the confirmation: board, sheet, unfinished-sheet, station-1 and so on, table-clear or hands-clear
+             */
+            id: string;
+            /**
+             * Text
+             * @description What is checked, in English
+             */
+            text: string;
+            /** @description The text as a message with its code and arguments */
+            message: components["schemas"]["MessageOut"];
+            /**
+             * Station
+             * @description Number of the station whose tool is checked; null for any other check
+             */
+            station: number | null;
+        };
+        /**
          * Claim
          * @description A job that is assigned to a gateway until its lease expires.
          *
@@ -3027,6 +3276,12 @@ export interface components {
              * @description Number of copies that remain to be made
              */
             copies: number;
+            /**
+             * Seconds
+             * @description Stated time of a copy on the machine (s); 0 if it is not known
+             * @default 0
+             */
+            seconds: number;
             /**
              * Confirm
              * @description Send nothing to the machine; send heartbeats with `waiting` until the reply is `start`
@@ -3196,10 +3451,10 @@ export interface components {
             outcome: "kept" | "merged" | "dropped";
             /**
              * Reason
-             * @description moved: an end was moved. shortened: a part lies on other edges. longer: other edges were joined to this edge. joined: the edge became part of a collinear edge. fitted: the edge became part of a fitted line or arc. twice: the edge lies on other edges. speck: the edge is too short to be machined. off_panel: the edge, or a part of it, belongs to a fold and lies outside all panels
+             * @description moved: an end was moved. shortened: a part lies on other edges. longer: other edges were joined to this edge. joined: the edge became part of a collinear edge. fitted: the edge became part of a fitted line or arc. twice: the edge lies on other edges. near: the edge lies less than 0.05 mm beside other edges and was merged into them. speck: the edge is too short to be machined. off_panel: the edge, or a part of it, belongs to a fold and lies outside all panels
              * @enum {string}
              */
-            reason: "moved" | "shortened" | "longer" | "joined" | "fitted" | "twice" | "speck" | "off_panel";
+            reason: "moved" | "shortened" | "longer" | "joined" | "fitted" | "twice" | "near" | "speck" | "off_panel";
             /**
              * Into
              * @description Row of the edge that is machined instead: the edge itself if it is kept, -1 if it is dropped
@@ -3238,19 +3493,15 @@ export interface components {
         };
         /**
          * ConfirmIn
-         * @description Confirmation of a job by the operator; all fields are optional.
+         * @description Confirmation of a job by the operator, with the checks that were made at the machine.
          */
         ConfirmIn: {
             /**
-             * Board
-             * @description Name of the board on the table; the request is refused if it is not the board of the job. Null for no check
+             * Checked
+             * @description Ids of the checks that the operator has made at the machine: all `checks` of `GET /api/jobs/{id}/confirmation`. The request is refused if one is missing
+             * @default []
              */
-            board?: string | null;
-            /**
-             * Stations
-             * @description Numbers of the stations whose tools the operator has checked; the request is refused if the program uses another one. Null for no check
-             */
-            stations?: number[] | null;
+            checked: string[];
             /**
              * Changed
              * @description Numbers of the stations into which the operator has put new tools; each change is recorded, and the used length of the tool is 0 again
@@ -3280,6 +3531,11 @@ export interface components {
              * @description Whether the machine waits for the confirmation now
              */
             awaited: boolean;
+            /**
+             * Checks
+             * @description What the operator checks at the machine, in the order of the work. The confirmation names the id of each one
+             */
+            checks: components["schemas"]["CheckOut"][];
             /**
              * Machine
              * @description Name of the machine
@@ -3578,6 +3834,25 @@ export interface components {
              */
             created: string;
             /**
+             * Updated
+             * Format: date-time
+             * @description Time of the last change
+             * @example 2030-01-02T03:04:05.123Z
+             */
+            updated: string;
+            /**
+             * Owner
+             * @description Account that uploaded the drawing, as `account` in `GET /api/me`; empty for none, then every designer may change the drawing
+             * @default
+             */
+            owner: string;
+            /**
+             * Shared
+             * @description Whether all designers may change the drawing, not only its owner
+             * @default false
+             */
+            shared: boolean;
+            /**
              * Sha256
              * @description SHA-256 of the uploaded file (64 hexadecimal digits)
              */
@@ -3720,6 +3995,11 @@ export interface components {
              * @default
              */
             rules: string;
+            /**
+             * Shared
+             * @description Whether all designers may change the drawing; null for no change
+             */
+            shared?: boolean | null;
         };
         /**
          * DrawingSummary
@@ -3779,6 +4059,25 @@ export interface components {
              * @example 2030-01-02T03:04:05.123Z
              */
             created: string;
+            /**
+             * Updated
+             * Format: date-time
+             * @description Time of the last change
+             * @example 2030-01-02T03:04:05.123Z
+             */
+            updated: string;
+            /**
+             * Owner
+             * @description Account that uploaded the drawing, as `account` in `GET /api/me`; empty for none, then every designer may change the drawing
+             * @default
+             */
+            owner: string;
+            /**
+             * Shared
+             * @description Whether all designers may change the drawing, not only its owner
+             * @default false
+             */
+            shared: boolean;
             /**
              * Unit
              * @description Unit of the file; null while it is not decided, then all lengths are in file units
@@ -3938,6 +4237,17 @@ export interface components {
              * @description Overrides, applied in order; later ones replace earlier ones for the same edges
              */
             overrides: components["schemas"]["Override"][];
+        };
+        /**
+         * EndIn
+         * @description Statement that the machine has executed a program whose end it does not report.
+         */
+        EndIn: {
+            /**
+             * Phase
+             * @description `phase` of the job for which the operator decided; the request is refused if the job is in another one. Null for no check
+             */
+            phase?: number | null;
         };
         /**
          * EntryOut
@@ -4108,10 +4418,10 @@ export interface components {
             epoch: number;
             /**
              * Outcome
-             * @description done: all copies are complete. interrupted: the machine stopped before the end. cancelled: the machine was stopped as requested. returned: the job is released; nothing was sent to the machine
+             * @description done: all copies are complete. interrupted: the machine stopped before the end. cancelled: the machine was stopped as requested. returned: the job is released; no program line was executed. refused: the machine has not begun the program, because its check run refused it or a failure came first; the job stays in the queue until an operator lets it be tried again
              * @enum {string}
              */
-            outcome: "done" | "interrupted" | "cancelled" | "returned";
+            outcome: "done" | "interrupted" | "cancelled" | "returned" | "refused";
             /**
              * Why
              * @description Cause of the end: a message, or a text for which there is no code; empty for none
@@ -4123,6 +4433,11 @@ export interface components {
              * @description Last executed program line; null for the line of the last heartbeat
              */
             line?: number | null;
+            /**
+             * Line At Most
+             * @description Most program lines of the present copy that the machine may have executed; equal to `line` if the gateway followed the machine to its stop. Null if it is not known
+             */
+            line_at_most?: number | null;
             /**
              * Copies Done
              * @description Copies completed since this claim; null for the number in the last heartbeat
@@ -4215,6 +4530,24 @@ export interface components {
             extensions: string[];
         };
         /**
+         * HandsClearOut
+         * @description How long the statement counts that hands are clear of a machine.
+         */
+        HandsClearOut: {
+            /**
+             * Until
+             * Format: date-time
+             * @description Time until which the statement counts
+             * @example 2030-01-02T03:04:05.123Z
+             */
+            until: string;
+            /**
+             * Seconds
+             * @description Time for which it counts from now on (s)
+             */
+            seconds: number;
+        };
+        /**
          * Health
          * @description State of the server: whether it runs and can process requests.
          */
@@ -4294,10 +4627,16 @@ export interface components {
             seconds_left?: number | null;
             /**
              * Phase
-             * @description Number of the phase of the run since the claim. A new phase begins when the machine continues after a hold, and when the gateway itself begins to wait for the operator. The reply `resume` counts only in the phase of the report
+             * @description Number of the phase of the run since the claim. A new phase begins when the machine continues after a hold, and when the gateway itself begins to wait for the operator. The replies `resume` and `end` count only in the phase of the report
              * @default 0
              */
             phase: number;
+            /**
+             * Awaits End
+             * @description Whether the whole program was handed over to a controller that reports nothing, so that a person must confirm that the machine has executed it
+             * @default false
+             */
+            awaits_end: boolean;
         };
         /**
          * HeartbeatOut
@@ -4306,15 +4645,31 @@ export interface components {
         HeartbeatOut: {
             /**
              * Command
-             * @description Command for the gateway: wait: send nothing to the machine yet. start: begin the program. continue: no change. hold: stop the machine so that it can resume. resume: continue after a hold. cancel: stop the machine and end the job
+             * @description Command for the gateway: wait: send nothing to the machine yet. start: begin the program. continue: no change. hold: stop the machine so that it can resume. resume: continue after a hold, or start the next copy. end: a person has seen that the program is executed. cancel: stop the machine and end the job
              * @enum {string}
              */
-            command: "wait" | "start" | "continue" | "hold" | "resume" | "cancel";
+            command: "wait" | "start" | "continue" | "hold" | "resume" | "end" | "cancel";
             /**
              * Lease
              * @description Duration of the lease from now on (s)
              */
             lease: number;
+        };
+        /**
+         * HeldJogOut
+         * @description A jog whose button the person still holds.
+         */
+        HeldJogOut: {
+            /**
+             * Id
+             * @description Id of the operation
+             */
+            id: string;
+            /**
+             * Age
+             * @description Time from the last statement of the person to this answer (s); the gateway stops the jog when it is older than 1 s
+             */
+            age: number;
         };
         /**
          * ImportReportOut
@@ -4391,6 +4746,17 @@ export interface components {
              * @description x min, y min, x max, y max of an entity without edges (mm; file units if the unit is unknown); null for an entity with edges, and if the location is not in the file
              */
             box?: number[] | null;
+        };
+        /**
+         * InvalidOrder
+         * @description An order whose fields are invalid, among others that are executed.
+         */
+        InvalidOrder: {
+            /**
+             * Faults
+             * @description Errors in the form of pydantic
+             */
+            faults: unknown[];
         };
         /**
          * JobEvent
@@ -4594,7 +4960,7 @@ export interface components {
             reason: string;
             /**
              * Hint
-             * @description Hint of `message` in English; empty if there is none
+             * @description Hint of `message` in English; empty if there is none. That of an interrupted job begins with the best way: to continue the sheet, with the number of tracks left
              */
             hint: string;
             /**
@@ -4696,11 +5062,11 @@ export interface components {
             updated: string;
             /**
              * Waiting For
-             * @description What the job waits for. confirmation: the operator must confirm table, board and tools. sheet: the operator must confirm the next sheet. machine: the machine has not claimed the job. turn: other jobs come first. hold: the job is on hold in the queue. compile: the machine or the board has changed, so the job must be compiled again. Empty: it does not wait. `message` describes the reason
+             * @description What the job waits for. confirmation: the operator must confirm table, board and tools. sheet: the operator must confirm the next sheet. machine: the machine has not claimed the job. turn: other jobs come first. hold: the job is on hold in the queue. check: the machine has not begun the program (`check_refusal`), and waits until an operator lets it be tried again. compile: the machine or the board has changed, so the job must be compiled again. Empty: it does not wait. `message` describes the reason
              * @default
              * @enum {string}
              */
-            waiting_for: "" | "confirmation" | "sheet" | "machine" | "turn" | "hold" | "compile";
+            waiting_for: "" | "confirmation" | "sheet" | "machine" | "turn" | "hold" | "check" | "compile";
             /**
              * Queue Position
              * @description Place of the job in the queue of its machine, from 1; null if it does not wait there
@@ -4713,11 +5079,13 @@ export interface components {
             estimated_start?: string | null;
             /**
              * No Estimate
-             * @description Why a waiting job has no estimated start. hold: it is on hold. compile: it must be compiled again. interrupted: an interrupted job occupies the machine. gateway: the machine is not connected. Empty otherwise
+             * @description Why a waiting job has no estimated start. hold: it is on hold. check: the machine has refused its program. compile: it must be compiled again. interrupted: an interrupted job occupies the machine. gateway: the machine is not connected. Empty otherwise
              * @default
              * @enum {string}
              */
-            no_estimate: "" | "hold" | "compile" | "interrupted" | "gateway";
+            no_estimate: "" | "hold" | "check" | "compile" | "interrupted" | "gateway";
+            /** @description Why the machine has not begun the program: its check run refused it, or a failure came before the first line. Nothing was executed. The job stays in the queue and is not taken again by itself: try it again with `recheck`, compile it again or cancel it. Null if there was no such failure */
+            check_refusal?: components["schemas"]["MessageOut"] | null;
             /**
              * On Hold
              * @description Whether an operator put the job on hold in the queue; its machine then takes other jobs first
@@ -4854,9 +5222,21 @@ export interface components {
             title: string;
             /**
              * Scopes
-             * @description What the key permits; each role contains the lesser ones. Programs at a machine need `gateway`
+             * @description What the key permits. read: see everything. order: also upload drawings, order jobs, and release, change and cancel those. webhooks: manage webhooks of its own. station: start and move machines. gateway: control a machine. The roles of users are possible too, but none of them lets a key start or move a machine
              */
             scopes: components["schemas"]["AccessScope"][];
+            /**
+             * Customer
+             * @description Only customer whose jobs and drawings the key sees and orders; empty for all. With the scopes viewer, read, order and webhooks
+             * @default
+             */
+            customer: string;
+            /**
+             * Machines
+             * @description Only machines of the key; empty for all, for a gateway the first one for which it is used. With the scopes viewer, read, order, webhooks, station and gateway
+             * @default []
+             */
+            machines: string[];
             /**
              * Expires
              * @description Time at which the key becomes invalid; null for never
@@ -4883,6 +5263,26 @@ export interface components {
              * @description Scopes that were given to the key
              */
             scopes: components["schemas"]["AccessScope"][];
+            /**
+             * Customer
+             * @description Customer whose jobs and drawings the key sees and orders; empty for all
+             */
+            customer: string;
+            /**
+             * Machines
+             * @description Machines whose jobs the key sees and for which it orders; empty for all. The key of a gateway gets the first machine for which it is used
+             */
+            machines: string[];
+            /**
+             * Any Machine
+             * @description Whether the key of a gateway is for all machines, because an earlier version made it; create a new key instead
+             */
+            any_machine: boolean;
+            /**
+             * Device
+             * @description Whether it is no key of a program, but that of a browser which was paired with a machine
+             */
+            device: boolean;
             /**
              * Created
              * Format: date-time
@@ -5044,6 +5444,14 @@ export interface components {
              */
             feed: "manual" | "automatic";
             /**
+             * Feed Override
+             * @description Least and greatest feed override while a program runs (%), if the controller has one
+             */
+            feed_override: [
+                number,
+                number
+            ];
+            /**
              * Axes
              * @description Limits of the axes x, y, z and c, and of those of further carriages, such as v and a: `low` and `high` are the lowest and highest joint position (mm or degrees), `velocity` (mm/s or degrees/s) and `acceleration` (mm/s² or degrees/s²) are maxima
              */
@@ -5091,10 +5499,10 @@ export interface components {
         MeOut: {
             /**
              * Kind
-             * @description user: a user who has signed in; key: an API key; local: this computer, while there is no administrator; server-key: the key with which the server was started
+             * @description user: a user who has signed in; key: an API key; device: a browser that was paired with a machine; local: this computer, while there is no administrator; server-key: the key with which the server was started
              * @enum {string}
              */
-            kind: "user" | "key" | "local" | "server-key";
+            kind: "user" | "key" | "device" | "local" | "server-key";
             /**
              * Name
              * @description Name of the user or of the key
@@ -5110,6 +5518,21 @@ export interface components {
              * @description All scopes of the sender
              */
             scopes: components["schemas"]["AccessScope"][];
+            /**
+             * Account
+             * @description Identifies the user or the key, as in `owner` of a drawing; empty for others
+             */
+            account: string;
+            /**
+             * Customer
+             * @description Only customer of the key; empty for all
+             */
+            customer: string;
+            /**
+             * Machines
+             * @description Only machines of the key; empty for all
+             */
+            machines: string[];
             /**
              * Has Admin
              * @description Whether there is an administrator; before, every program on the server's computer may do everything
@@ -5236,6 +5659,26 @@ export interface components {
              */
             scopes: components["schemas"]["AccessScope"][];
             /**
+             * Customer
+             * @description Customer whose jobs and drawings the key sees and orders; empty for all
+             */
+            customer: string;
+            /**
+             * Machines
+             * @description Machines whose jobs the key sees and for which it orders; empty for all. The key of a gateway gets the first machine for which it is used
+             */
+            machines: string[];
+            /**
+             * Any Machine
+             * @description Whether the key of a gateway is for all machines, because an earlier version made it; create a new key instead
+             */
+            any_machine: boolean;
+            /**
+             * Device
+             * @description Whether it is no key of a program, but that of a browser which was paired with a machine
+             */
+            device: boolean;
+            /**
              * Created
              * Format: date-time
              * @description Time of the creation
@@ -5320,6 +5763,11 @@ export interface components {
              * @description Failed attempts since the last success; 0 if it works
              */
             failures: number;
+            /**
+             * Paused Until
+             * @description After several failed attempts in a row nothing is sent before this time, and then one delivery at a time until the endpoint accepts one; null if it is not paused
+             */
+            paused_until: string | null;
             /** @description Newest delivery; null if there is none */
             last_delivery: components["schemas"]["DeliveryOut"] | null;
             /**
@@ -5335,10 +5783,16 @@ export interface components {
         OperationIn: {
             /**
              * Operation
-             * @description unlock: clear an alarm without homing. home: find the zero of all axes by their switches. jog: move one axis by a distance. stop_jog: stop the jog that is running. zero: set the work coordinates of axes to zero at the present position. park: lift the tool and move it to the corner of the table. switch: switch an output on or off. spindle: switch the spindle or the oscillation of a station on or off. dry_run: run the program of the job that waits for its operator above the board, with all outputs and the spindle off; the job keeps waiting. frame: move round the box of the sheet, or of the work if the sheet has no size, above the board. tool_check: move a station above a point and lower it almost to the board, with the spindle off. lift: lift the tool straight up and switch everything off. hold, resume: hold and resume such a run; stop_jog stops it
+             * @description unlock: clear an alarm without homing. home: find the zero of all axes by their switches. jog: move one axis by at most a distance, while `POST /api/machines/{name}/operations/{id}/renew` is repeated. stop_jog: stop the jog that is running. zero: set the work coordinates of axes to zero at the present position. park: lift the tool and move it to the corner of the table. switch: switch an output on or off. spindle: switch the spindle or the oscillation of a station on or off. dry_run: run the program of the job that waits for its operator above the board, with all outputs and the spindle off; the job keeps waiting. frame: move round the box of the sheet, or of the work if the sheet has no size, above the board. tool_check: move a station above a point and lower it almost to the board, with the spindle off. lift: lift the tool straight up and switch everything off. release: discard what the controller holds or does without a job, such as after an opened door, in a sleep, in check mode or at a tool change, and switch everything off, without motion. hold, resume: hold and resume such a run; stop_jog stops it. feed_override: change the feed of the program that runs, which is 100 % at the start of each job
              * @enum {string}
              */
-            operation: "unlock" | "home" | "jog" | "stop_jog" | "zero" | "park" | "switch" | "spindle" | "dry_run" | "frame" | "tool_check" | "lift" | "hold" | "resume";
+            operation: "unlock" | "home" | "jog" | "stop_jog" | "zero" | "park" | "switch" | "spindle" | "dry_run" | "frame" | "tool_check" | "lift" | "release" | "hold" | "resume" | "feed_override";
+            /**
+             * Hands Clear
+             * @description States that hands are clear of the machine; this counts for the request only. home, zero, park, dry_run, frame, tool_check, resume, and what is switched on, need it or a statement of the last 60 s by `POST /api/machines/{name}/hands-clear`
+             * @default false
+             */
+            hands_clear: boolean;
             /**
              * Axis
              * @description Axis of a jog; required for `jog`
@@ -5397,6 +5851,11 @@ export interface components {
              * @description Share of the feeds, for `dry_run`, and of the velocities, for `frame`; null: 1 for `dry_run`, and 0.1 for `frame`
              */
             share?: number | null;
+            /**
+             * Percent
+             * @description Share of the programmed feeds (%), within `feed_override` of the machine file; required for `feed_override`
+             */
+            percent?: number | null;
         };
         /**
          * OperationOut
@@ -5422,7 +5881,7 @@ export interface components {
          * @description Actions that an operator can perform on jobs, in the order of their buttons on the page.
          * @enum {string}
          */
-        OperatorAction: "accept" | "release" | "confirm" | "hold" | "resume" | "rest" | "requeue" | "finish" | "scrap" | "recompile" | "cancel";
+        OperatorAction: "accept" | "release" | "confirm" | "hold" | "resume" | "end" | "rest" | "requeue" | "finish" | "scrap" | "recheck" | "recompile" | "cancel";
         /**
          * OrderIn
          * @description An order: a drawing file or the id of a stored drawing, and the choices for its job.
@@ -5546,14 +6005,30 @@ export interface components {
              */
             index: number;
             /**
+             * Status
+             * @description HTTP status that this order alone would have had: 201 if its job was created
+             */
+            status: number;
+            /**
              * Drawing
              * @description Id of the drawing; null if it was not stored. It is kept if the job was refused
              */
             drawing: string | null;
-            /** @description The job; null if the order was refused */
+            /**
+             * Job Id
+             * @description Id of the job; null if it was not created
+             */
+            job_id: string | null;
+            /** @description The job; null if it was not created, or if the server failed before it could describe it: `job_id` is then given */
             job: components["schemas"]["JobOut"] | null;
-            /** @description Why the order was refused; null if it was not */
+            /** @description Why the order was refused, failed or was not tried; null if it succeeded */
             problem: components["schemas"]["MessageOut"] | null;
+            /**
+             * Source
+             * @description Paths of the fields, or handles of the entities, that the problem concerns; empty if there are none
+             * @default []
+             */
+            source: string[];
             /**
              * Questions
              * @description Questions for which it was refused; empty if there are none
@@ -5604,6 +6079,29 @@ export interface components {
              * @description AutoCAD colour index of the edges to select, 1 … 255; null for any colour
              */
             colour?: number | null;
+        };
+        /**
+         * PairingCodeOut
+         * @description A code with which one browser can be paired with a machine.
+         */
+        PairingCodeOut: {
+            /**
+             * Code
+             * @description The code: two groups of four letters and digits
+             */
+            code: string;
+            /**
+             * Machine
+             * @description Name of the machine
+             */
+            machine: string;
+            /**
+             * Expires
+             * Format: date-time
+             * @description Time of its end
+             * @example 2030-01-02T03:04:05.123Z
+             */
+            expires: string;
         };
         /**
          * PasswordIn
@@ -6010,10 +6508,10 @@ export interface components {
             remaining: boolean;
             /**
              * Made
-             * @description Whether the operator has found all tracks complete that are left out. If false, tracks that the machine has not reported as executed must not be left out
+             * @description What the operator has found on the sheet. A list: the numbers of all tracks that are complete; the new job makes all others. It is required if the machine may have executed more than it reported (`stopped_at.certain` is false), and excludes a track, a line or a station. true: all tracks that are left out are complete. false: tracks that the machine has not reported as executed must not be left out
              * @default false
              */
-            made: boolean;
+            made: boolean | number[];
             /**
              * Uncut
              * @description Whether the operator has found that the tracks which are made again have not cut through the board, for example with a blunt knife. If false, a program that works on a piece which their executed lines have cut out is refused
@@ -6054,7 +6552,7 @@ export interface components {
         };
         /**
          * ResumeIn
-         * @description Request to resume a held job.
+         * @description Request to resume a job that is held in a copy.
          */
         ResumeIn: {
             /**
@@ -6062,6 +6560,12 @@ export interface components {
              * @description `phase` of the job for which the operator decided; the request is refused if the job is in another one. Null for no check
              */
             phase?: number | null;
+            /**
+             * Hands Clear
+             * @description States that hands are clear of the machine; this counts for the request only. Without it a statement of the last 60 s by `POST /api/machines/{name}/hands-clear` is needed, which then ends
+             * @default false
+             */
+            hands_clear: boolean;
         };
         /**
          * RotationIn
@@ -6344,6 +6848,8 @@ export interface components {
              * @description Whether a person looks at the machine: then reports are wanted every 0.3 s
              */
             watched: boolean;
+            /** @description The jog whose button is held; null if there is none */
+            jog?: components["schemas"]["HeldJogOut"] | null;
         };
         /**
          * StationIn
@@ -6371,9 +6877,11 @@ export interface components {
              * @default
              * @enum {string}
              */
-            state: "idle" | "run" | "hold" | "jog" | "home" | "check" | "door" | "alarm" | "busy" | "unreported" | "";
+            state: "idle" | "run" | "hold" | "jog" | "home" | "check" | "door" | "alarm" | "sleep" | "tool" | "busy" | "unreported" | "";
             /** @description Alarm that locks the controller; null if there is none */
             alarm?: components["schemas"]["MessageIn"] | null;
+            /** @description Why a connected machine takes no job although no alarm locks it, or why the job on it does not move, such as a hold or an open safety door, with what to do; null if there is nothing in its way */
+            obstacle?: components["schemas"]["MessageIn"] | null;
             /**
              * Position
              * @description Position of the axes in the work coordinates of programs: X, Y, Z (mm) and C (degrees); null if it is not known
@@ -6391,6 +6899,12 @@ export interface components {
              */
             outputs: number[];
             /**
+             * Outputs Known
+             * @description Whether all other outputs are off. False after the gateway was started while an alarm locked the controller: a station may be down until the machine is unlocked, homed or released
+             * @default true
+             */
+            outputs_known: boolean;
+            /**
              * Operations
              * @description Operations that the controller can do
              * @default []
@@ -6401,8 +6915,19 @@ export interface components {
              * @description Number of the station whose spindle was switched on by hand; null for none
              */
             spindle?: number | null;
+            /**
+             * Override
+             * @description Feed override (%); null if the controller has none
+             */
+            override?: number | null;
             /** @description The last run above the board; null if there was none */
             activity?: components["schemas"]["ActivityIn"] | null;
+            /**
+             * Notices
+             * @description Why the controller is not connected, or harmless differences between its settings and the machine file
+             * @default []
+             */
+            notices: components["schemas"]["MessageIn"][];
             /**
              * Results
              * @description Results of operations since the last report
@@ -6441,9 +6966,11 @@ export interface components {
              * @description State of the controller. unreported: the controller takes programs and reports nothing, so a person confirms the end of each program. Empty if the controller is not connected
              * @enum {string}
              */
-            state: "idle" | "run" | "hold" | "jog" | "home" | "check" | "door" | "alarm" | "busy" | "unreported" | "";
+            state: "idle" | "run" | "hold" | "jog" | "home" | "check" | "door" | "alarm" | "sleep" | "tool" | "busy" | "unreported" | "";
             /** @description Alarm that locks the controller, with what to do; null if there is none */
             alarm: components["schemas"]["MessageOut"] | null;
+            /** @description Why a connected machine takes no job although no alarm locks it, or why the job on it does not move, such as a hold or an open safety door, with what to do; null if there is nothing in its way */
+            obstacle: components["schemas"]["MessageOut"] | null;
             /**
              * Position
              * @description Position of the axes in the work coordinates of programs: X, Y, Z (mm) and C (degrees); null if it is not known
@@ -6460,6 +6987,11 @@ export interface components {
              */
             outputs: number[];
             /**
+             * Outputs Known
+             * @description Whether all other outputs are off. False after the gateway was started while an alarm locked the controller: a station may be down until the machine is unlocked, homed or released
+             */
+            outputs_known: boolean;
+            /**
              * Operations
              * @description Operations that the controller can do, as in `POST /api/machines/{name}/operations`
              */
@@ -6469,8 +7001,18 @@ export interface components {
              * @description Number of the station whose spindle or oscillation was switched on by hand; null for none
              */
             spindle: number | null;
+            /**
+             * Override
+             * @description Feed override: share of the programmed feeds (%); null if the controller has none
+             */
+            override: number | null;
             /** @description The last run above the board while a job waits; null if there was none */
             activity: components["schemas"]["ActivityOut"] | null;
+            /**
+             * Notices
+             * @description Why the controller is not connected, or harmless differences between its settings and the machine file, with what to do
+             */
+            notices: components["schemas"]["MessageOut"][];
             /**
              * Job
              * @description Id of the job on the machine, or of the job that waits for a confirmation; empty if there is none
@@ -6590,6 +7132,16 @@ export interface components {
              */
             line: number;
             /**
+             * Line At Most
+             * @description Most program lines of the present copy that the machine may have executed; greater than `line` if nobody observed the machine until it stopped
+             */
+            line_at_most: number;
+            /**
+             * Certain
+             * @description Whether `line` is exact. If false, the machine may have executed more lines, up to `line_at_most`: a job that continues the sheet needs a statement of the operator which tracks are made
+             */
+            certain: boolean;
+            /**
              * Position
              * @description Position on the sheet: X, Y of the head axis, Z of the tip before it was lifted (mm), C (degrees); null if it is not known
              */
@@ -6667,6 +7219,27 @@ export interface components {
              * @default
              */
             by: string;
+        };
+        /**
+         * ToolLimitsOut
+         * @description How fast and how deep the tools of one kind may work in a board.
+         */
+        ToolLimitsOut: {
+            /**
+             * Kind
+             * @description Kind of tool, such as knife or cutter
+             */
+            kind: string;
+            /**
+             * Feed
+             * @description Greatest feed in the board (mm/min); 0: no limit
+             */
+            feed: number;
+            /**
+             * Step
+             * @description Greatest depth of one pass of a cutter (mm); 0: no limit
+             */
+            step: number;
         };
         /**
          * ToolOut
@@ -6886,10 +7459,10 @@ export interface components {
             ];
             /**
              * State
-             * @description cut: the machine reported all its lines as executed. begun: it reported some of them. uncut: it reported none; it may have executed more lines than it reported
+             * @description cut: the machine executed all its lines. begun: it executed some of them. uncut: it executed none. unknown: nobody observed whether the machine made the track; the operator must state it to continue the sheet
              * @enum {string}
              */
-            state: "cut" | "begun" | "uncut";
+            state: "cut" | "begun" | "uncut" | "unknown";
         };
         /**
          * TransferIn
@@ -7607,6 +8180,11 @@ export interface components {
              * @description Failed attempts since the last success; 0 if it works
              */
             failures: number;
+            /**
+             * Paused Until
+             * @description After several failed attempts in a row nothing is sent before this time, and then one delivery at a time until the endpoint accepts one; null if it is not paused
+             */
+            paused_until: string | null;
             /** @description Newest delivery; null if there is none */
             last_delivery: components["schemas"]["DeliveryOut"] | null;
         };
@@ -7698,7 +8276,7 @@ export interface components {
             hint: string;
             /**
              * Type
-             * @description Always `about:blank`; `code` identifies the error
+             * @description Type of the error: `urn:knifetip:problem:` and its class, such as `wrong-state`, `not-found`, `key-reused` or `request` (the request cannot be read); `about:blank` for an error that `status` describes. `code` identifies the error
              * @default about:blank
              */
             type: string;
@@ -7735,6 +8313,1278 @@ export interface components {
              * @default null
              */
             revision: number | null;
+        };
+        /**
+         * MachineFile
+         * @description The fields of the TOML file of a flatbed sample-maker.
+         *
+         *     Z = 0 is the top of the cutting mat, and Z is positive upwards.
+         */
+        MachineDefinition: {
+            /**
+             * Title
+             * @description The field `title` of the TOML file
+             */
+            title: string;
+            /**
+             * Width
+             * @description width of the table, along X (mm)
+             */
+            width: number;
+            /**
+             * Height
+             * @description height of the table, along Y (mm)
+             */
+            height: number;
+            /**
+             * Dialect
+             * @description controller language
+             * @enum {string}
+             */
+            dialect: "grblhal" | "hpgl" | "linuxcnc" | "mcx314";
+            /**
+             * Origin
+             * @description default position of the lower left corner of a drawing (mm)
+             */
+            origin: number[];
+            /**
+             * Travel Z
+             * @description travel height: height of the tip above the mat in air moves (mm)
+             */
+            travel_z: number;
+            /**
+             * Clearance
+             * @description height above the board at which plunging starts (mm)
+             */
+            clearance: number;
+            /**
+             * Turn Clearance
+             * @description least distance of the lowest point of a tool from the board in turns, for jobs with the least lift (mm); 0: such jobs are refused
+             * @default 0
+             */
+            turn_clearance: number;
+            /**
+             * Into Mat
+             * @description depth of a through cut in the mat (mm)
+             */
+            into_mat: number;
+            /**
+             * Settle
+             * @description waiting time after an output is switched (s)
+             */
+            settle: number;
+            /**
+             * Feed
+             * @description whether an operator or a feeder loads the sheet
+             * @default manual
+             * @enum {string}
+             */
+            feed: "manual" | "automatic";
+            /**
+             * Output Count
+             * @description number of digital outputs of the controller, for example num_dio of LinuxCNC's motmod; 0: not stated (LinuxCNC: 4)
+             * @default 0
+             */
+            output_count: number;
+            /**
+             * Arcs
+             * @description whether programs may contain arcs (G2, G3); chords: the controller has none, or does not turn the tool in them
+             * @default arcs
+             * @enum {string}
+             */
+            arcs: "arcs" | "chords";
+            /**
+             * Feed Override
+             * @description least and greatest feed override while a program runs (%), of a controller that has one; programs begin with 100
+             * @default [
+             *       10,
+             *       200
+             *     ]
+             */
+            feed_override: number[];
+            /** @description The field `axes` of the TOML file */
+            axes: components["schemas"]["MachineDefinitionAxes"];
+            /**
+             * @description carriages, if the machine has more than one
+             * @default null
+             */
+            gantry: components["schemas"]["MachineDefinitionGantryTable"] | null;
+            /**
+             * Station
+             * @description The field `station` of the TOML file
+             */
+            station: components["schemas"]["MachineDefinitionStationTable"][];
+            /**
+             * Zone
+             * @description keep-out zones on the table
+             * @default []
+             */
+            zone: components["schemas"]["MachineDefinitionZoneTable"][];
+            /**
+             * Controller
+             * @description settings of the controller's language
+             * @default {}
+             */
+            controller: {
+                [key: string]: unknown;
+            };
+        } & (unknown & unknown & unknown & unknown);
+        /**
+         * Axes
+         * @description The TOML table of the four axes of a machine: X, Y, Z, and C, which rotates the tools.
+         *
+         *     If the machine has several carriages, they are the axes of the first carriage.
+         */
+        MachineDefinitionAxes: {
+            /** @description The field `x` of the TOML file */
+            x: components["schemas"]["MachineDefinitionAxisTable"];
+            /** @description The field `y` of the TOML file */
+            y: components["schemas"]["MachineDefinitionAxisTable"];
+            /** @description The field `z` of the TOML file */
+            z: components["schemas"]["MachineDefinitionAxisTable"];
+            /**
+             * @description heading of the tool head (degrees); without it, the machine turns no tool
+             * @default null
+             */
+            c: components["schemas"]["MachineDefinitionHeadingAxis"] | null;
+        };
+        /**
+         * AxisTable
+         * @description The TOML table of one axis of a machine: travel, velocity and acceleration.
+         *
+         *     The units are mm, mm/s and mm/s²; for the rotary axis, degrees replace millimetres.
+         */
+        MachineDefinitionAxisTable: {
+            /**
+             * Low
+             * @description least joint position
+             */
+            low: number;
+            /**
+             * High
+             * @description greatest joint position
+             */
+            high: number;
+            /**
+             * Velocity
+             * @description greatest velocity, per second
+             */
+            velocity: number;
+            /**
+             * Acceleration
+             * @description greatest acceleration, per second squared
+             */
+            acceleration: number;
+        };
+        /**
+         * CarriageTable
+         * @description The TOML table of a further carriage of the gantry, with its own axes.
+         *
+         *     Y of all carriages has the same zero and the same direction.
+         */
+        MachineDefinitionCarriageTable: {
+            /**
+             * Park
+             * @description position of y while another carriage is in use, at the carriage's own end of the gantry (mm)
+             */
+            park: number;
+            /** @description The field `y` of the TOML file */
+            y: components["schemas"]["MachineDefinitionLetteredAxis"];
+            /**
+             * @description without it, the carriage shares the Z of the first carriage
+             * @default null
+             */
+            z: components["schemas"]["MachineDefinitionLetteredAxis"] | null;
+            /** @description heading of the tools of the carriage (degrees) */
+            c: components["schemas"]["MachineDefinitionLetteredAxis"];
+        };
+        /**
+         * CreaseWheelTable
+         * @description A crease wheel; rotated by 180° about the C axis, it makes the same crease.
+         */
+        MachineDefinitionCreaseWheelTable: {
+            /**
+             * @description The field `kind` of the TOML file (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "crease-wheel";
+            /**
+             * Radius
+             * @description R, radius of the wheel (mm)
+             */
+            radius: number;
+            /**
+             * Width
+             * @description width of the rim (mm)
+             */
+            width: number;
+            /**
+             * Feed
+             * @description The field `feed` of the TOML file
+             */
+            feed: number;
+            /**
+             * Plunge
+             * @description The field `plunge` of the TOML file
+             */
+            plunge: number;
+        };
+        /**
+         * CutterTable
+         * @description A rotating cutter, as used in routers.
+         */
+        MachineDefinitionCutterTable: {
+            /**
+             * @description The field `kind` of the TOML file (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "cutter";
+            /**
+             * Radius
+             * @description r, radius of the cutter (mm)
+             */
+            radius: number;
+            /**
+             * Feed
+             * @description The field `feed` of the TOML file
+             */
+            feed: number;
+            /**
+             * Plunge
+             * @description The field `plunge` of the TOML file
+             */
+            plunge: number;
+            /**
+             * Speed
+             * @description speed of the spindle (rpm)
+             * @default 0
+             */
+            speed: number;
+            /**
+             * Spin Up
+             * @description time until the spindle has its full speed (s)
+             * @default 0
+             */
+            spin_up: number;
+            /**
+             * Lead
+             * @description length of the straight lead-in (mm); 0: 1.5 r
+             * @default 0
+             */
+            lead: number;
+            /**
+             * Approach
+             * @description angle of the lead-in to the contour (degrees); 0: in line
+             * @default 90
+             */
+            approach: number;
+            /**
+             * Step
+             * @description maximum depth of one pass (mm); 0: one pass
+             * @default 0
+             */
+            step: number;
+            /**
+             * Dwell
+             * @description maximum time at a corner before the board burns (s); 0: no limit
+             * @default 0
+             */
+            dwell: number;
+        };
+        /**
+         * Datum
+         * @description The TOML table with the offset of a station from the reference position of the machine.
+         *
+         *     The position of each axis of the machine is the programmed position plus this offset.
+         */
+        MachineDefinitionDatum: {
+            /**
+             * X
+             * @description mm
+             */
+            x: number;
+            /**
+             * Y
+             * @description mm
+             */
+            y: number;
+            /**
+             * Z
+             * @description mm
+             */
+            z: number;
+            /**
+             * C
+             * @description mounting angle (degrees)
+             */
+            c: number;
+        };
+        /**
+         * GantryTable
+         * @description The TOML table of a gantry with several carriages.  The first carriage has the axes of the
+         *     table ``[axes]``.
+         */
+        MachineDefinitionGantryTable: {
+            /**
+             * Min Distance
+             * @description least distance along Y between the positions of two carriages (mm)
+             */
+            min_distance: number;
+            /**
+             * Park
+             * @description position of y of the first carriage while another is in use (mm)
+             */
+            park: number;
+            /**
+             * Carriage
+             * @description second and further carriages, in the order of their numbers
+             */
+            carriage: components["schemas"]["MachineDefinitionCarriageTable"][];
+        };
+        /**
+         * HeadingAxis
+         * @description The TOML table of the axis that rotates the tools: its letter, travel, velocity and
+         *     acceleration.
+         */
+        MachineDefinitionHeadingAxis: {
+            /**
+             * Low
+             * @description least joint position
+             */
+            low: number;
+            /**
+             * High
+             * @description greatest joint position
+             */
+            high: number;
+            /**
+             * Velocity
+             * @description greatest velocity, per second
+             */
+            velocity: number;
+            /**
+             * Acceleration
+             * @description greatest acceleration, per second squared
+             */
+            acceleration: number;
+            /**
+             * Letter
+             * @description letter of the axis in programs
+             * @default C
+             * @enum {string}
+             */
+            letter: "A" | "B" | "C";
+        };
+        /**
+         * KnifeTable
+         * @description A tangential knife (static or oscillating) or a drag knife.
+         *
+         *     It is a drag knife if ``trail``, the distance of the tip behind the head's axis, is greater
+         *     than 0.  The machine turns it, unless it is ``free``: then it turns about its axis by itself,
+         *     because the tip is dragged along, and keeps its heading in the air.
+         */
+        MachineDefinitionKnifeTable: {
+            /**
+             * @description The field `kind` of the TOML file (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "knife";
+            /**
+             * Blade Angle
+             * @description slant of the leading edge from the vertical (degrees)
+             */
+            blade_angle: number;
+            /**
+             * Blade Width
+             * @description width of the blade along the cut (mm)
+             */
+            blade_width: number;
+            /**
+             * Swivel
+             * @description swivel angle: corners sharper than this are turned above the board (degrees)
+             */
+            swivel: number;
+            /**
+             * Feed
+             * @description The field `feed` of the TOML file
+             */
+            feed: number;
+            /**
+             * Plunge
+             * @description The field `plunge` of the TOML file
+             */
+            plunge: number;
+            /**
+             * Oscillating
+             * @description The field `oscillating` of the TOML file
+             * @default false
+             */
+            oscillating: boolean;
+            /**
+             * Trail
+             * @description e, distance of the tip behind the head's axis (mm)
+             * @default 0
+             */
+            trail: number;
+            /**
+             * Lead In
+             * @description length of the arc from the waste to an outer contour (mm)
+             * @default 0
+             */
+            lead_in: number;
+            /**
+             * Lead Out
+             * @description length of the arc from an outer contour to the waste (mm)
+             * @default 0
+             */
+            lead_out: number;
+            /**
+             * Least Radius
+             * @description smallest radius that the blade turns in (mm); 0: no limit
+             * @default 0
+             */
+            least_radius: number;
+            /**
+             * Free
+             * @description the blade trails its axis freely; no axis of the machine turns it
+             * @default false
+             */
+            free: boolean;
+            /**
+             * Swivel Depth
+             * @description depth of the tip in the board while a free blade is turned about it (mm); 0: the full depth
+             * @default 0
+             */
+            swivel_depth: number;
+            /**
+             * Park Heading
+             * @description heading of a free blade at the start and at the end of each program (degrees)
+             * @default 0
+             */
+            park_heading: number;
+        };
+        /**
+         * LaserTable
+         * @description A laser that cuts through the board in one pass with its focus at one height.
+         */
+        MachineDefinitionLaserTable: {
+            /**
+             * @description The field `kind` of the TOML file (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "laser";
+            /**
+             * Kerf
+             * @description width of the cut (mm); half of it is the radius r
+             */
+            kerf: number;
+            /**
+             * Feed
+             * @description The field `feed` of the TOML file
+             */
+            feed: number;
+            /**
+             * Power
+             * @description S word of full power, in units of the controller ($30)
+             */
+            power: number;
+            /**
+             * Pierce
+             * @description dwell at the start of a cut until the board is pierced (s)
+             */
+            pierce: number;
+            /**
+             * Focus
+             * @description height of the focus above the board's top face (mm)
+             * @default 0
+             */
+            focus: number;
+            /**
+             * Lead
+             * @description length of the lead-in from the pierced hole (mm); 0: 1.5 r
+             * @default 0
+             */
+            lead: number;
+            /**
+             * Approach
+             * @description angle of the lead-in to the contour (degrees); 0: in line
+             * @default 90
+             */
+            approach: number;
+            /**
+             * Dwell
+             * @description maximum time at a corner before the board burns (s); 0: no limit
+             * @default 0
+             */
+            dwell: number;
+            /**
+             * Air
+             * @description digital output of the air assist; -1 for none
+             * @default -1
+             */
+            air: number;
+        };
+        /**
+         * LetteredAxis
+         * @description The TOML table of an axis of a further carriage: its letter, travel, velocity and
+         *     acceleration.
+         */
+        MachineDefinitionLetteredAxis: {
+            /**
+             * Low
+             * @description least joint position
+             */
+            low: number;
+            /**
+             * High
+             * @description greatest joint position
+             */
+            high: number;
+            /**
+             * Velocity
+             * @description greatest velocity, per second
+             */
+            velocity: number;
+            /**
+             * Acceleration
+             * @description greatest acceleration, per second squared
+             */
+            acceleration: number;
+            /**
+             * Letter
+             * @description letter of the axis in programs; X, Y, Z and the letter of c belong to [axes]
+             * @enum {string}
+             */
+            letter: "A" | "B" | "U" | "V" | "W";
+        };
+        /**
+         * StationTable
+         * @description The TOML table of a station, a mount on the head of a machine that carries one tool.
+         */
+        MachineDefinitionStationTable: {
+            /**
+             * Number
+             * @description tool number in programs (T word)
+             */
+            number: number;
+            /**
+             * Name
+             * @description The field `name` of the TOML file
+             */
+            name: string;
+            /** @description The field `datum` of the TOML file */
+            datum: components["schemas"]["MachineDefinitionDatum"];
+            /**
+             * Output
+             * @description digital output that lowers the station or switches its tool on; -1 for none
+             * @default -1
+             */
+            output: number;
+            /**
+             * Carriage
+             * @description number of the carriage that carries the station; 1 is the first
+             * @default 1
+             */
+            carriage: number;
+            /**
+             * Envelope
+             * @description radius about the axis of the station of its holder at the height of the tip, for keep-out zones (mm); 0: the tool only
+             * @default 0
+             */
+            envelope: number;
+            /**
+             * Life
+             * @description length that the tool may work in the board before it is changed (m); 0: no limit
+             * @default 0
+             */
+            life: number;
+            /**
+             * Spindle
+             * @description word that switches the oscillation or the spindle of the tool on: M3 turns clockwise, M4 counter-clockwise
+             * @default M3
+             * @enum {string}
+             */
+            spindle: "M3" | "M4";
+            /**
+             * Spindle Speed
+             * @description S word with it, if the controller needs another than the speed of the tool; 0: the speed of a cutter, the power of a laser, and 1 for an oscillating knife
+             * @default 0
+             */
+            spindle_speed: number;
+            /**
+             * Tool
+             * @description The field `tool` of the TOML file
+             */
+            tool: components["schemas"]["MachineDefinitionKnifeTable"] | components["schemas"]["MachineDefinitionCreaseWheelTable"] | components["schemas"]["MachineDefinitionVCutterTable"] | components["schemas"]["MachineDefinitionCutterTable"] | components["schemas"]["MachineDefinitionLaserTable"];
+        };
+        /**
+         * VCutterTable
+         * @description A tilted blade that cuts one flank of a V-groove in each of two passes.
+         *
+         *     Seen in the direction of travel, the head's axis is to the right of the tip by the distance
+         *     ``back``, and ahead of the tip by the distance ``half_width``.  The other end of the cutting
+         *     edge is ahead of the tip by twice ``half_width``.
+         */
+        MachineDefinitionVCutterTable: {
+            /**
+             * @description The field `kind` of the TOML file (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "v-cutter";
+            /**
+             * Back
+             * @description d, distance of tip and head axis across the cutting edge (mm)
+             */
+            back: number;
+            /**
+             * Half Width
+             * @description r, distance of tip and head axis along the cutting edge (mm)
+             */
+            half_width: number;
+            /**
+             * Tilt
+             * @description θ, angle of the blade from the vertical (degrees)
+             */
+            tilt: number;
+            /**
+             * Feed
+             * @description The field `feed` of the TOML file
+             * @default 12000
+             */
+            feed: number;
+            /**
+             * Plunge
+             * @description The field `plunge` of the TOML file
+             * @default 3000
+             */
+            plunge: number;
+        };
+        /**
+         * ZoneTable
+         * @description The TOML table of a keep-out zone: a box on the table that no tool may touch.
+         *
+         *     Such a zone is, for example, a clamp or a stop.  Positions are those of programs: of the tip of
+         *     a station whose datum is 0.
+         */
+        MachineDefinitionZoneTable: {
+            /**
+             * Name
+             * @description name for messages
+             */
+            name: string;
+            /**
+             * X
+             * @description position of the left edge (mm)
+             */
+            x: number;
+            /**
+             * Y
+             * @description position of the lower edge (mm)
+             */
+            y: number;
+            /**
+             * Width
+             * @description size along X (mm)
+             */
+            width: number;
+            /**
+             * Height
+             * @description size along Y (mm)
+             */
+            height: number;
+            /**
+             * Top
+             * @description height of the top of the zone above the mat (mm)
+             */
+            top: number;
+        };
+        /**
+         * DeviceTable
+         * @description The TOML table of an HPGL device, as in ``devices.toml``.
+         */
+        MachineDefinitionDeviceTable: {
+            /**
+             * Title
+             * @description name of the device
+             */
+            title: string;
+            /**
+             * Units
+             * @description plotter units in one millimetre
+             */
+            units: number;
+            /**
+             * Area
+             * @description x and y of two corners of the reachable area: x0, y0, x1, y1 (units)
+             */
+            area: number[];
+            /**
+             * Origin
+             * @description place of unit 0, 0: lower left corner or centre of the table
+             * @enum {string}
+             */
+            origin: "corner" | "centre";
+            /**
+             * Pens
+             * @description number of tools that SP can select
+             */
+            pens: number;
+            /**
+             * Speed
+             * @description least and greatest VS (cm/s), if the device has it
+             * @default null
+             */
+            speed: number[] | null;
+            /**
+             * Force
+             * @description least and greatest FS (steps of the device), if the device has it
+             * @default null
+             */
+            force: number[] | null;
+            /**
+             * Comments
+             * @description the device reads the instruction CO (HP-GL/2)
+             * @default false
+             */
+            comments: boolean;
+        };
+        /**
+         * PenTable
+         * @description The TOML table of one pen of an HPGL device.
+         */
+        MachineDefinitionPenTable: {
+            /**
+             * Number
+             * @description number of the pen in programs (SP)
+             */
+            number: number;
+            /**
+             * Station
+             * @description number of the station that holds the tool
+             */
+            station: number;
+            /**
+             * Work
+             * @description what the pen makes in the board
+             */
+            work: components["schemas"]["MachineDefinitionPenWork"];
+            /**
+             * Force
+             * @description force (FS); 0 if the device has none
+             * @default 0
+             */
+            force: number;
+        };
+        /**
+         * PenWork
+         * @description Operation that a pen makes in the board: cut, half-cut or crease.
+         * @enum {string}
+         */
+        MachineDefinitionPenWork: "cut" | "half-cut" | "crease";
+        /**
+         * PulsesTable
+         * @description The TOML table of the pulses of each axis.
+         */
+        MachineDefinitionPulsesTable: {
+            /**
+             * X
+             * @description The field `x` of the TOML file
+             */
+            x: number;
+            /**
+             * Y
+             * @description The field `y` of the TOML file
+             */
+            y: number;
+            /**
+             * Z
+             * @description The field `z` of the TOML file
+             */
+            z: number;
+            /**
+             * C
+             * @description The field `c` of the TOML file
+             */
+            c: number;
+        };
+        /**
+         * BoardFile
+         * @description The fields of the TOML file of a board: one material in one thickness.
+         */
+        BoardDefinition: {
+            /**
+             * Title
+             * @description The field `title` of the TOML file
+             */
+            title: string;
+            /**
+             * Material
+             * @description corrugated, folding boxboard, solid board, greyboard or foam board
+             */
+            material: string;
+            /**
+             * Caliper
+             * @description thickness (mm)
+             */
+            caliper: number;
+            /**
+             * Grain
+             * @description direction of flute or grain on the sheet (degrees)
+             */
+            grain: number;
+            /**
+             * Crease Along
+             * @description depth of a crease along flute or grain (mm)
+             */
+            crease_along: number;
+            /**
+             * Crease Across
+             * @description depth of a crease across flute or grain (mm)
+             */
+            crease_across: number;
+            /**
+             * End Clearance
+             * @description distance between the end of a crease and the end of its line (mm)
+             */
+            end_clearance: number;
+            /**
+             * Groove Depth
+             * @description depth of a V-groove below the top face (mm)
+             */
+            groove_depth: number;
+            /**
+             * Groove Overcut
+             * @description largest overcut of a V-groove (mm)
+             */
+            groove_overcut: number;
+            /**
+             * Half Cut Depth
+             * @description depth of a half-cut below the top face (mm)
+             */
+            half_cut_depth: number;
+            /**
+             * Perforation
+             * @description length of cuts and of gaps (mm)
+             */
+            perforation: number[];
+            /**
+             * Short Crease
+             * @description whether a crease too short for the wheel is pressed at a smaller depth, or refused
+             * @enum {string}
+             */
+            short_crease: "press" | "refuse";
+            /**
+             * Bridge Width
+             * @description width of a bridge that holds the part (mm)
+             * @default 0
+             */
+            bridge_width: number;
+            /**
+             * Bridge Spacing
+             * @description largest distance between two bridges (mm)
+             * @default 0
+             */
+            bridge_spacing: number;
+            /**
+             * Double Crease
+             * @description distance between the two lines of a double crease (mm); 0: single
+             * @default 0
+             */
+            double_crease: number;
+            /**
+             * Groove Pass
+             * @description largest depth of one pass of a groove (mm); 0: one pass
+             * @default 0
+             */
+            groove_pass: number;
+            /**
+             * Groove Curve
+             * @description largest distance between an arc and its chords in a groove (mm)
+             * @default 0
+             */
+            groove_curve: number;
+            /**
+             * Groove Shift
+             * @description largest shift of a V-groove away from a cut beside it (mm); 0: none
+             * @default 0.3
+             */
+            groove_shift: number;
+            /**
+             * Fold Angle
+             * @description angle by which the board must fold at a V-groove (degrees)
+             * @default 90
+             */
+            fold_angle: number;
+            /**
+             * Crease Tolerance
+             * @description largest distance at which the wheel may press beside a bent crease (mm)
+             * @default 0.25
+             */
+            crease_tolerance: number;
+            /**
+             * Cut Tolerance
+             * @description largest distance between a bent cut in the top face and its line (mm)
+             * @default 0.1
+             */
+            cut_tolerance: number;
+            /**
+             * Least Radius
+             * @description smallest radius of a bend that a knife cuts (mm); 0: no limit
+             * @default 0
+             */
+            least_radius: number;
+            /**
+             * Deflection
+             * @description deflection of each tool, by the name of its station
+             * @default {}
+             */
+            deflection: {
+                [key: string]: components["schemas"]["BoardDefinitionDeflectionTable"];
+            };
+            /**
+             * Limits
+             * @description feed and depth of a pass of each kind of tool, such as knife or cutter
+             * @default {}
+             */
+            limits: {
+                [key: string]: components["schemas"]["BoardDefinitionLimitsTable"];
+            };
+        };
+        /**
+         * DeflectionTable
+         * @description The TOML table with the deflection of one tool in the board, in X and Y (mm).
+         *
+         *     The deflection is the greatest distance by which the cutting force pushes the tool off its path.
+         */
+        BoardDefinitionDeflectionTable: {
+            /**
+             * X
+             * @description greatest deflection in X (mm)
+             */
+            x: number;
+            /**
+             * Y
+             * @description greatest deflection in Y (mm)
+             */
+            y: number;
+        };
+        /**
+         * LimitsTable
+         * @description The TOML table with limits for the tools of one kind in the board.
+         */
+        BoardDefinitionLimitsTable: {
+            /**
+             * Feed
+             * @description greatest feed (mm/min); 0: no limit
+             * @default 0
+             */
+            feed: number;
+            /**
+             * Step
+             * @description greatest depth of one pass of a cutter (mm); 0: no limit
+             * @default 0
+             */
+            step: number;
+        };
+        /**
+         * ToolFile
+         * @description The fields of the TOML file of a tool, which can be copied into stations of machines.
+         */
+        ToolDefinition: {
+            /**
+             * Title
+             * @description The field `title` of the TOML file
+             */
+            title: string;
+            /**
+             * Tool
+             * @description The field `tool` of the TOML file
+             */
+            tool: components["schemas"]["ToolDefinitionKnifeTable"] | components["schemas"]["ToolDefinitionCreaseWheelTable"] | components["schemas"]["ToolDefinitionVCutterTable"] | components["schemas"]["ToolDefinitionCutterTable"] | components["schemas"]["ToolDefinitionLaserTable"];
+        };
+        /**
+         * CreaseWheelTable
+         * @description A crease wheel; rotated by 180° about the C axis, it makes the same crease.
+         */
+        ToolDefinitionCreaseWheelTable: {
+            /**
+             * @description The field `kind` of the TOML file (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "crease-wheel";
+            /**
+             * Radius
+             * @description R, radius of the wheel (mm)
+             */
+            radius: number;
+            /**
+             * Width
+             * @description width of the rim (mm)
+             */
+            width: number;
+            /**
+             * Feed
+             * @description The field `feed` of the TOML file
+             */
+            feed: number;
+            /**
+             * Plunge
+             * @description The field `plunge` of the TOML file
+             */
+            plunge: number;
+        };
+        /**
+         * CutterTable
+         * @description A rotating cutter, as used in routers.
+         */
+        ToolDefinitionCutterTable: {
+            /**
+             * @description The field `kind` of the TOML file (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "cutter";
+            /**
+             * Radius
+             * @description r, radius of the cutter (mm)
+             */
+            radius: number;
+            /**
+             * Feed
+             * @description The field `feed` of the TOML file
+             */
+            feed: number;
+            /**
+             * Plunge
+             * @description The field `plunge` of the TOML file
+             */
+            plunge: number;
+            /**
+             * Speed
+             * @description speed of the spindle (rpm)
+             * @default 0
+             */
+            speed: number;
+            /**
+             * Spin Up
+             * @description time until the spindle has its full speed (s)
+             * @default 0
+             */
+            spin_up: number;
+            /**
+             * Lead
+             * @description length of the straight lead-in (mm); 0: 1.5 r
+             * @default 0
+             */
+            lead: number;
+            /**
+             * Approach
+             * @description angle of the lead-in to the contour (degrees); 0: in line
+             * @default 90
+             */
+            approach: number;
+            /**
+             * Step
+             * @description maximum depth of one pass (mm); 0: one pass
+             * @default 0
+             */
+            step: number;
+            /**
+             * Dwell
+             * @description maximum time at a corner before the board burns (s); 0: no limit
+             * @default 0
+             */
+            dwell: number;
+        };
+        /**
+         * KnifeTable
+         * @description A tangential knife (static or oscillating) or a drag knife.
+         *
+         *     It is a drag knife if ``trail``, the distance of the tip behind the head's axis, is greater
+         *     than 0.  The machine turns it, unless it is ``free``: then it turns about its axis by itself,
+         *     because the tip is dragged along, and keeps its heading in the air.
+         */
+        ToolDefinitionKnifeTable: {
+            /**
+             * @description The field `kind` of the TOML file (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "knife";
+            /**
+             * Blade Angle
+             * @description slant of the leading edge from the vertical (degrees)
+             */
+            blade_angle: number;
+            /**
+             * Blade Width
+             * @description width of the blade along the cut (mm)
+             */
+            blade_width: number;
+            /**
+             * Swivel
+             * @description swivel angle: corners sharper than this are turned above the board (degrees)
+             */
+            swivel: number;
+            /**
+             * Feed
+             * @description The field `feed` of the TOML file
+             */
+            feed: number;
+            /**
+             * Plunge
+             * @description The field `plunge` of the TOML file
+             */
+            plunge: number;
+            /**
+             * Oscillating
+             * @description The field `oscillating` of the TOML file
+             * @default false
+             */
+            oscillating: boolean;
+            /**
+             * Trail
+             * @description e, distance of the tip behind the head's axis (mm)
+             * @default 0
+             */
+            trail: number;
+            /**
+             * Lead In
+             * @description length of the arc from the waste to an outer contour (mm)
+             * @default 0
+             */
+            lead_in: number;
+            /**
+             * Lead Out
+             * @description length of the arc from an outer contour to the waste (mm)
+             * @default 0
+             */
+            lead_out: number;
+            /**
+             * Least Radius
+             * @description smallest radius that the blade turns in (mm); 0: no limit
+             * @default 0
+             */
+            least_radius: number;
+            /**
+             * Free
+             * @description the blade trails its axis freely; no axis of the machine turns it
+             * @default false
+             */
+            free: boolean;
+            /**
+             * Swivel Depth
+             * @description depth of the tip in the board while a free blade is turned about it (mm); 0: the full depth
+             * @default 0
+             */
+            swivel_depth: number;
+            /**
+             * Park Heading
+             * @description heading of a free blade at the start and at the end of each program (degrees)
+             * @default 0
+             */
+            park_heading: number;
+        };
+        /**
+         * LaserTable
+         * @description A laser that cuts through the board in one pass with its focus at one height.
+         */
+        ToolDefinitionLaserTable: {
+            /**
+             * @description The field `kind` of the TOML file (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "laser";
+            /**
+             * Kerf
+             * @description width of the cut (mm); half of it is the radius r
+             */
+            kerf: number;
+            /**
+             * Feed
+             * @description The field `feed` of the TOML file
+             */
+            feed: number;
+            /**
+             * Power
+             * @description S word of full power, in units of the controller ($30)
+             */
+            power: number;
+            /**
+             * Pierce
+             * @description dwell at the start of a cut until the board is pierced (s)
+             */
+            pierce: number;
+            /**
+             * Focus
+             * @description height of the focus above the board's top face (mm)
+             * @default 0
+             */
+            focus: number;
+            /**
+             * Lead
+             * @description length of the lead-in from the pierced hole (mm); 0: 1.5 r
+             * @default 0
+             */
+            lead: number;
+            /**
+             * Approach
+             * @description angle of the lead-in to the contour (degrees); 0: in line
+             * @default 90
+             */
+            approach: number;
+            /**
+             * Dwell
+             * @description maximum time at a corner before the board burns (s); 0: no limit
+             * @default 0
+             */
+            dwell: number;
+            /**
+             * Air
+             * @description digital output of the air assist; -1 for none
+             * @default -1
+             */
+            air: number;
+        };
+        /**
+         * VCutterTable
+         * @description A tilted blade that cuts one flank of a V-groove in each of two passes.
+         *
+         *     Seen in the direction of travel, the head's axis is to the right of the tip by the distance
+         *     ``back``, and ahead of the tip by the distance ``half_width``.  The other end of the cutting
+         *     edge is ahead of the tip by twice ``half_width``.
+         */
+        ToolDefinitionVCutterTable: {
+            /**
+             * @description The field `kind` of the TOML file (enum property replaced by openapi-typescript)
+             * @enum {string}
+             */
+            kind: "v-cutter";
+            /**
+             * Back
+             * @description d, distance of tip and head axis across the cutting edge (mm)
+             */
+            back: number;
+            /**
+             * Half Width
+             * @description r, distance of tip and head axis along the cutting edge (mm)
+             */
+            half_width: number;
+            /**
+             * Tilt
+             * @description θ, angle of the blade from the vertical (degrees)
+             */
+            tilt: number;
+            /**
+             * Feed
+             * @description The field `feed` of the TOML file
+             * @default 12000
+             */
+            feed: number;
+            /**
+             * Plunge
+             * @description The field `plunge` of the TOML file
+             * @default 3000
+             */
+            plunge: number;
         };
         /** @description Code of a message. Newer servers have further codes. */
         MessageCode: string;
@@ -7807,6 +9657,15 @@ export interface components {
             arguments: {
                 file: string;
                 reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "board.above-travel";
+            arguments: {
+                caliper: number;
+                machine: string;
+                travel: number;
+                clearance: number;
             };
         } | {
             /** @constant */
@@ -7907,6 +9766,99 @@ export interface components {
             code: "cf2.subroutine";
             arguments: {
                 name: string;
+            };
+        } | {
+            /** @constant */
+            code: "check.begun-sheet";
+            arguments: {
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "check.board";
+            arguments: {
+                board: string;
+                caliper: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "check.caliper";
+            arguments: {
+                caliper: number;
+            };
+        } | {
+            /** @constant */
+            code: "check.drawing-place";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "check.fed-sheet";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "check.fed-table";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "check.hands";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "check.named";
+            arguments: {
+                id: string;
+                text: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "check.sheet-larger";
+            arguments: {
+                place: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "check.sheet-outline";
+            arguments: {
+                place: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "check.sheet-place";
+            arguments: {
+                x: number;
+                y: number;
+            };
+        } | {
+            /** @constant */
+            code: "check.sheet-size";
+            arguments: {
+                width: number;
+                height: number;
+                place: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "check.station";
+            arguments: {
+                station: number;
+                tool: string;
+            };
+        } | {
+            /** @constant */
+            code: "check.table";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "check.table-next";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "check.unfinished-sheet";
+            arguments: {
+                job: string;
             };
         } | {
             /** @constant */
@@ -8249,6 +10201,17 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "cleaning.near";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "cleaning.near-edge";
+            arguments: {
+                edge: number;
+                distance: number;
+            };
+        } | {
+            /** @constant */
             code: "cleaning.no-work";
             arguments: Record<string, never>;
         } | {
@@ -8481,6 +10444,12 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "controller.door-open";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
             code: "controller.due";
             arguments: {
                 line: number;
@@ -8493,6 +10462,13 @@ export interface components {
                 name: string;
                 code: number;
                 alarm: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "controller.left-program";
+            arguments: {
+                name: string;
+                state: string;
             };
         } | {
             /** @constant */
@@ -8541,12 +10517,6 @@ export interface components {
             code: "controller.no-host-and-port";
             arguments: {
                 address: string;
-            };
-        } | {
-            /** @constant */
-            code: "controller.not-in-laser-mode";
-            arguments: {
-                name: string;
             };
         } | {
             /** @constant */
@@ -8689,6 +10659,13 @@ export interface components {
             arguments: {
                 name: string;
                 seconds: number;
+            };
+        } | {
+            /** @constant */
+            code: "controller.settings-refused";
+            arguments: {
+                name: string;
+                differences: components["schemas"]["Message"][];
             };
         } | {
             /** @constant */
@@ -8954,6 +10931,20 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "database.damaged";
+            arguments: {
+                file: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "database.folder-unusable";
+            arguments: {
+                folder: string;
+                reason: string;
+            };
+        } | {
+            /** @constant */
             code: "database.in-memory";
             arguments: Record<string, never>;
         } | {
@@ -9019,6 +11010,12 @@ export interface components {
         } | {
             /** @constant */
             code: "database.unreachable";
+            arguments: {
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "database.unusable";
             arguments: {
                 reason: string;
             };
@@ -9093,6 +11090,12 @@ export interface components {
             arguments: {
                 count: number;
                 reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "drawing.of-another";
+            arguments: {
+                drawing: string;
             };
         } | {
             /** @constant */
@@ -9349,6 +11352,14 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "field.bad-json";
+            arguments: {
+                path: string;
+                line: number;
+                column: number;
+            };
+        } | {
+            /** @constant */
             code: "field.below";
             arguments: {
                 path: string;
@@ -9358,6 +11369,19 @@ export interface components {
         } | {
             /** @constant */
             code: "field.blank";
+            arguments: {
+                path: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.control-character";
+            arguments: {
+                path: string;
+                character: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.gantry-without-heading";
             arguments: {
                 path: string;
             };
@@ -9390,6 +11414,19 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "field.needs-heading";
+            arguments: {
+                path: string;
+                station: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.nested-too-deep";
+            arguments: {
+                path: string;
+            };
+        } | {
+            /** @constant */
             code: "field.no-kind";
             arguments: {
                 path: string;
@@ -9416,6 +11453,13 @@ export interface components {
                 station: number;
                 carriage: number;
                 count: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.no-year";
+            arguments: {
+                path: string;
+                value: string;
             };
         } | {
             /** @constant */
@@ -9501,6 +11545,13 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "field.not-empty";
+            arguments: {
+                path: string;
+                value: string;
+            };
+        } | {
+            /** @constant */
             code: "field.not-json";
             arguments: {
                 path: string;
@@ -9550,6 +11601,14 @@ export interface components {
             arguments: {
                 path: string;
                 value: string;
+                low: number;
+                high: number;
+            };
+        } | {
+            /** @constant */
+            code: "field.override-range";
+            arguments: {
+                path: string;
                 low: number;
                 high: number;
             };
@@ -9661,6 +11720,21 @@ export interface components {
                 path: string;
                 value: string;
                 known: string[];
+            };
+        } | {
+            /** @constant */
+            code: "field.wrong-form";
+            arguments: {
+                path: string;
+                value: string;
+            };
+        } | {
+            /** @constant */
+            code: "field.wrong-order";
+            arguments: {
+                path: string;
+                first: string;
+                second: string;
             };
         } | {
             /** @constant */
@@ -9859,6 +11933,12 @@ export interface components {
             /** @constant */
             code: "gateway.no-reason";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "gateway.not-claimed";
+            arguments: {
+                job: string;
+            };
         } | {
             /** @constant */
             code: "gateway.outdated-machine";
@@ -10459,6 +12539,13 @@ export interface components {
             code: "hpgl.swivel";
             arguments: {
                 place: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "hpgl.swivel-depth";
+            arguments: {
+                path: string;
+                value: number;
             };
         } | {
             /** @constant */
@@ -11216,6 +13303,24 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "job.changed";
+            arguments: {
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.check-refused";
+            arguments: {
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "job.checked";
+            arguments: {
+                checks: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
             code: "job.claim-returned";
             arguments: {
                 reason: components["schemas"]["Message"];
@@ -11236,7 +13341,7 @@ export interface components {
             /** @constant */
             code: "job.compile-crashed";
             arguments: {
-                reason: string;
+                incident: string;
             };
         } | {
             /** @constant */
@@ -11358,9 +13463,48 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "job.interrupted-unobserved";
+            arguments: {
+                line: number;
+                lines: number;
+                most: components["schemas"]["Message"];
+                copy: components["schemas"]["Message"] | null;
+                cause: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
             code: "job.late-report";
             arguments: {
                 report: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "job.machine-not-free";
+            arguments: {
+                job: string;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "job.may-have-ended";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.may-have-gone-on";
+            arguments: {
+                line: number;
+            };
+        } | {
+            /** @constant */
+            code: "job.needs-end";
+            arguments: {
+                job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.needs-sheet";
+            arguments: {
+                job: string;
             };
         } | {
             /** @constant */
@@ -11369,6 +13513,13 @@ export interface components {
                 job: string;
                 state: string;
                 advice: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "job.no-end-awaited";
+            arguments: {
+                job: string;
+                state: string;
             };
         } | {
             /** @constant */
@@ -11386,6 +13537,13 @@ export interface components {
             /** @constant */
             code: "job.no-work";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "job.not-checked";
+            arguments: {
+                job: string;
+                missing: components["schemas"]["Message"][];
+            };
         } | {
             /** @constant */
             code: "job.not-confirmed";
@@ -11408,6 +13566,13 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "job.nothing-refused";
+            arguments: {
+                job: string;
+                state: string;
+            };
+        } | {
+            /** @constant */
             code: "job.nothing-sent";
             arguments: Record<string, never>;
         } | {
@@ -11427,14 +13592,6 @@ export interface components {
             /** @constant */
             code: "job.ordered";
             arguments: Record<string, never>;
-        } | {
-            /** @constant */
-            code: "job.other-board";
-            arguments: {
-                job: string;
-                board: string;
-                given: string;
-            };
         } | {
             /** @constant */
             code: "job.other-phase";
@@ -11462,6 +13619,10 @@ export interface components {
                 findings: components["schemas"]["Message"][];
                 more: components["schemas"]["Message"] | null;
             };
+        } | {
+            /** @constant */
+            code: "job.rechecked";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "job.recompiled";
@@ -11501,6 +13662,12 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "job.stated-by-feed";
+            arguments: {
+                checks: components["schemas"]["Message"][];
+            };
+        } | {
+            /** @constant */
             code: "job.tool-changed";
             arguments: {
                 station: number;
@@ -11509,16 +13676,17 @@ export interface components {
             };
         } | {
             /** @constant */
-            code: "job.tools-not-checked";
-            arguments: {
-                job: string;
-                stations: string[];
-            };
-        } | {
-            /** @constant */
             code: "job.unknown";
             arguments: {
                 job: string;
+            };
+        } | {
+            /** @constant */
+            code: "job.unknown-checks";
+            arguments: {
+                job: string;
+                unknown: string[];
+                known: string[];
             };
         } | {
             /** @constant */
@@ -11580,9 +13748,49 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "key.limited";
+            arguments: {
+                customer: string;
+            };
+        } | {
+            /** @constant */
+            code: "key.other-customer";
+            arguments: {
+                customer: string;
+                given: string;
+            };
+        } | {
+            /** @constant */
+            code: "key.other-machine";
+            arguments: {
+                machine: string;
+                machines: string[];
+            };
+        } | {
+            /** @constant */
+            code: "key.revoked";
+            arguments: {
+                id: string;
+            };
+        } | {
+            /** @constant */
             code: "key.unknown";
             arguments: {
                 id: string;
+            };
+        } | {
+            /** @constant */
+            code: "key.unlimited-scope";
+            arguments: {
+                scope: string;
+                scopes: string[];
+            };
+        } | {
+            /** @constant */
+            code: "knife.park-heading";
+            arguments: {
+                station: number;
+                degrees: number;
             };
         } | {
             /** @constant */
@@ -11770,6 +13978,12 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "library.no-settings";
+            arguments: {
+                machine: string;
+            };
+        } | {
+            /** @constant */
             code: "library.not-an-object";
             arguments: {
                 shelf: string;
@@ -11925,6 +14139,17 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "linuxcnc.beyond-travel";
+            arguments: {
+                name: string;
+                line: number;
+                axis: string;
+                position: number;
+                limit: number;
+                unit: string;
+            };
+        } | {
+            /** @constant */
             code: "linuxcnc.cause";
             arguments: {
                 texts: string[];
@@ -11941,6 +14166,13 @@ export interface components {
             arguments: {
                 folder: string;
                 reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "linuxcnc.ini-unread";
+            arguments: {
+                name: string;
+                path: string;
             };
         } | {
             /** @constant */
@@ -12411,6 +14643,80 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "obstacle.asleep";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "obstacle.busy";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "obstacle.check-mode";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "obstacle.door-closed";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "obstacle.door-open";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "obstacle.held";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "obstacle.job-door-closed";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "obstacle.job-door-open";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "obstacle.limit-pressed";
+            arguments: {
+                name: string;
+                axes: string[];
+            };
+        } | {
+            /** @constant */
+            code: "obstacle.limit-unused";
+            arguments: {
+                name: string;
+                axes: string[];
+            };
+        } | {
+            /** @constant */
+            code: "obstacle.moves";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "obstacle.tool-change";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
             code: "offset.bad-distance";
             arguments: Record<string, never>;
         } | {
@@ -12552,12 +14858,26 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "operation.bad-override";
+            arguments: {
+                percent: number;
+                low: number;
+                high: number;
+            };
+        } | {
+            /** @constant */
             code: "operation.beyond-travel";
             arguments: {
                 axis: string;
                 target: number;
                 low: number;
                 high: number;
+            };
+        } | {
+            /** @constant */
+            code: "operation.door-open";
+            arguments: {
+                name: string;
             };
         } | {
             /** @constant */
@@ -12573,6 +14893,14 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "operation.hands-not-clear";
+            arguments: {
+                request: string;
+                machine: string;
+                seconds: number;
+            };
+        } | {
+            /** @constant */
             code: "operation.job-on-machine";
             arguments: Record<string, never>;
         } | {
@@ -12582,6 +14910,13 @@ export interface components {
                 job: string;
                 state: string;
                 machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "operation.jog-ended";
+            arguments: {
+                id: string;
+                seconds: number;
             };
         } | {
             /** @constant */
@@ -12632,6 +14967,20 @@ export interface components {
             code: "operation.not-locked";
             arguments: {
                 name: string;
+            };
+        } | {
+            /** @constant */
+            code: "operation.nothing-held";
+            arguments: {
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "operation.override-not-confirmed";
+            arguments: {
+                name: string;
+                found: number;
+                percent: number;
             };
         } | {
             /** @constant */
@@ -13176,7 +15525,7 @@ export interface components {
             code: "reading.crashed";
             arguments: {
                 name: string;
-                reason: string;
+                incident: string;
             };
         } | {
             /** @constant */
@@ -13312,6 +15661,12 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "request.no-media";
+            arguments: {
+                supported: string[];
+            };
+        } | {
+            /** @constant */
             code: "request.not-base64";
             arguments: {
                 name: string;
@@ -13336,6 +15691,16 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "request.order-not-tried";
+            arguments: {
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "request.outcome-unknown";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "request.refused";
             arguments: {
                 status: number;
@@ -13347,6 +15712,12 @@ export interface components {
                 principal: string;
                 scope: string;
                 scopes: string[];
+            };
+        } | {
+            /** @constant */
+            code: "request.secret-not-kept";
+            arguments: {
+                path: string;
             };
         } | {
             /** @constant */
@@ -13372,6 +15743,13 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "request.wrong-media";
+            arguments: {
+                media: string;
+                supported: string[];
+            };
+        } | {
+            /** @constant */
             code: "request.wrong-method";
             arguments: {
                 method: string;
@@ -13383,6 +15761,13 @@ export interface components {
             arguments: {
                 job: string;
                 machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "rest.continue-first";
+            arguments: {
+                tracks: components["schemas"]["Message"];
+                interruption: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -13473,6 +15858,29 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "rest.statement-needed";
+            arguments: {
+                job: string;
+                executed: number;
+                most: number;
+                tracks: number;
+                track: number;
+            };
+        } | {
+            /** @constant */
+            code: "rest.tracks";
+            arguments: {
+                count: number;
+            };
+        } | {
+            /** @constant */
+            code: "rest.tracks-between";
+            arguments: {
+                least: number;
+                most: number;
+            };
+        } | {
+            /** @constant */
             code: "rest.whole-ordered";
             arguments: {
                 job: string;
@@ -13497,6 +15905,12 @@ export interface components {
             /** @constant */
             code: "rs274.arc-of-other-carriage";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "rs274.arc-on-chord-machine";
+            arguments: {
+                machine: string;
+            };
         } | {
             /** @constant */
             code: "rs274.axis-without-motion";
@@ -13826,12 +16240,23 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "server.database-damaged";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "server.database-silent";
             arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "server.internal-error";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "server.machine-taken";
+            arguments: {
+                holder: string;
+                machine: string;
+            };
         } | {
             /** @constant */
             code: "server.not-started";
@@ -13849,6 +16274,96 @@ export interface components {
                 server: string;
                 reason: string;
             };
+        } | {
+            /** @constant */
+            code: "setting.difference";
+            arguments: {
+                setting: string;
+                found: string;
+                expected: string;
+                assignment: string;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "setting.faster";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.homes-at-other-end";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.inches";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.laser-mode";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.laser-mode-stops-spindle";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.no-buffer-state";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.no-hard-limits";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.no-homing";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.no-laser-mode";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.no-rate";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.no-soft-limits";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.no-steps";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.no-work-offset";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.rotary-axes";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.short-travel";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.slower";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.spindle-limit";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.unit-of-angle";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.unit-of-length";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "setting.z-homes-down";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "settings.bad-host";
@@ -13915,6 +16430,10 @@ export interface components {
         } | {
             /** @constant */
             code: "sign-in.wrong";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "sign-in.wrong-code";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -14082,6 +16601,10 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "tool.free-without-trail";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "tool.missing";
             arguments: {
                 count: number;
@@ -14104,6 +16627,10 @@ export interface components {
                 lead: number;
                 radius: number;
             };
+        } | {
+            /** @constant */
+            code: "tool.swivel-of-driven-knife";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "tool.tilted";
@@ -14677,9 +17204,35 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "user.password-blank";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "user.password-common";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "user.password-name";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "user.password-repeated";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "user.password-sequence";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "user.unknown";
             arguments: {
                 name: string;
+            };
+        } | {
+            /** @constant */
+            code: "user.weak-password";
+            arguments: {
+                why: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -14730,6 +17283,42 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "verify.blade-bend";
+            arguments: {
+                turn: number;
+                width: number;
+                radius: number;
+                top: number;
+                rear: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.blade-bend-too-tight";
+            arguments: {
+                turn: number;
+                width: number;
+                radius: number;
+                top: number;
+                rear: number;
+                tolerance: number;
+                least: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.blade-not-parked";
+            arguments: {
+                station: number;
+                heading: number;
+                park: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.blade-pushed";
+            arguments: {
+                length: number;
+            };
+        } | {
+            /** @constant */
             code: "verify.bridge-near-corner";
             arguments: {
                 place: number;
@@ -14775,6 +17364,13 @@ export interface components {
             code: "verify.cleaning-dropped";
             arguments: {
                 length: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.cleaning-fit";
+            arguments: {
+                distance: number;
+                stated: number;
             };
         } | {
             /** @constant */
@@ -14835,6 +17431,18 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "verify.crease-too-bent";
+            arguments: {
+                wheel: number;
+                contact: number;
+                distance: number;
+                tolerance: number;
+                length: number;
+                radius: number;
+                smaller: number;
+            };
+        } | {
+            /** @constant */
             code: "verify.crease-too-short";
             arguments: {
                 length: number;
@@ -14864,6 +17472,21 @@ export interface components {
             /** @constant */
             code: "verify.cutter-at-rest";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.deep-swivel";
+            arguments: {
+                depth: number;
+                planned: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.drawn-twice";
+            arguments: {
+                type: string;
+                distance: number;
+                length: number;
+            };
         } | {
             /** @constant */
             code: "verify.feed-of-other-axis";
@@ -14934,6 +17557,14 @@ export interface components {
             arguments: {
                 length: number;
                 blade: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.grooves-meet";
+            arguments: {
+                distance: number;
+                width: number;
+                length: number;
             };
         } | {
             /** @constant */
@@ -15032,6 +17663,40 @@ export interface components {
             /** @constant */
             code: "verify.moves-with-beam";
             arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "verify.narrow-cuts";
+            arguments: {
+                distance: number;
+                length: number;
+                caliper: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.narrow-lines";
+            arguments: {
+                type: string;
+                other: string;
+                distance: number;
+                length: number;
+                caliper: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.narrow-rim";
+            arguments: {
+                width: number;
+                caliper: number;
+                least: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.narrow-slits";
+            arguments: {
+                count: number;
+                length: number;
+                width: number;
+            };
         } | {
             /** @constant */
             code: "verify.never-stated";
@@ -15224,6 +17889,14 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "verify.replaced";
+            arguments: {
+                type: string;
+                other: string;
+                length: number;
+            };
+        } | {
+            /** @constant */
             code: "verify.slanted";
             arguments: {
                 station: number;
@@ -15279,6 +17952,14 @@ export interface components {
             arguments: {
                 height: number;
                 needed: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.swivel-mark";
+            arguments: {
+                turn: number;
+                mark: number;
+                tolerance: number;
             };
         } | {
             /** @constant */
@@ -15419,7 +18100,27 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "waiting.check-refused";
+            arguments: {
+                machine: string;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
             code: "waiting.confirmed";
+            arguments: {
+                machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.controller-not-connected";
+            arguments: {
+                machine: string;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "waiting.for-controller";
             arguments: {
                 machine: string;
             };
@@ -15482,6 +18183,13 @@ export interface components {
             code: "waiting.for-turn";
             arguments: {
                 machine: string;
+            };
+        } | {
+            /** @constant */
+            code: "waiting.obstacle";
+            arguments: {
+                machine: string;
+                reason: components["schemas"]["Message"];
             };
         } | {
             /** @constant */
@@ -15678,6 +18386,13 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "xjdf.foreign-drawing";
+            arguments: {
+                url: string;
+                host: string;
+            };
+        } | {
+            /** @constant */
             code: "xjdf.many-files";
             arguments: {
                 limit: number;
@@ -15787,6 +18502,14 @@ export interface operations {
                 notes?: string;
                 /** @description Value of the metadata with the key KEY, such as `metadata.line=3`; may be given for several keys, and all must match */
                 "metadata.KEY"?: string | null;
+                /** @description Earliest creation; null for no limit */
+                created_after?: string | null;
+                /** @description Time before which it was created; null for no limit */
+                created_before?: string | null;
+                /** @description Earliest last change, for what has changed since; null for no limit */
+                updated_after?: string | null;
+                /** @description Time before which it was changed last; null for no limit */
+                updated_before?: string | null;
             };
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
@@ -15817,6 +18540,9 @@ export interface operations {
                      *         "revision": 1,
                      *         "name": "tray.dxf",
                      *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "updated": "2030-01-02T03:04:05.123Z",
+                     *         "owner": "text",
+                     *         "shared": false,
                      *         "unit": "mm",
                      *         "width": 12.5,
                      *         "height": 12.5,
@@ -15907,7 +18633,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -15959,6 +18685,9 @@ export interface operations {
                      *       "revision": 1,
                      *       "name": "tray.dxf",
                      *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "owner": "text",
+                     *       "shared": false,
                      *       "sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
                      *       "unit": "mm",
                      *       "unit_given": "mm",
@@ -16127,7 +18856,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked`, `key.other-customer` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -16163,7 +18892,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -16208,7 +18937,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -16262,6 +18991,9 @@ export interface operations {
                      *       "revision": 1,
                      *       "name": "tray.dxf",
                      *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "owner": "text",
+                     *       "shared": false,
                      *       "sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
                      *       "unit": "mm",
                      *       "unit_given": "mm",
@@ -16500,7 +19232,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -16514,7 +19246,10 @@ export interface operations {
     delete_drawing: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the revision on which the change is based; 412 if it is not the newest. Without it the change applies to the newest. */
+                "If-Match"?: string;
+            };
             path: {
                 /** @description Id of the drawing */
                 id: string;
@@ -16548,7 +19283,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked`, `drawing.of-another` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -16577,6 +19312,15 @@ export interface operations {
             };
             /** @description Conflict: `drawing.in-use` */
             409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Precondition Failed: `drawing.stale` */
+            412: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -16638,7 +19382,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -16700,6 +19444,9 @@ export interface operations {
                      *       "revision": 1,
                      *       "name": "tray.dxf",
                      *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "owner": "text",
+                     *       "shared": false,
                      *       "sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
                      *       "unit": "mm",
                      *       "unit_given": "mm",
@@ -16868,7 +19615,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked`, `drawing.of-another`, `key.other-customer` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -16922,7 +19669,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -16967,7 +19714,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -17136,7 +19883,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -17196,6 +19943,9 @@ export interface operations {
                      *       "revision": 1,
                      *       "name": "tray.dxf",
                      *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "owner": "text",
+                     *       "shared": false,
                      *       "sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
                      *       "unit": "mm",
                      *       "unit_given": "mm",
@@ -17364,7 +20114,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked`, `drawing.of-another` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -17418,7 +20168,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -17463,7 +20213,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -17598,7 +20348,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -17757,7 +20507,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -17923,7 +20673,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -18059,7 +20809,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -18089,6 +20839,14 @@ export interface operations {
                 notes?: string;
                 /** @description Value of the metadata with the key KEY, such as `metadata.line=3`; may be given for several keys, and all must match */
                 "metadata.KEY"?: string | null;
+                /** @description Earliest creation; null for no limit */
+                created_after?: string | null;
+                /** @description Time before which it was created; null for no limit */
+                created_before?: string | null;
+                /** @description Earliest last change, for what has changed since; null for no limit */
+                updated_after?: string | null;
+                /** @description Time before which it was changed last; null for no limit */
+                updated_before?: string | null;
                 /** @description States of the jobs; may be repeated; all if it is missing */
                 state?: ("received" | "compiling" | "ready" | "queued" | "running" | "held" | "done" | "refused" | "interrupted" | "scrapped" | "continued" | "cancelled")[];
                 /** @description Id of the drawing; empty for all drawings */
@@ -18178,6 +20936,14 @@ export interface operations {
                      *         "queue_position": 1,
                      *         "estimated_start": "2030-01-02T03:04:05.123Z",
                      *         "no_estimate": "",
+                     *         "check_refusal": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         },
                      *         "on_hold": false,
                      *         "ended": "2030-01-02T03:04:05.123Z",
                      *         "tools": [
@@ -18201,6 +20967,8 @@ export interface operations {
                      *         ],
                      *         "stopped_at": {
                      *           "line": 1,
+                     *           "line_at_most": 1,
+                     *           "certain": true,
                      *           "position": [
                      *             12.5,
                      *             12.5,
@@ -18341,7 +21109,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -18448,6 +21216,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -18471,6 +21247,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -18549,7 +21327,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked`, `key.other-customer`, `key.other-machine` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -18603,7 +21381,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -18648,7 +21426,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -18755,6 +21533,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -18778,6 +21564,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -18926,7 +21714,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -18940,7 +21728,10 @@ export interface operations {
     change_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description ETag of the job on which the change is based; 412 if priority, copies, hold or details of the order were changed since. Progress of the job is no change */
+                "If-Match"?: string;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -19024,6 +21815,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -19047,6 +21846,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -19125,7 +21926,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked`, `key.other-customer` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -19161,6 +21962,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description Precondition Failed: `job.changed` */
+            412: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Request Entity Too Large: `request.body-too-large` */
             413: {
                 headers: {
@@ -19170,7 +21980,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -19215,7 +22025,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -19237,7 +22047,12 @@ export interface operations {
     };
     get_job_events: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
                 "If-None-Match"?: string;
@@ -19369,7 +22184,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -19508,7 +22323,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -19761,7 +22576,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -19895,7 +22710,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -20034,7 +22849,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -20146,6 +22961,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -20169,6 +22992,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -20292,7 +23117,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -20337,7 +23162,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -20442,6 +23267,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -20465,6 +23298,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -20633,7 +23468,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -20738,6 +23573,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -20761,6 +23604,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -20929,7 +23774,313 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    recheck_job: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description Id of the job */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
+                    "application/json": components["schemas"]["JobOut"];
+                };
+            };
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.nothing-refused` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -20966,12 +24117,14 @@ export interface operations {
             content: {
                 /**
                  * @example {
-                 *       "board": "e-flute",
-                 *       "by": "Ada",
-                 *       "stations": [
-                 *         1,
-                 *         2
-                 *       ]
+                 *       "checked": [
+                 *         "board",
+                 *         "sheet",
+                 *         "station-1",
+                 *         "table-clear",
+                 *         "hands-clear"
+                 *       ],
+                 *       "by": "Ada"
                  *     }
                  */
                 "application/json": components["schemas"]["ConfirmIn"] | null;
@@ -21048,6 +24201,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -21071,6 +24232,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -21176,7 +24339,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `dry-run.in-progress`, `job.being-cancelled`, `job.gateway-silent`, `job.no-confirmation-awaited`, `job.no-sheet-awaited`, `job.not-taken`, `job.nothing-to-confirm`, `job.other-board`, `job.outdated`, `job.tools-not-checked`, `job.worn-tools` */
+            /** @description Conflict: `dry-run.in-progress`, `job.being-cancelled`, `job.gateway-silent`, `job.machine-not-free`, `job.no-confirmation-awaited`, `job.no-sheet-awaited`, `job.not-checked`, `job.not-taken`, `job.nothing-to-confirm`, `job.outdated`, `job.worn-tools` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -21194,7 +24357,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -21212,7 +24375,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `job.unknown-checks` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -21239,7 +24402,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -21344,6 +24507,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -21367,6 +24538,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -21454,7 +24627,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found: `job.unknown`, `library.unknown`, `tool-life.no-station` */
+            /** @description Not Found: `job.unknown` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -21472,7 +24645,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `job.cancelled-before-request`, `job.not-confirmed`, `job.other-phase`, `job.outdated`, `job.tools-not-checked`, `job.worn-tools`, `job.wrong-state-for-request` */
+            /** @description Conflict: `job.cancelled-before-request`, `job.needs-end`, `job.needs-sheet`, `job.no-end-awaited`, `job.not-confirmed`, `job.other-phase`, `job.wrong-state-for-request`, `operation.hands-not-clear` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -21535,7 +24708,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -21645,6 +24818,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -21668,6 +24849,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -21755,7 +24938,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found: `job.unknown`, `library.unknown`, `tool-life.no-station` */
+            /** @description Not Found: `job.unknown` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -21773,7 +24956,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `job.cancelled-before-request`, `job.not-confirmed`, `job.other-phase`, `job.outdated`, `job.tools-not-checked`, `job.worn-tools`, `job.wrong-state-for-request` */
+            /** @description Conflict: `job.cancelled-before-request`, `job.needs-end`, `job.needs-sheet`, `job.no-end-awaited`, `job.not-confirmed`, `job.other-phase`, `job.wrong-state-for-request`, `operation.hands-not-clear` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -21791,7 +24974,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -21836,7 +25019,318 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    confirm_end: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key has no further effect and gets the drawing or the job of the first; with the same key and another content it is refused with 422. Each user and each API key has keys of its own */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description Id of the job */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: {
+            content: {
+                /** @example {} */
+                "application/json": components["schemas"]["EndIn"] | null;
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example {
+                     *       "external_id": "PO-4711",
+                     *       "customer": "Carton Works",
+                     *       "due": "2030-01-02T03:04:05.123Z",
+                     *       "notes": "Two samples for the customer",
+                     *       "metadata": {},
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "received",
+                     *       "actions": [
+                     *         "accept"
+                     *       ],
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "reason": "The customer accepts it",
+                     *       "hint": "text",
+                     *       "source": [
+                     *         "text"
+                     *       ],
+                     *       "questions": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists.",
+                     *           "kind": "unit",
+                     *           "choices": [
+                     *             "text"
+                     *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
+                     *           "layer": "CUT",
+                     *           "colour": 1
+                     *         }
+                     *       ],
+                     *       "drawing": "5p256sc8xs7q",
+                     *       "drawing_name": "tray.dxf",
+                     *       "machine": "demo-table",
+                     *       "machine_version": 1,
+                     *       "board": "e-flute",
+                     *       "board_version": 1,
+                     *       "profile": "default",
+                     *       "resumes": "text",
+                     *       "is_rest": false,
+                     *       "copies": 1,
+                     *       "copies_done": 1,
+                     *       "program_of": "text",
+                     *       "remaining_copies": 0,
+                     *       "priority": 1,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "updated": "2030-01-02T03:04:05.123Z",
+                     *       "waiting_for": "",
+                     *       "queue_position": 1,
+                     *       "estimated_start": "2030-01-02T03:04:05.123Z",
+                     *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
+                     *       "on_hold": false,
+                     *       "ended": "2030-01-02T03:04:05.123Z",
+                     *       "tools": [
+                     *         {
+                     *           "station": 1,
+                     *           "name": "tray.dxf",
+                     *           "kind": "LINE"
+                     *         }
+                     *       ],
+                     *       "requested_action": "",
+                     *       "stage": "prepare",
+                     *       "progress": 12.5,
+                     *       "line": 1,
+                     *       "lines": 1,
+                     *       "phase": 0,
+                     *       "position": [
+                     *         12.5,
+                     *         12.5,
+                     *         12.5,
+                     *         12.5
+                     *       ],
+                     *       "stopped_at": {
+                     *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
+                     *         "position": [
+                     *           12.5,
+                     *           12.5,
+                     *           12.5,
+                     *           12.5
+                     *         ],
+                     *         "station": 1
+                     *       },
+                     *       "seconds": 12.5,
+                     *       "seconds_left": 12.5,
+                     *       "corners": {
+                     *         "type": "auto",
+                     *         "k": 0.5,
+                     *         "interference": "trim",
+                     *         "at": [
+                     *           {
+                     *             "x": 12.5,
+                     *             "y": 12.5,
+                     *             "type": "auto",
+                     *             "k": 0.5
+                     *           }
+                     *         ]
+                     *       },
+                     *       "sheet": {
+                     *         "width": 12.5,
+                     *         "height": 12.5,
+                     *         "margin": 0
+                     *       },
+                     *       "lift": "clearance",
+                     *       "program_sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
+                     *       "verdict": {
+                     *         "accepted": true,
+                     *         "tolerance": 12.5,
+                     *         "deviation": 12.5,
+                     *         "path_deviation": 0,
+                     *         "blending": 0,
+                     *         "fit_error": 0,
+                     *         "overcut": 12.5,
+                     *         "uncut": 12.5,
+                     *         "uncut_total": 0,
+                     *         "setback_total": 0,
+                     *         "unreached": 0,
+                     *         "unreached_places": 0,
+                     *         "unreached_length": 0,
+                     *         "unreached_distance": 0,
+                     *         "slit_length": 0,
+                     *         "slit_places": 0,
+                     *         "faults": 0,
+                     *         "shortfalls": 0,
+                     *         "exceptions": 0,
+                     *         "seconds": 12.5,
+                     *         "seconds_retracted": 12.5
+                     *       },
+                     *       "mend": "text",
+                     *       "wish": ""
+                     *     }
+                     */
+                    "application/json": components["schemas"]["JobOut"];
+                };
+            };
+            /** @description Bad Request: `request.no-host`, `request.body-unreadable` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `job.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `job.cancelled-before-request`, `job.needs-end`, `job.needs-sheet`, `job.no-end-awaited`, `job.not-confirmed`, `job.other-phase`, `job.wrong-state-for-request`, `operation.hands-not-clear` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -21941,6 +25435,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -21964,6 +25466,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -22051,7 +25555,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found: `job.unknown`, `library.unknown`, `tool-life.no-station` */
+            /** @description Not Found: `job.unknown` */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -22069,7 +25573,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `job.cancelled-before-request`, `job.not-confirmed`, `job.other-phase`, `job.outdated`, `job.stale-epoch`, `job.tools-not-checked`, `job.worn-tools`, `job.wrong-state`, `job.wrong-state-for-request` */
+            /** @description Conflict: `job.cancelled-before-request`, `job.needs-end`, `job.needs-sheet`, `job.no-end-awaited`, `job.not-confirmed`, `job.other-phase`, `job.stale-epoch`, `job.wrong-state`, `job.wrong-state-for-request`, `operation.hands-not-clear` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -22132,7 +25636,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -22237,6 +25741,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -22260,6 +25772,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -22428,7 +25942,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -22533,6 +26047,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -22556,6 +26078,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -22724,7 +26248,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -22829,6 +26353,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -22852,6 +26384,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -23020,7 +26554,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -23097,6 +26631,9 @@ export interface operations {
                      *         "revision": 1,
                      *         "name": "tray.dxf",
                      *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "updated": "2030-01-02T03:04:05.123Z",
+                     *         "owner": "text",
+                     *         "shared": false,
                      *         "unit": "mm",
                      *         "width": 12.5,
                      *         "height": 12.5,
@@ -23166,6 +26703,14 @@ export interface operations {
                      *         "queue_position": 1,
                      *         "estimated_start": "2030-01-02T03:04:05.123Z",
                      *         "no_estimate": "",
+                     *         "check_refusal": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         },
                      *         "on_hold": false,
                      *         "ended": "2030-01-02T03:04:05.123Z",
                      *         "tools": [
@@ -23189,6 +26734,8 @@ export interface operations {
                      *         ],
                      *         "stopped_at": {
                      *           "line": 1,
+                     *           "line_at_most": 1,
+                     *           "certain": true,
                      *           "position": [
                      *             12.5,
                      *             12.5,
@@ -23268,7 +26815,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked`, `key.other-customer`, `key.other-machine` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -23322,7 +26869,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form`, `request.refused` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media`, `request.refused` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -23367,7 +26914,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -23425,7 +26972,9 @@ export interface operations {
                      * @example [
                      *       {
                      *         "index": 1,
+                     *         "status": 1,
                      *         "drawing": "5p256sc8xs7q",
+                     *         "job_id": "text",
                      *         "job": {
                      *           "external_id": "PO-4711",
                      *           "customer": "Carton Works",
@@ -23489,6 +27038,14 @@ export interface operations {
                      *           "queue_position": 1,
                      *           "estimated_start": "2030-01-02T03:04:05.123Z",
                      *           "no_estimate": "",
+                     *           "check_refusal": {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           },
                      *           "on_hold": false,
                      *           "ended": "2030-01-02T03:04:05.123Z",
                      *           "tools": [
@@ -23512,6 +27069,8 @@ export interface operations {
                      *           ],
                      *           "stopped_at": {
                      *             "line": 1,
+                     *             "line_at_most": 1,
+                     *             "certain": true,
                      *             "position": [
                      *               12.5,
                      *               12.5,
@@ -23576,6 +27135,9 @@ export interface operations {
                      *           "text": "Job 5p256sc8xs7q does not exist.",
                      *           "hint": "Choose one of the jobs that GET /api/jobs lists."
                      *         },
+                     *         "source": [
+                     *           "text"
+                     *         ],
                      *         "questions": [
                      *           {
                      *             "code": "job.unknown",
@@ -23673,7 +27235,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -23718,7 +27280,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -23759,6 +27321,21 @@ export interface operations {
                     /**
                      * @example {
                      *       "awaited": true,
+                     *       "checks": [
+                     *         {
+                     *           "id": "5p256sc8xs7q",
+                     *           "text": "text",
+                     *           "message": {
+                     *             "code": "job.unknown",
+                     *             "arguments": {
+                     *               "job": "5p256sc8xs7q"
+                     *             },
+                     *             "text": "Job 5p256sc8xs7q does not exist.",
+                     *             "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *           },
+                     *           "station": 1
+                     *         }
+                     *       ],
                      *       "machine": "demo-table",
                      *       "board": "e-flute",
                      *       "tools": [
@@ -23871,7 +27448,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -23975,6 +27552,14 @@ export interface operations {
                      *             "queue_position": 1,
                      *             "estimated_start": "2030-01-02T03:04:05.123Z",
                      *             "no_estimate": "",
+                     *             "check_refusal": {
+                     *               "code": "job.unknown",
+                     *               "arguments": {
+                     *                 "job": "5p256sc8xs7q"
+                     *               },
+                     *               "text": "Job 5p256sc8xs7q does not exist.",
+                     *               "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *             },
                      *             "on_hold": false,
                      *             "ended": "2030-01-02T03:04:05.123Z",
                      *             "tools": [
@@ -23998,6 +27583,8 @@ export interface operations {
                      *             ],
                      *             "stopped_at": {
                      *               "line": 1,
+                     *               "line_at_most": 1,
+                     *               "certain": true,
                      *               "position": [
                      *                 12.5,
                      *                 12.5,
@@ -24142,7 +27729,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -24159,6 +27746,8 @@ export interface operations {
             header?: {
                 /** @description ETag of the queue for which the place was chosen; 412 if the order has changed. Without it only the neighbours are compared */
                 "If-Match"?: string;
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
             };
             path: {
                 /** @description Id of the job */
@@ -24248,6 +27837,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -24271,6 +27868,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -24376,7 +27975,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `queue.claimed`, `queue.no-neighbour`, `queue.not-waiting` */
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `queue.claimed`, `queue.no-neighbour`, `queue.not-waiting` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -24403,7 +28002,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -24421,7 +28020,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -24448,7 +28047,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -24471,7 +28070,10 @@ export interface operations {
     transfer_job: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path: {
                 /** @description Id of the job */
                 id: string;
@@ -24559,6 +28161,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -24582,6 +28192,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -24687,7 +28299,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `queue.claimed`, `queue.not-waiting`, `rest.bound-to-sheet`, `store.no-column` */
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `queue.claimed`, `queue.not-waiting`, `rest.bound-to-sheet`, `store.no-column` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -24705,7 +28317,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -24723,7 +28335,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `drawing.unit-unknown`, `queue.does-not-fit` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `drawing.unit-unknown`, `queue.does-not-fit` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -24750,7 +28362,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -24903,7 +28515,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -25004,6 +28616,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -25027,6 +28647,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -25150,7 +28772,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -25195,7 +28817,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -25329,6 +28951,14 @@ export interface operations {
                      *         "queue_position": 1,
                      *         "estimated_start": "2030-01-02T03:04:05.123Z",
                      *         "no_estimate": "",
+                     *         "check_refusal": {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         },
                      *         "on_hold": false,
                      *         "ended": "2030-01-02T03:04:05.123Z",
                      *         "tools": [
@@ -25352,6 +28982,8 @@ export interface operations {
                      *         ],
                      *         "stopped_at": {
                      *           "line": 1,
+                     *           "line_at_most": 1,
+                     *           "certain": true,
                      *           "position": [
                      *             12.5,
                      *             12.5,
@@ -25492,7 +29124,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -25566,7 +29198,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `key.limited` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -25620,7 +29252,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -25646,13 +29278,18 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Server-sent events. `connected`: first, without data. `job`: a `JobOut`. `drawing`: a `DrawingSummary`. `deleted`: `{"drawing": ID}`. `station`: a `StationOut`. `library`: an entry or a profile changed, without data. The `id` of an event is for `Last-Event-ID` */
             200: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content: {
-                    "text/event-stream": unknown;
+                    /**
+                     * @example event: job
+                     *     id: 42
+                     *     data: {"id": "a1b2c3d4e5", "state": "queued"}
+                     */
+                    "text/event-stream": string;
                 };
             };
             /** @description Bad Request: `request.no-host` */
@@ -25727,7 +29364,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -25740,7 +29377,12 @@ export interface operations {
     };
     list_machines: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
                 "If-None-Match"?: string;
@@ -25778,6 +29420,10 @@ export interface operations {
                      *         "into_mat": 12.5,
                      *         "offset_cuts": true,
                      *         "feed": "manual",
+                     *         "feed_override": [
+                     *           1,
+                     *           1
+                     *         ],
                      *         "axes": {},
                      *         "carriages": [
                      *           {
@@ -25920,7 +29566,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -25971,6 +29617,10 @@ export interface operations {
                      *       "into_mat": 12.5,
                      *       "offset_cuts": true,
                      *       "feed": "manual",
+                     *       "feed_override": [
+                     *         1,
+                     *         1
+                     *       ],
                      *       "axes": {},
                      *       "carriages": [
                      *         {
@@ -26105,7 +29755,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -26139,14 +29789,92 @@ export interface operations {
         };
         requestBody: {
             content: {
-                /** @example {} */
-                "application/json": Record<string, never>;
+                /**
+                 * @example {
+                 *       "title": "ERP",
+                 *       "width": 12.5,
+                 *       "height": 12.5,
+                 *       "dialect": "grblhal",
+                 *       "origin": [
+                 *         12.5,
+                 *         12.5
+                 *       ],
+                 *       "travel_z": 12.5,
+                 *       "clearance": 12.5,
+                 *       "into_mat": 12.5,
+                 *       "settle": 12.5,
+                 *       "axes": {
+                 *         "x": {
+                 *           "low": 12.5,
+                 *           "high": 12.5,
+                 *           "velocity": 12.5,
+                 *           "acceleration": 12.5
+                 *         },
+                 *         "y": {
+                 *           "low": 12.5,
+                 *           "high": 12.5,
+                 *           "velocity": 12.5,
+                 *           "acceleration": 12.5
+                 *         },
+                 *         "z": {
+                 *           "low": 12.5,
+                 *           "high": 12.5,
+                 *           "velocity": 12.5,
+                 *           "acceleration": 12.5
+                 *         }
+                 *       },
+                 *       "station": [
+                 *         {
+                 *           "number": 1,
+                 *           "name": "tray.dxf",
+                 *           "datum": {
+                 *             "x": 12.5,
+                 *             "y": 12.5,
+                 *             "z": 12.5,
+                 *             "c": 12.5
+                 *           },
+                 *           "tool": {
+                 *             "kind": "knife",
+                 *             "blade_angle": 12.5,
+                 *             "blade_width": 12.5,
+                 *             "swivel": 12.5,
+                 *             "feed": 12.5,
+                 *             "plunge": 12.5
+                 *           }
+                 *         }
+                 *       ]
+                 *     }
+                 */
+                "application/json": components["schemas"]["MachineDefinition"];
                 "application/toml": string;
             };
         };
         responses: {
             /** @description Successful Response */
             200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example {
+                     *       "version": 0,
+                     *       "title": "ERP",
+                     *       "at": "2030-01-02T03:04:05.123Z",
+                     *       "by": "Ada",
+                     *       "note": "text",
+                     *       "shelf": "machines",
+                     *       "name": "tray.dxf",
+                     *       "shipped": true,
+                     *       "fault": "text",
+                     *       "fields": {}
+                     *     }
+                     */
+                    "application/json": components["schemas"]["DefinitionOut"];
+                };
+            };
+            /** @description The definition is new */
+            201: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -26240,7 +29968,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -26285,7 +30013,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -26447,7 +30175,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -26502,6 +30230,14 @@ export interface operations {
                      *         "text": "Job 5p256sc8xs7q does not exist.",
                      *         "hint": "Choose one of the jobs that GET /api/jobs lists."
                      *       },
+                     *       "obstacle": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "position": [
                      *         12.5,
                      *         12.5,
@@ -26511,10 +30247,12 @@ export interface operations {
                      *       "outputs": [
                      *         1
                      *       ],
+                     *       "outputs_known": true,
                      *       "operations": [
                      *         "text"
                      *       ],
                      *       "spindle": 1,
+                     *       "override": 1,
                      *       "activity": {
                      *         "kind": "dry_run",
                      *         "job": "5p256sc8xs7q",
@@ -26538,6 +30276,16 @@ export interface operations {
                      *           "hint": "Choose one of the jobs that GET /api/jobs lists."
                      *         }
                      *       },
+                     *       "notices": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         }
+                     *       ],
                      *       "job": "5p256sc8xs7q",
                      *       "seen_seconds_ago": 12.5
                      *     }
@@ -26626,8 +30374,169 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    state_hands_clear: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example {
+                     *       "until": "2030-01-02T03:04:05.123Z",
+                     *       "seconds": 12.5
+                     *     }
+                     */
+                    "application/json": components["schemas"]["HandsClearOut"];
+                };
+            };
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -26640,7 +30549,10 @@ export interface operations {
     ask_for_operation: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path: {
                 /**
                  * @description Name of the machine in the library
@@ -26729,7 +30641,178 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `dry-run.no-job`, `operation.gateway-absent`, `operation.job-running`, `operation.no-controller`, `operation.unreported`, `operation.unsupported` */
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `dry-run.no-job`, `operation.gateway-absent`, `operation.hands-not-clear`, `operation.job-running`, `operation.no-controller`, `operation.unreported`, `operation.unsupported` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    renew_jog: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
+                name: string;
+                /** @description Id of the operation */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "state": "waiting",
+                     *       "message": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       }
+                     *     }
+                     */
+                    "application/json": components["schemas"]["OperationOut"];
+                };
+            };
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown`, `operation.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `operation.jog-ended` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -26765,7 +30848,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -26792,7 +30875,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -26933,7 +31016,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -26946,7 +31029,12 @@ export interface operations {
     };
     list_machine_tools: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: never;
             path: {
                 /**
@@ -27072,7 +31160,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -27085,7 +31173,12 @@ export interface operations {
     };
     list_tool_events: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: never;
             path: {
                 /**
@@ -27199,7 +31292,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -27213,7 +31306,10 @@ export interface operations {
     record_tool_change: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path: {
                 /**
                  * @description Name of the machine in the library
@@ -27309,6 +31405,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Request Entity Too Large: `request.body-too-large` */
             413: {
                 headers: {
@@ -27318,7 +31423,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -27336,7 +31441,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -27363,7 +31468,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -27495,7 +31600,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -27540,7 +31645,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -27562,7 +31667,12 @@ export interface operations {
     };
     list_formats: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: never;
             path?: never;
             cookie?: never;
@@ -27661,7 +31771,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -27674,7 +31784,12 @@ export interface operations {
     };
     list_boards: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
                 "If-None-Match"?: string;
@@ -27714,6 +31829,13 @@ export interface operations {
                      *             "tool": "text",
                      *             "x": 12.5,
                      *             "y": 12.5
+                     *           }
+                     *         ],
+                     *         "limits": [
+                     *           {
+                     *             "kind": "LINE",
+                     *             "feed": 12.5,
+                     *             "step": 12.5
                      *           }
                      *         ]
                      *       }
@@ -27810,7 +31932,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -27863,6 +31985,13 @@ export interface operations {
                      *           "tool": "text",
                      *           "x": 12.5,
                      *           "y": 12.5
+                     *         }
+                     *       ],
+                     *       "limits": [
+                     *         {
+                     *           "kind": "LINE",
+                     *           "feed": 12.5,
+                     *           "step": 12.5
                      *         }
                      *       ]
                      *     }
@@ -27951,7 +32080,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -27985,14 +32114,55 @@ export interface operations {
         };
         requestBody: {
             content: {
-                /** @example {} */
-                "application/json": Record<string, never>;
+                /**
+                 * @example {
+                 *       "title": "ERP",
+                 *       "material": "text",
+                 *       "caliper": 12.5,
+                 *       "grain": 12.5,
+                 *       "crease_along": 12.5,
+                 *       "crease_across": 12.5,
+                 *       "end_clearance": 12.5,
+                 *       "groove_depth": 12.5,
+                 *       "groove_overcut": 12.5,
+                 *       "half_cut_depth": 12.5,
+                 *       "perforation": [
+                 *         12.5,
+                 *         12.5
+                 *       ],
+                 *       "short_crease": "press"
+                 *     }
+                 */
+                "application/json": components["schemas"]["BoardDefinition"];
                 "application/toml": string;
             };
         };
         responses: {
             /** @description Successful Response */
             200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example {
+                     *       "version": 0,
+                     *       "title": "ERP",
+                     *       "at": "2030-01-02T03:04:05.123Z",
+                     *       "by": "Ada",
+                     *       "note": "text",
+                     *       "shelf": "machines",
+                     *       "name": "tray.dxf",
+                     *       "shipped": true,
+                     *       "fault": "text",
+                     *       "fields": {}
+                     *     }
+                     */
+                    "application/json": components["schemas"]["DefinitionOut"];
+                };
+            };
+            /** @description The definition is new */
+            201: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -28086,7 +32256,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -28131,7 +32301,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -28293,7 +32463,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -28316,7 +32486,10 @@ export interface operations {
     calibrate: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path: {
                 /**
                  * @description Name of the board in the library
@@ -28410,6 +32583,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Request Entity Too Large: `request.body-too-large` */
             413: {
                 headers: {
@@ -28419,7 +32601,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -28437,7 +32619,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `machine.no-cutter`, `machine.no-such-cutter` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `machine.no-cutter`, `machine.no-such-cutter` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -28464,7 +32646,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -28486,7 +32668,12 @@ export interface operations {
     };
     list_tools: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: never;
             path?: never;
             cookie?: never;
@@ -28604,7 +32791,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -28617,7 +32804,12 @@ export interface operations {
     };
     list_library: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: never;
             path?: never;
             cookie?: never;
@@ -28720,7 +32912,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -28749,8 +32941,30 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
-                    /** @example {} */
+                    /**
+                     * @example {
+                     *       "$schema": "text",
+                     *       "title": "ERP",
+                     *       "description": "Orders of the ERP",
+                     *       "type": "object",
+                     *       "properties": {}
+                     *     }
+                     */
                     "application/json": {
+                        /** @description URI of the draft */
+                        $schema: string;
+                        /** @description Name of the schema */
+                        title?: string;
+                        /** @description What it describes */
+                        description?: string;
+                        /**
+                         * @description Always `object`
+                         * @constant
+                         */
+                        type: "object";
+                        /** @description Schemas of the fields */
+                        properties: Record<string, never>;
+                    } & {
                         [key: string]: unknown;
                     };
                 };
@@ -28827,7 +33041,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -28960,7 +33174,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -29164,7 +33378,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -29177,7 +33391,12 @@ export interface operations {
     };
     list_machine_versions: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: never;
             path: {
                 /**
@@ -29291,7 +33510,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -29424,7 +33643,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -29569,7 +33788,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -29582,7 +33801,12 @@ export interface operations {
     };
     list_board_versions: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: never;
             path: {
                 /**
@@ -29696,7 +33920,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -29829,7 +34053,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -29971,7 +34195,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -29984,7 +34208,12 @@ export interface operations {
     };
     list_tool_versions: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: never;
             path: {
                 /**
@@ -30098,7 +34327,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -30132,14 +34361,49 @@ export interface operations {
         };
         requestBody: {
             content: {
-                /** @example {} */
-                "application/json": Record<string, never>;
+                /**
+                 * @example {
+                 *       "title": "ERP",
+                 *       "tool": {
+                 *         "kind": "knife",
+                 *         "blade_angle": 12.5,
+                 *         "blade_width": 12.5,
+                 *         "swivel": 12.5,
+                 *         "feed": 12.5,
+                 *         "plunge": 12.5
+                 *       }
+                 *     }
+                 */
+                "application/json": components["schemas"]["ToolDefinition"];
                 "application/toml": string;
             };
         };
         responses: {
             /** @description Successful Response */
             200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example {
+                     *       "version": 0,
+                     *       "title": "ERP",
+                     *       "at": "2030-01-02T03:04:05.123Z",
+                     *       "by": "Ada",
+                     *       "note": "text",
+                     *       "shelf": "machines",
+                     *       "name": "tray.dxf",
+                     *       "shipped": true,
+                     *       "fault": "text",
+                     *       "fields": {}
+                     *     }
+                     */
+                    "application/json": components["schemas"]["DefinitionOut"];
+                };
+            };
+            /** @description The definition is new */
+            201: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -30233,7 +34497,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -30278,7 +34542,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -30440,7 +34704,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -30462,7 +34726,12 @@ export interface operations {
     };
     list_profiles: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: {
                 /** @description ETag of the client's copy; 304 if it is current */
                 "If-None-Match"?: string;
@@ -30614,7 +34883,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -30857,7 +35126,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -31014,7 +35283,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -31230,7 +35499,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -31275,7 +35544,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -31437,7 +35706,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -31460,7 +35729,10 @@ export interface operations {
     preview_profile: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path: {
                 /** @description Id of the drawing */
                 id: string;
@@ -31582,6 +35854,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Request Entity Too Large: `request.body-too-large` */
             413: {
                 headers: {
@@ -31591,7 +35872,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -31609,7 +35890,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `library.large-integer`, `library.unknown-file`, `profile.nested-too-deep`, `profile.not-an-extension`, `profile.not-toml`, `profile.too-long` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `library.large-integer`, `library.unknown-file`, `profile.nested-too-deep`, `profile.not-an-extension`, `profile.not-toml`, `profile.too-long` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -31636,7 +35917,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -31659,7 +35940,10 @@ export interface operations {
     learn_from_corrections: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path: {
                 /** @description Id of the drawing */
                 id: string;
@@ -31768,6 +36052,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Request Entity Too Large: `request.body-too-large` */
             413: {
                 headers: {
@@ -31795,7 +36088,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -31822,7 +36115,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -31844,7 +36137,12 @@ export interface operations {
     };
     list_webhooks: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: never;
             path?: never;
             cookie?: never;
@@ -31871,6 +36169,7 @@ export interface operations {
                      *         "created_by": "text",
                      *         "previous_secret_until": "2030-01-02T03:04:05.123Z",
                      *         "failures": 1,
+                     *         "paused_until": "2030-01-02T03:04:05.123Z",
                      *         "last_delivery": {
                      *           "id": "5p256sc8xs7q",
                      *           "event_type": "text",
@@ -31966,7 +36265,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -31980,7 +36279,10 @@ export interface operations {
     add_webhook: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -32014,6 +36316,7 @@ export interface operations {
                      *       "created_by": "text",
                      *       "previous_secret_until": "2030-01-02T03:04:05.123Z",
                      *       "failures": 1,
+                     *       "paused_until": "2030-01-02T03:04:05.123Z",
                      *       "last_delivery": {
                      *         "id": "5p256sc8xs7q",
                      *         "event_type": "text",
@@ -32073,7 +36376,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `webhook.too-many` */
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `webhook.too-many` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -32091,7 +36394,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -32109,7 +36412,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `webhook.bad-url`, `webhook.forbidden-address` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `webhook.bad-url`, `webhook.forbidden-address` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -32136,7 +36439,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -32187,6 +36490,7 @@ export interface operations {
                      *       "created_by": "text",
                      *       "previous_secret_until": "2030-01-02T03:04:05.123Z",
                      *       "failures": 1,
+                     *       "paused_until": "2030-01-02T03:04:05.123Z",
                      *       "last_delivery": {
                      *         "id": "5p256sc8xs7q",
                      *         "event_type": "text",
@@ -32290,7 +36594,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -32419,7 +36723,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -32475,6 +36779,7 @@ export interface operations {
                      *       "created_by": "text",
                      *       "previous_secret_until": "2030-01-02T03:04:05.123Z",
                      *       "failures": 1,
+                     *       "paused_until": "2030-01-02T03:04:05.123Z",
                      *       "last_delivery": {
                      *         "id": "5p256sc8xs7q",
                      *         "event_type": "text",
@@ -32551,7 +36856,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -32596,7 +36901,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -32619,7 +36924,10 @@ export interface operations {
     rotate_webhook_secret: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path: {
                 /** @description Id of the webhook */
                 id: string;
@@ -32652,6 +36960,7 @@ export interface operations {
                      *       "created_by": "text",
                      *       "previous_secret_until": "2030-01-02T03:04:05.123Z",
                      *       "failures": 1,
+                     *       "paused_until": "2030-01-02T03:04:05.123Z",
                      *       "last_delivery": {
                      *         "id": "5p256sc8xs7q",
                      *         "event_type": "text",
@@ -32720,6 +37029,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Request Entity Too Large: `request.body-too-large` */
             413: {
                 headers: {
@@ -32729,7 +37047,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -32747,7 +37065,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -32774,7 +37092,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -32797,7 +37115,10 @@ export interface operations {
     test_webhook: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path: {
                 /** @description Id of the webhook */
                 id: string;
@@ -32879,7 +37200,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `webhook.inactive` */
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `webhook.inactive` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -32915,7 +37236,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -32942,7 +37263,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -33092,7 +37413,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -33108,10 +37429,10 @@ export interface operations {
             query?: never;
             header?: never;
             path: {
-                /** @description Id of the webhook */
-                id: string;
                 /** @description Id of the delivery */
                 delivery: string;
+                /** @description Id of the webhook */
+                id: string;
             };
             cookie?: never;
         };
@@ -33227,7 +37548,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -33241,7 +37562,10 @@ export interface operations {
     replay_dead_letters: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path: {
                 /** @description Id of the webhook */
                 id: string;
@@ -33325,7 +37649,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `webhook.inactive` */
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `webhook.inactive` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -33361,7 +37685,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -33388,7 +37712,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -33411,12 +37735,15 @@ export interface operations {
     replay_webhook_delivery: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path: {
-                /** @description Id of the webhook */
-                id: string;
                 /** @description Id of the delivery */
                 delivery: string;
+                /** @description Id of the webhook */
+                id: string;
             };
             cookie?: never;
         };
@@ -33495,7 +37822,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `webhook.inactive` */
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `webhook.inactive` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -33531,7 +37858,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -33558,7 +37885,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -33699,6 +38026,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -33722,6 +38057,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -33800,7 +38137,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked`, `key.other-customer`, `key.other-machine` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -33854,7 +38191,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -33872,7 +38209,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.bad-value`, `xjdf.many-files`, `xjdf.missing`, `xjdf.nested-parts`, `xjdf.no-file`, `xjdf.no-parts`, `xjdf.not-xjdf`, `xjdf.same-names`, `xjdf.too-large`, `xjdf.twice`, `xjdf.unreadable`, `xjdf.wrong-count` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `override.ambiguous`, `override.no-edges-there`, `override.no-such-edge`, `override.no-such-handle`, `reading.crashed`, `xjdf.bad-name`, `xjdf.bad-package`, `xjdf.bad-value`, `xjdf.foreign-drawing`, `xjdf.many-files`, `xjdf.missing`, `xjdf.nested-parts`, `xjdf.no-file`, `xjdf.no-parts`, `xjdf.not-xjdf`, `xjdf.same-names`, `xjdf.too-large`, `xjdf.twice`, `xjdf.unreadable`, `xjdf.wrong-count` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -33899,7 +38236,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -34022,7 +38359,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -34067,7 +38404,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -34201,7 +38538,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -34332,7 +38669,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -34377,6 +38714,7 @@ export interface operations {
                      *       "sha256": "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08",
                      *       "lines": 1,
                      *       "copies": 1,
+                     *       "seconds": 0,
                      *       "confirm": false,
                      *       "traceparent": "text"
                      *     }
@@ -34409,7 +38747,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked`, `key.other-machine` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -34463,7 +38801,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -34508,7 +38846,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -34584,7 +38922,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `gateway.not-claimed` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -34656,7 +38994,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -34765,7 +39103,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -34810,7 +39148,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -34920,6 +39258,14 @@ export interface operations {
                      *       "queue_position": 1,
                      *       "estimated_start": "2030-01-02T03:04:05.123Z",
                      *       "no_estimate": "",
+                     *       "check_refusal": {
+                     *         "code": "job.unknown",
+                     *         "arguments": {
+                     *           "job": "5p256sc8xs7q"
+                     *         },
+                     *         "text": "Job 5p256sc8xs7q does not exist.",
+                     *         "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *       },
                      *       "on_hold": false,
                      *       "ended": "2030-01-02T03:04:05.123Z",
                      *       "tools": [
@@ -34943,6 +39289,8 @@ export interface operations {
                      *       ],
                      *       "stopped_at": {
                      *         "line": 1,
+                     *         "line_at_most": 1,
+                     *         "certain": true,
                      *         "position": [
                      *           12.5,
                      *           12.5,
@@ -35066,7 +39414,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -35111,7 +39459,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -35172,6 +39520,7 @@ export interface operations {
                      *           "on": true,
                      *           "station": 1,
                      *           "share": 12.5,
+                     *           "percent": 1,
                      *           "point": [
                      *             12.5,
                      *             12.5
@@ -35192,7 +39541,11 @@ export interface operations {
                      *         }
                      *       ],
                      *       "waited": 12.5,
-                     *       "watched": true
+                     *       "watched": true,
+                     *       "jog": {
+                     *         "id": "5p256sc8xs7q",
+                     *         "age": 12.5
+                     *       }
                      *     }
                      */
                     "application/json": components["schemas"]["StationAnswer"];
@@ -35216,7 +39569,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked`, `key.other-machine` */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -35252,7 +39605,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -35297,7 +39650,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -35350,6 +39703,11 @@ export interface operations {
                      *       "scopes": [
                      *         "viewer"
                      *       ],
+                     *       "account": "text",
+                     *       "customer": "Carton Works",
+                     *       "machines": [
+                     *         "text"
+                     *       ],
                      *       "has_admin": true
                      *     }
                      */
@@ -35401,7 +39759,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -35446,7 +39804,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -35572,7 +39930,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -35614,6 +39972,11 @@ export interface operations {
                      *       "sign_in": "password",
                      *       "scopes": [
                      *         "viewer"
+                     *       ],
+                     *       "account": "text",
+                     *       "customer": "Carton Works",
+                     *       "machines": [
+                     *         "text"
                      *       ],
                      *       "has_admin": true
                      *     }
@@ -35693,7 +40056,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -35707,7 +40070,10 @@ export interface operations {
     change_own_password: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -35775,7 +40141,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `user.at-provider`, `user.last-admin`, `user.not-signed-in` */
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `user.at-provider`, `user.last-admin`, `user.not-signed-in` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -35793,7 +40159,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -35811,7 +40177,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `user.bad-password`, `user.bad-role`, `user.wrong-password` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `user.bad-password`, `user.bad-role`, `user.weak-password`, `user.wrong-password` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -35838,7 +40204,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -35860,7 +40226,12 @@ export interface operations {
     };
     list_users: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: never;
             path?: never;
             cookie?: never;
@@ -35961,7 +40332,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -35975,7 +40346,10 @@ export interface operations {
     create_user: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -36048,7 +40422,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `user.exists` */
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `user.exists` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -36066,7 +40440,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -36084,7 +40458,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `user.bad-name`, `user.bad-password`, `user.bad-role` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `user.bad-name`, `user.bad-password`, `user.bad-role`, `user.weak-password` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -36111,7 +40485,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -36234,7 +40608,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unsupported Media Type: `request.html-form` */
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
             415: {
                 headers: {
                     [name: string]: unknown;
@@ -36252,7 +40626,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `user.bad-password`, `user.bad-role` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `user.bad-password`, `user.bad-role`, `user.weak-password` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -36279,7 +40653,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -36301,7 +40675,12 @@ export interface operations {
     };
     list_keys: {
         parameters: {
-            query?: never;
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
             header?: never;
             path?: never;
             cookie?: never;
@@ -36322,6 +40701,12 @@ export interface operations {
                      *         "scopes": [
                      *           "viewer"
                      *         ],
+                     *         "customer": "Carton Works",
+                     *         "machines": [
+                     *           "text"
+                     *         ],
+                     *         "any_machine": true,
+                     *         "device": true,
                      *         "created": "2030-01-02T03:04:05.123Z",
                      *         "created_by": "text",
                      *         "expires": "2030-01-02T03:04:05.123Z",
@@ -36405,7 +40790,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -36419,7 +40804,10 @@ export interface operations {
     create_key: {
         parameters: {
             query?: never;
-            header?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
             path?: never;
             cookie?: never;
         };
@@ -36450,6 +40838,12 @@ export interface operations {
                      *       "scopes": [
                      *         "viewer"
                      *       ],
+                     *       "customer": "Carton Works",
+                     *       "machines": [
+                     *         "text"
+                     *       ],
+                     *       "any_machine": true,
+                     *       "device": true,
                      *       "created": "2030-01-02T03:04:05.123Z",
                      *       "created_by": "text",
                      *       "expires": "2030-01-02T03:04:05.123Z",
@@ -36488,6 +40882,15 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
             /** @description Request Timeout: `limit.too-slow` */
             408: {
                 headers: {
@@ -36497,7 +40900,180 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict: `key.expired-at-once` */
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `key.expired-at-once` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form`, `request.no-media`, `request.wrong-media` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused`, `key.incomplete`, `key.unlimited-scope` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    rotate_key_secret: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /** @description Id of the key */
+                id: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example {
+                     *       "id": "5p256sc8xs7q",
+                     *       "title": "ERP",
+                     *       "scopes": [
+                     *         "viewer"
+                     *       ],
+                     *       "customer": "Carton Works",
+                     *       "machines": [
+                     *         "text"
+                     *       ],
+                     *       "any_machine": true,
+                     *       "device": true,
+                     *       "created": "2030-01-02T03:04:05.123Z",
+                     *       "created_by": "text",
+                     *       "expires": "2030-01-02T03:04:05.123Z",
+                     *       "used": "2030-01-02T03:04:05.123Z",
+                     *       "revoked": "2030-01-02T03:04:05.123Z",
+                     *       "secret": "text"
+                     *     }
+                     */
+                    "application/json": components["schemas"]["NewKeyOut"];
+                };
+            };
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `key.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept`, `key.revoked` */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -36533,7 +41109,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `key.incomplete` */
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -36560,7 +41136,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -36698,7 +41274,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -36709,6 +41285,311 @@ export interface operations {
             };
             /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
             507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    create_pairing_code: {
+        parameters: {
+            query?: never;
+            header?: {
+                /** @description Text chosen by the client, such as a UUID. A request that is repeated with the same key is not executed again; it gets the answer of the first, with the header `Idempotency-Replayed`. With another content it is refused with 422. The status is 409 if the first answer had a secret, which is not kept, or if its outcome is not known. Answers are kept for seven days */
+                "Idempotency-Key"?: string;
+            };
+            path: {
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            201: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example {
+                     *       "code": "text",
+                     *       "machine": "demo-table",
+                     *       "expires": "2030-01-02T03:04:05.123Z"
+                     *     }
+                     */
+                    "application/json": components["schemas"]["PairingCodeOut"];
+                };
+            };
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Conflict: `request.outcome-unknown`, `request.secret-not-kept` */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    list_devices: {
+        parameters: {
+            query?: {
+                /** @description Position in the list where the page begins, from the Link header of the previous page */
+                cursor?: number | null;
+                /** @description Maximum number of items in the list */
+                limit?: number;
+            };
+            header?: never;
+            path: {
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    /**
+                     * @example [
+                     *       {
+                     *         "id": "5p256sc8xs7q",
+                     *         "title": "ERP",
+                     *         "scopes": [
+                     *           "viewer"
+                     *         ],
+                     *         "customer": "Carton Works",
+                     *         "machines": [
+                     *           "text"
+                     *         ],
+                     *         "any_machine": true,
+                     *         "device": true,
+                     *         "created": "2030-01-02T03:04:05.123Z",
+                     *         "created_by": "text",
+                     *         "expires": "2030-01-02T03:04:05.123Z",
+                     *         "used": "2030-01-02T03:04:05.123Z",
+                     *         "revoked": "2030-01-02T03:04:05.123Z"
+                     *       }
+                     *     ]
+                     */
+                    "application/json": components["schemas"]["KeyOut"][];
+                };
+            };
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -36840,7 +41721,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -36974,7 +41855,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections`, `content.altered`, `content.missing`, `content.outside` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -37055,7 +41936,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -37136,7 +42017,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;
@@ -37245,7 +42126,7 @@ export interface operations {
                     "application/problem+json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Service Unavailable: `server.busy`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
             503: {
                 headers: {
                     [name: string]: unknown;

@@ -70,8 +70,26 @@ function DrawingPage() {
   return (
     <div className={css.page} data-history={history}>
       <TopBar />
+      {/* First for the keyboard: the next action is here. */}
       <aside
-        className={css.side}
+        className={`${css.side} ${css.right}`}
+        hidden={!rightOpen || history}
+        aria-label="Job, queue and machine"
+      >
+        {drawing !== null && (
+          <>
+            <InspectorPanel />
+            <OrderPanel />
+            <div className={css.openJob}>
+              <JobPanel />
+            </div>
+          </>
+        )}
+        <QueuePanel />
+        <MachinePanel />
+      </aside>
+      <aside
+        className={`${css.side} ${css.left}`}
         hidden={!leftOpen || history}
         aria-label="Drawings, line types and import"
       >
@@ -102,23 +120,6 @@ function DrawingPage() {
           <Picture onReady={ready.current} />
         )}
       </main>
-      <aside
-        className={`${css.side} ${css.right}`}
-        hidden={!rightOpen || history}
-        aria-label="Job, queue and machine"
-      >
-        {drawing !== null && (
-          <>
-            <InspectorPanel />
-            <OrderPanel />
-            <div className={css.openJob}>
-              <JobPanel />
-            </div>
-          </>
-        )}
-        <QueuePanel />
-        <MachinePanel />
-      </aside>
       <PreparationBanner />
       <ProgressOverlay />
       <NotificationList />

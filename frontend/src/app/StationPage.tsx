@@ -8,11 +8,13 @@ import { StationAlarm } from "../panels/StationAlarm";
 import { StationControls } from "../panels/StationControls";
 import { StationHeader } from "../panels/StationHeader";
 import { StationJob } from "../panels/StationJob";
+import { StationNotices, UnknownOutputs } from "../panels/StationNotices";
 import { StationOperations } from "../panels/StationOperations";
 import { StationOutcome } from "../panels/StationOutcome";
 import css from "../panels/station.module.css";
-import { checkedStations, useChecks } from "../state/checks";
+import { useChecks } from "../state/checks";
 import { useFollowedJob, useServerReached } from "../state/followMachine";
+import { HANDS, useHandsClear } from "../state/handsClear";
 import { isOnTable, needsOperator } from "../state/jobs";
 import {
   useDrawing,
@@ -53,7 +55,14 @@ export function StationPage({ machine: name }: Props) {
   const [tab, setTab] = useState<Tab>("job");
   const machine = machines?.find((one) => one.name === name);
   const job = open?.machine === name ? open : undefined;
-  const { checks, ticked, tick, wornTools } = useChecks();
+  const hands = useHandsClear(name, station);
+  const { checks, ticked: kept, tick, wornTools } = useChecks();
+  // The last check counts for a minute only.
+  const ticked = hands.left > 0 ? new Set([...kept, HANDS]) : kept;
+  const onTick = (changed: readonly string[]) => {
+    if (changed.includes(HANDS)) hands.toggle();
+    tick(changed.filter((key) => key !== HANDS));
+  };
   const waits = job !== undefined && (needsOperator(job) || isOnTable(job));
   // A job that asks for the person, or moves, comes to the front.
   useEffect(() => {
@@ -72,7 +81,7 @@ export function StationPage({ machine: name }: Props) {
       </main>
     );
   }
-  const shown = { machine, station, job, reached };
+  const shown = { machine, station, job, reached, hands };
   return (
     <main className={css.page} data-testid="station-page">
       <StationHeader {...shown} />
@@ -91,6 +100,8 @@ export function StationPage({ machine: name }: Props) {
       </div>
       <div className={css.side}>
         {station !== undefined && <StationAlarm {...shown} station={station} />}
+        {station !== undefined && <UnknownOutputs station={station} />}
+        {station !== undefined && <StationNotices station={station} />}
         <AskOperator />
         <div className={css.tabs} role="tablist" aria-label="Job or machine">
           <TabButton id="job" title="Job" tab={tab} select={setTab} />
@@ -114,13 +125,13 @@ export function StationPage({ machine: name }: Props) {
                 checks={checks}
                 ticked={ticked}
                 wornTools={wornTools}
-                onTick={tick}
+                onTick={onTick}
               />
             </Permitted>
           )}
         </div>
       </div>
-      <StationOutcome />
+      <StationOutcome state={job === undefined ? "" : `${job.id} ${job.state}`} />
       <NotificationList />
       <OperatorDialog />
       <StationControls
@@ -128,15 +139,10 @@ export function StationPage({ machine: name }: Props) {
         station={station}
         job={job}
         reached={reached}
+        hands={hands}
         checked={
-          checks?.every(({ key }) => ticked.has(key)) &&
-          job !== undefined &&
-          wornTools.decision !== null
-            ? {
-                board: job.board,
-                stations: checkedStations(checks),
-                tools: wornTools.decision,
-              }
+          checks?.every(({ key }) => ticked.has(key)) && wornTools.decision !== null
+            ? { ids: checks.map(({ key }) => key), tools: wornTools.decision }
             : null
         }
       />

@@ -27,8 +27,8 @@ export function Welcome() {
             far it deviates from the drawing.
           </li>
           <li>
-            <b>3. Send</b>Send the job to the machine, confirm that the table is ready, and follow
-            the progress.
+            <b>3. Send</b>Send the job to the machine. The operator checks the table there and
+            starts it. Follow the progress.
           </li>
         </ol>
       </div>

@@ -12,7 +12,7 @@ import type { Tools } from "../scene/swept";
 import { isDropped } from "../state/importReport";
 import { isOnTable } from "../state/jobs";
 import {
-  useBoards,
+  useBoardCaliper,
   useDrawing,
   useEdges,
   useJob,
@@ -59,9 +59,8 @@ function useShownMachine() {
 
 function useTools(): Tools {
   const { data: job } = useJob();
-  const { data: boards } = useBoards();
   const stations = useShownMachine()?.stations;
-  const caliper = boards?.find(({ name }) => name === job?.board)?.caliper ?? 0;
+  const caliper = useBoardCaliper(job?.board);
   return useMemo<Tools>(() => {
     const offsets = new Map<number, TipOffset>();
     const sweeps = new Map<number, Sweep>();

@@ -55,6 +55,10 @@ export const TEXTS = {
     "text": "The database cannot be copied to {file}: {reason}.",
     "hint": "Free space on the disk or choose another folder. The database was not changed."
   },
+  "board.above-travel": {
+    "text": "The board is {caliper:g} mm thick, but the head of {machine} travels only {travel:g} mm above the table and must stay {clearance:g} mm above the board.",
+    "hint": "Choose a thinner board, or a machine whose head travels higher."
+  },
   "bridges.no-room": {
     "text": "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# bridge|# bridges} of {gap:.2f} mm width. The board requires bridges (uncut gaps that hold a part) at most {spacing:.1f} mm apart, and away from corners and narrow slots.",
     "hint": "Choose narrower bridges or a larger spacing of bridges in the board file, or choose a board without bridges."
@@ -109,6 +113,70 @@ export const TEXTS = {
   },
   "cf2.subroutine": {
     "text": "the subroutine {name}",
+    "hint": ""
+  },
+  "check.begun-sheet": {
+    "text": "The begun sheet of job {job} lies in its place, unmoved.",
+    "hint": ""
+  },
+  "check.board": {
+    "text": "The board on the table is {board}{caliper}.",
+    "hint": ""
+  },
+  "check.caliper": {
+    "text": ", {caliper:g} mm thick",
+    "hint": ""
+  },
+  "check.drawing-place": {
+    "text": ": the lower left corner of the drawing comes to X {x:g}, Y {y:g} mm",
+    "hint": ""
+  },
+  "check.fed-sheet": {
+    "text": "a sheet of the stack lies in its place",
+    "hint": ""
+  },
+  "check.fed-table": {
+    "text": "the sheet before it was removed",
+    "hint": ""
+  },
+  "check.hands": {
+    "text": "Hands and people are clear of the machine.",
+    "hint": ""
+  },
+  "check.named": {
+    "text": "{id} ({text})",
+    "hint": ""
+  },
+  "check.sheet-larger": {
+    "text": "A sheet that is larger than the drawing lies in its place{place}.",
+    "hint": ""
+  },
+  "check.sheet-outline": {
+    "text": "The sheet, cut to the outline of the drawing, lies in its place{place}.",
+    "hint": ""
+  },
+  "check.sheet-place": {
+    "text": ", its lower left corner at X {x:g}, Y {y:g} mm",
+    "hint": ""
+  },
+  "check.sheet-size": {
+    "text": "A sheet of {width:g} × {height:g} mm lies in its place{place}.",
+    "hint": ""
+  },
+  "check.station": {
+    "text": "Station {station} holds {tool}, and it is whole.",
+    "hint": ""
+  },
+  "check.table": {
+    "text": "Nothing lies on the table except the sheet.",
+    "hint": ""
+  },
+  "check.table-next": {
+    "text": "The finished sheet is removed, and nothing lies on the table except the new one.",
+    "hint": ""
+  },
+  "check.unfinished-sheet": {
+    "text": "The unfinished sheet of job {job} is removed.",
     "hint": ""
   },
   "classification.around": {
@@ -395,6 +463,14 @@ export const TEXTS = {
     "text": "one end of the edge was moved to meet another edge",
     "hint": ""
   },
+  "cleaning.near": {
+    "text": "the edge was drawn twice: it lies close beside another edge and was merged into it",
+    "hint": ""
+  },
+  "cleaning.near-edge": {
+    "text": "the edge was drawn twice: it lies {distance:.2g} mm beside edge {edge} and was merged into it",
+    "hint": ""
+  },
   "cleaning.no-work": {
     "text": "the edge is unchanged, because no tool processes an edge of its line type",
     "hint": ""
@@ -543,6 +619,10 @@ export const TEXTS = {
     "text": "The connection to {address} is lost ({reason}).",
     "hint": "Check the table before you send anything again."
   },
+  "controller.door-open": {
+    "text": "{name} did not lift the tool and did not raise the stations, because its safety door is open.",
+    "hint": "Close the safety door, press Release, then lift the tool."
+  },
   "controller.due": {
     "text": "; no response to program line {line} ({text}) was received",
     "hint": ""
@@ -550,6 +630,10 @@ export const TEXTS = {
   "controller.in-alarm": {
     "text": "{name} is locked by alarm {code}: {alarm}.",
     "hint": "{alarm:hint}"
+  },
+  "controller.left-program": {
+    "text": "{name} executes the program no more: its state is {state}.",
+    "hint": "Check the table, and why the machine changed its state. Another program or a person may have operated it."
   },
   "controller.lift-not-finished": {
     "text": "{name} did not finish lifting the tool within {seconds:g} s.",
@@ -578,10 +662,6 @@ export const TEXTS = {
   "controller.no-host-and-port": {
     "text": "The address {address!r} of the controller has no host or no port.",
     "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323."
-  },
-  "controller.not-in-laser-mode": {
-    "text": "{name} is not in laser mode, so the laser beam would stay on during a feed hold. Nothing was sent.",
-    "hint": "Set $32=1 at the controller and connect again."
   },
   "controller.not-ready": {
     "text": "{name} is not ready: it reports the state {state}. Nothing was sent.",
@@ -658,6 +738,10 @@ export const TEXTS = {
   "controller.reset-not-confirmed": {
     "text": "{name} did not confirm its reset within {seconds:g} s.",
     "hint": "Check the table, then try again."
+  },
+  "controller.settings-refused": {
+    "text": "{name} has settings with which the programs of this machine would be dangerous: {differences: } Nothing was sent.",
+    "hint": "{differences:hint} The gateway then connects by itself."
   },
   "controller.silent": {
     "text": "{name} has not responded for {seconds:g} s{due}.",
@@ -811,6 +895,14 @@ export const TEXTS = {
     "text": "{url!r} is not the URL of a database.",
     "hint": "Write the URL as sqlite:///FILE or postgresql://USER@HOST/NAME."
   },
+  "database.damaged": {
+    "text": "The database {file} is damaged: {reason}.",
+    "hint": "Stop the server and put a backup in its place: knifetip restore FILE --replace. Keep the older backups until then. Check the disk."
+  },
+  "database.folder-unusable": {
+    "text": "The folder {folder} of the database cannot be used: {reason}.",
+    "hint": "Choose another folder with --database sqlite:///FILE, or permit this user to write there."
+  },
   "database.in-memory": {
     "text": "The server cannot use an in-memory database, because all jobs would be lost when the server stops.",
     "hint": "Use a database file: sqlite:///FILE."
@@ -850,6 +942,10 @@ export const TEXTS = {
   "database.unreachable": {
     "text": "The database cannot be reached: {reason}",
     "hint": "Check the URL of the database, and that its server is running."
+  },
+  "database.unusable": {
+    "text": "The database cannot be used: {reason}.",
+    "hint": "Check that its file, its folder and its disk exist and can be written by this user, or choose another one with --database."
   },
   "deflection.exceeds-radius": {
     "text": "The deflection of {deflection:.3f} mm cannot be corrected, because it is not smaller than the cutter's radius of {radius:.3f} mm.",
@@ -894,6 +990,10 @@ export const TEXTS = {
   "drawing.no-lines-reason": {
     "text": "{count:once|# times}, {reason}",
     "hint": ""
+  },
+  "drawing.of-another": {
+    "text": "The drawing {drawing} was uploaded by somebody else and is not shared.",
+    "hint": "Ask its owner or an operator to share it with all designers, or upload the file again."
   },
   "drawing.open-questions": {
     "text": "{count:# question|# questions} about the drawing must be answered first: {questions: }",
@@ -1055,12 +1155,24 @@ export const TEXTS = {
     "text": "{path} has arguments that do not fit the message code {name!r}",
     "hint": ""
   },
+  "field.bad-json": {
+    "text": "{path} is not valid JSON: the fault is in line {line}, column {column}",
+    "hint": ""
+  },
   "field.below": {
     "text": "{path} is {value}, but must be at least {limit:g}",
     "hint": ""
   },
   "field.blank": {
     "text": "{path} is empty",
+    "hint": ""
+  },
+  "field.control-character": {
+    "text": "{path} contains the control character {character}, which cannot be seen or typed",
+    "hint": "Remove it, or type the text again."
+  },
+  "field.gantry-without-heading": {
+    "text": "{path}: a machine with carriages needs an axis c in [axes]",
     "hint": ""
   },
   "field.inconsistent": {
@@ -1079,6 +1191,14 @@ export const TEXTS = {
     "text": "{path} is not a known field; perhaps {near} is meant",
     "hint": ""
   },
+  "field.needs-heading": {
+    "text": "{path}: station {station} has a tool that an axis must turn, but [axes] has no c. Tools of such a machine are a free knife, a cutter or a laser",
+    "hint": ""
+  },
+  "field.nested-too-deep": {
+    "text": "{path} is nested too deeply",
+    "hint": ""
+  },
   "field.no-kind": {
     "text": "{path} does not state its kind: the field {field} is missing",
     "hint": ""
@@ -1093,6 +1213,10 @@ export const TEXTS = {
   },
   "field.no-such-carriage": {
     "text": "{path}: station {station} is on carriage {carriage}, but the machine has {count:# carriage|# carriages}",
+    "hint": ""
+  },
+  "field.no-year": {
+    "text": "{path} is {value}, but must be in the years 1 to 9999 of UTC",
     "hint": ""
   },
   "field.not-a-colour": {
@@ -1139,6 +1263,10 @@ export const TEXTS = {
     "text": "{path} is {value}, but must be true or false",
     "hint": ""
   },
+  "field.not-empty": {
+    "text": "{path} is {value}, but must be null",
+    "hint": ""
+  },
   "field.not-json": {
     "text": "{path} is not valid JSON: {reason}",
     "hint": ""
@@ -1165,6 +1293,10 @@ export const TEXTS = {
   },
   "field.outside": {
     "text": "{path} is {value}, but must be from {low:g} to {high:g}",
+    "hint": ""
+  },
+  "field.override-range": {
+    "text": "{path}: the feed override from {low} to {high} % must contain 100 %",
     "hint": ""
   },
   "field.park-outside": {
@@ -1225,6 +1357,14 @@ export const TEXTS = {
   },
   "field.unknown-kind": {
     "text": "{path} has the unknown kind {value!r}; known kinds are {known:, }",
+    "hint": ""
+  },
+  "field.wrong-form": {
+    "text": "{path} is {value}, which does not have the required form",
+    "hint": ""
+  },
+  "field.wrong-order": {
+    "text": "{path}: {second} must not be before {first}",
     "hint": ""
   },
   "field.zone-above-travel": {
@@ -1379,6 +1519,10 @@ export const TEXTS = {
     "text": "The gateway (the program that sends jobs to the machine) ended the job without stating a reason.",
     "hint": "Look for the cause in the log of the gateway."
   },
+  "gateway.not-claimed": {
+    "text": "The job {job} was not claimed with this key, so its program is not given out.",
+    "hint": "Claim the job first."
+  },
   "gateway.outdated-machine": {
     "text": "The gateway {gateway} uses version {version} of the machine {machine}, whose newest version is {newest}.",
     "hint": "Load the definition of the machine again, or restart the gateway."
@@ -1389,11 +1533,11 @@ export const TEXTS = {
   },
   "gateway.switched-off": {
     "text": "The gateway (the program that sends jobs to the machine) was stopped.",
-    "hint": "Start the gateway if it is not running."
+    "hint": ""
   },
   "gateway.switched-off-before-report": {
     "text": "The machine finished the job, but the gateway (the program that sends jobs to the machine) was stopped before the result was reported.",
-    "hint": "Start the gateway if it is not running."
+    "hint": ""
   },
   "gateway.switched-off-in-run": {
     "text": "The gateway (the program that sends jobs to the machine) was stopped while the machine executed the job. The gateway then sent the machine the command to stop.",
@@ -1859,13 +2003,17 @@ export const TEXTS = {
     "text": "{place} rotates the head about the tip of the knife, because the machine file sets a knife offset (trail). HPGL cannot express this rotation and does not need it: an HPGL machine itself compensates for the knife offset.",
     "hint": "Set the trail of the knife to 0 in the machine file."
   },
+  "hpgl.swivel-depth": {
+    "text": "{path} is {value:g} mm, but an HPGL program cannot change the depth of a lowered tool",
+    "hint": "Set swivel_depth to 0."
+  },
   "hpgl.tool-not-supported": {
     "text": "{path} is neither a knife nor a creasing tool, and HPGL cannot control other tools",
     "hint": "Remove the station, or choose another controller language."
   },
   "hpgl.trail": {
     "text": "{path} (knife offset) is {value:g} mm, but an HPGL machine itself compensates for the offset of its knife",
-    "hint": "Set trail to 0."
+    "hint": "Set trail to 0, or set free if the device does not compensate."
   },
   "hpgl.travel": {
     "text": "{path} extends from {low:g} to {high:g} mm, but the working area in the HPGL settings extends from {least:g} to {greatest:g} mm",
@@ -2419,6 +2567,18 @@ export const TEXTS = {
     "text": "Job {job} is being cancelled, so the request {request} is not possible.",
     "hint": "Wait until the machine has stopped."
   },
+  "job.changed": {
+    "text": "Job {job} was changed since you read it.",
+    "hint": "Read the job again, and repeat the change if it is still necessary."
+  },
+  "job.check-refused": {
+    "text": "The program was not begun, so the job was returned to the queue: {reason}",
+    "hint": ""
+  },
+  "job.checked": {
+    "text": "The operator checked at the machine: {checks:; }.",
+    "hint": ""
+  },
   "job.claim-returned": {
     "text": "The gateway put the job back into the queue. {reason}",
     "hint": ""
@@ -2436,8 +2596,8 @@ export const TEXTS = {
     "hint": ""
   },
   "job.compile-crashed": {
-    "text": "Internal error while compiling: {reason}. Nothing was cut.",
-    "hint": "Report the error with the log of the server."
+    "text": "Internal error {incident} while compiling. Nothing was cut.",
+    "hint": "Report the error with the log of the server, which contains its cause under this number."
   },
   "job.compile-started": {
     "text": "Attempt {attempt} to compile the job has started.",
@@ -2488,7 +2648,7 @@ export const TEXTS = {
     "hint": "Check the computer of the gateway and its network connection."
   },
   "job.gateway-lost": {
-    "text": "The gateway {gateway} stopped responding. The machine may have executed more program lines than the gateway reported.",
+    "text": "The gateway {gateway} stopped responding.",
     "hint": "Check the computer of the gateway and its network connection."
   },
   "job.gateway-silent": {
@@ -2496,12 +2656,12 @@ export const TEXTS = {
     "hint": "Switch on the machine and start its gateway. Confirm the job when it waits for a confirmation again."
   },
   "job.held-before-start": {
-    "text": "The operator paused the job before the machine executed the first program line. The machine starts when the operator resumes the job.",
+    "text": "The operator paused the job before the machine executed the first program line. The machine starts when the operator confirms the job again.",
     "hint": ""
   },
   "job.interrupted": {
     "text": "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
-    "hint": "{cause:hint} Check the table. Then either queue the job again (a new sheet is cut from the first program line), or mark the job finished if the sheet is complete, or scrap the job."
+    "hint": "{cause:hint} Check the table. If the sheet has not moved, continue it: only the tracks that are left are made. Otherwise queue the job again (a new sheet is cut from the first program line), or mark the job finished if the sheet is complete, or scrap the job."
   },
   "job.interrupted-at-end": {
     "text": "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
@@ -2511,13 +2671,41 @@ export const TEXTS = {
     "text": "The job was interrupted after copy {copy} of {copies}, before the first program line of the next copy. {cause}",
     "hint": "{cause:hint} Check the table. Then either queue the job again for the remaining copies, or mark the job finished, or scrap it."
   },
+  "job.interrupted-unobserved": {
+    "text": "The job was interrupted at program line {line} of {lines} or later{copy}: {most}. {cause}",
+    "hint": "{cause:hint} Look at the sheet: it shows which tracks are made. To continue it, state for each track that is not known whether it is made."
+  },
   "job.late-report": {
     "text": "A late report of the gateway arrived: {report}",
     "hint": ""
   },
+  "job.machine-not-free": {
+    "text": "Job {job} cannot start, because its machine takes no job now. {reason}",
+    "hint": "{reason:hint}"
+  },
+  "job.may-have-ended": {
+    "text": "nobody observed the machine then, so it may have executed the program to its end",
+    "hint": ""
+  },
+  "job.may-have-gone-on": {
+    "text": "nobody observed the machine then, so it may have executed lines up to line {line}",
+    "hint": ""
+  },
+  "job.needs-end": {
+    "text": "The whole program of job {job} was sent to the machine, which does not report when it has executed it, so there is nothing to resume.",
+    "hint": "When the machine has finished and is at rest, state it: end the job with POST /api/jobs/{job}/end."
+  },
+  "job.needs-sheet": {
+    "text": "Job {job} waits for a new sheet, so it cannot be resumed.",
+    "hint": "Put a new sheet on the table, make the checks at the machine, then confirm the job."
+  },
   "job.no-confirmation-awaited": {
     "text": "Job {job} is {state}, so it does not wait for a confirmation.",
     "hint": "{advice}"
+  },
+  "job.no-end-awaited": {
+    "text": "Job {job} is {state}, and its machine does not wait for a person to confirm the end of a program.",
+    "hint": "Look at what the job waits for."
   },
   "job.no-sheet-awaited": {
     "text": "Job {job} is on hold, but it does not wait for a new sheet.",
@@ -2531,6 +2719,10 @@ export const TEXTS = {
     "text": "The drawing contains nothing that the machine can make: every edge is too short for its tool, or in a place that the cutter does not enter.",
     "hint": "Check the unit of the drawing and the line types of its edges. Otherwise choose another machine or machine file: a smaller creasing wheel for short creases, a thinner cutter or a knife for narrow contours."
   },
+  "job.not-checked": {
+    "text": "The confirmation of job {job} leaves out what must be checked at the machine: {missing:; }.",
+    "hint": "Make these checks at the machine, then confirm the job with all of them in `checked`."
+  },
   "job.not-confirmed": {
     "text": "Job {job} was started, although the operator has not confirmed that the table is ready.",
     "hint": "Check the table, then confirm the job or cancel it."
@@ -2542,6 +2734,10 @@ export const TEXTS = {
   "job.not-taken": {
     "text": "Job {job} is queued, and the gateway of its machine {machine} has not claimed it yet.",
     "hint": "Confirm the job after the gateway has claimed it. The field reason of the job shows what the job waits for."
+  },
+  "job.nothing-refused": {
+    "text": "Job {job} is {state}, and no machine has refused its program.",
+    "hint": ""
   },
   "job.nothing-sent": {
     "text": "The gateway sent nothing to the machine.",
@@ -2559,10 +2755,6 @@ export const TEXTS = {
     "text": "The job was created.",
     "hint": ""
   },
-  "job.other-board": {
-    "text": "Job {job} needs the board {board}, but the confirmation names the board {given}.",
-    "hint": "Put a sheet of {board} on the table, then confirm the job again."
-  },
   "job.other-phase": {
     "text": "Job {job} continued in the meantime, so the request no longer applies.",
     "hint": "Check what the job waits for, then resume it if the machine may continue."
@@ -2578,6 +2770,10 @@ export const TEXTS = {
   "job.program-refused": {
     "text": "The program does not match the drawing, so nothing was cut: {findings: }{more}",
     "hint": "Choose another machine or board, change the drawing, or set the line types of these edges to ignored and make them by hand."
+  },
+  "job.rechecked": {
+    "text": "The machine may check and take the job again.",
+    "hint": ""
   },
   "job.recompiled": {
     "text": "The operator had the job compiled again for the present machine and board.",
@@ -2611,17 +2807,21 @@ export const TEXTS = {
     "text": "The job was started without the confirmation of the operator.",
     "hint": ""
   },
+  "job.stated-by-feed": {
+    "text": "Stated by the automatic feed: {checks:; }.",
+    "hint": ""
+  },
   "job.tool-changed": {
     "text": "The operator put a new tool into station {station} ({name}); the old one had worked {used:.0f} m.",
     "hint": ""
   },
-  "job.tools-not-checked": {
-    "text": "Job {job} also uses stations whose tools the confirmation does not name: {stations}.",
-    "hint": "Check the tools in these stations, then confirm the job again."
-  },
   "job.unknown": {
     "text": "Job {job} does not exist.",
     "hint": "Choose one of the jobs that GET /api/jobs lists."
+  },
+  "job.unknown-checks": {
+    "text": "Job {job} has no check {unknown:, }.",
+    "hint": "Its checks are {known:, }."
   },
   "job.verdict-changed": {
     "text": "The verdict on job {job} has changed since it was read.",
@@ -2659,9 +2859,33 @@ export const TEXTS = {
     "text": "An API key must have a title and at least one scope.",
     "hint": "Enter a title that names the program that uses the key, and choose its scopes."
   },
+  "key.limited": {
+    "text": "This API key is for the customer {customer}, and the answer contains all customers.",
+    "hint": "Use a key without this limit."
+  },
+  "key.other-customer": {
+    "text": "This API key is for the customer {customer}, not for {given!r}.",
+    "hint": "Leave the customer out, or use a key for that customer."
+  },
+  "key.other-machine": {
+    "text": "This API key is for {machines:or}, not for the machine {machine!r}.",
+    "hint": "Choose another machine, or use a key for that machine."
+  },
+  "key.revoked": {
+    "text": "The API key {id} was revoked.",
+    "hint": "Create a new key."
+  },
   "key.unknown": {
     "text": "There is no API key with the id {id}.",
     "hint": "List the keys with `knifetip key list`."
+  },
+  "key.unlimited-scope": {
+    "text": "A key with the scope {scope} cannot be limited in this way.",
+    "hint": "Choose only scopes of {scopes:, }, or leave the limit out."
+  },
+  "knife.park-heading": {
+    "text": "Station {station} has a free blade: before the program starts, it must have a heading of {degrees:g}°. The program leaves it so.",
+    "hint": ""
   },
   "language.bad-entry-point": {
     "text": "The Python entry point {name!r} of the group {group} must provide a controller language that is named {name!r}, but does not provide one.",
@@ -2759,6 +2983,10 @@ export const TEXTS = {
     "text": "The tables of the {shelf} {name!r} are nested too deeply.",
     "hint": "Write only the fields that knifetip schema {shelf} describes."
   },
+  "library.no-settings": {
+    "text": "The controller of {machine} has no settings that knifetip knows.",
+    "hint": "Set up the controller as its maker describes."
+  },
   "library.not-an-object": {
     "text": "The JSON document of the {shelf} {name!r} is not an object.",
     "hint": "Send an object with the fields that GET /api/schemas/{shelf}s describes."
@@ -2847,6 +3075,10 @@ export const TEXTS = {
     "text": "{address!r} is not the address of a LinuxCNC.",
     "hint": "Write HOST:PORT, or linuxcnc://HOST:PORT/?OPTION=VALUE&OPTION=VALUE with the options {options:, }; values have no blanks."
   },
+  "linuxcnc.beyond-travel": {
+    "text": "Program line {line} would move {axis} to {position:.3f} {unit} in coordinates of the machine, beyond the limit {limit:.3f} {unit} of LinuxCNC at {name}. Nothing has moved.",
+    "hint": "Set X Y zero where the whole sheet is within the travel, or place the job elsewhere. If the machine can move farther, correct MIN_LIMIT and MAX_LIMIT of {axis} in the INI file of LinuxCNC."
+  },
   "linuxcnc.cause": {
     "text": ": {texts:; }",
     "hint": ""
@@ -2858,6 +3090,10 @@ export const TEXTS = {
   "linuxcnc.folder-not-writable": {
     "text": "The program file for LinuxCNC cannot be written to the folder {folder} ({reason}).",
     "hint": "Create the folder, and permit the user of the gateway to write to it."
+  },
+  "linuxcnc.ini-unread": {
+    "text": "The gateway cannot read the INI file {path} of LinuxCNC at {name}, so it does not compare limits, velocities and accelerations with the machine file.",
+    "hint": "Copy the file to the computer of the gateway, and add ini=PATH to the address."
   },
   "linuxcnc.lost": {
     "text": "The connection to LinuxCNC at {name} is lost. LinuxCNC may still execute its program.",
@@ -3124,7 +3360,7 @@ export const TEXTS = {
     "hint": "Trim the contours at their crossings, so that each part has one outline, or set the line type of the contour that is not to be cut to ignored."
   },
   "milling.shared-edge": {
-    "text": "Two parts share edge {edge}, so a cutter of {diameter:g} mm diameter would remove a strip of one of the parts.",
+    "text": "Two parts share edge {edge}. On its line, a cutter of {diameter:g} mm diameter would cut into one of the parts at an end of the edge or at a line beside it.",
     "hint": "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife."
   },
   "motion.feed": {
@@ -3158,6 +3394,54 @@ export const TEXTS = {
   "motion.unknown": {
     "text": "motion type {number}",
     "hint": ""
+  },
+  "obstacle.asleep": {
+    "text": "{name} is asleep.",
+    "hint": "Check the table, then press Release to wake it. Home the machine afterwards."
+  },
+  "obstacle.busy": {
+    "text": "{name} is busy with something that is no job.",
+    "hint": "Wait until it is at rest. If it stays so, press Release: the machine stops and moves no axis."
+  },
+  "obstacle.check-mode": {
+    "text": "{name} is in check mode, in which nothing moves.",
+    "hint": "Press Release to end the check mode."
+  },
+  "obstacle.door-closed": {
+    "text": "{name} is on hold after its safety door was opened.",
+    "hint": "Check the table, then press Release: the machine discards what it held and moves no axis. Lift the tool afterwards."
+  },
+  "obstacle.door-open": {
+    "text": "The safety door of {name} is open.",
+    "hint": "Close the safety door, then press Release."
+  },
+  "obstacle.held": {
+    "text": "{name} is on hold, and no job runs on it.",
+    "hint": "Check the table, then press Release: the machine discards what it held and moves no axis. Lift the tool afterwards."
+  },
+  "obstacle.job-door-closed": {
+    "text": "The job on {name} is held, because the safety door was opened.",
+    "hint": "Check the table, then press Resume to continue at this place, or Stop to end the job."
+  },
+  "obstacle.job-door-open": {
+    "text": "The job on {name} is held, because the safety door is open.",
+    "hint": "Close the safety door, then press Resume to continue at this place, or Stop to end the job."
+  },
+  "obstacle.limit-pressed": {
+    "text": "A limit switch of {name} is still pressed ({axes:, }).",
+    "hint": "Jog these axes away from their switches until this text disappears, or home the machine. If no axis is at a switch, check the switch and its cable."
+  },
+  "obstacle.limit-unused": {
+    "text": "A limit switch of {name} is pressed ({axes:, }). It does not stop the machine, because hard limits are off.",
+    "hint": "Jog these axes away from their switches. If no axis is at a switch, check the switch and its cable."
+  },
+  "obstacle.moves": {
+    "text": "{name} executes something that is no job.",
+    "hint": "Wait until it is at rest, or press Release: the machine stops and discards the rest."
+  },
+  "obstacle.tool-change": {
+    "text": "{name} waits until a tool is changed, and no job runs on it.",
+    "hint": "Check that the tool is fixed, then press Release: the machine discards the rest and moves no axis."
   },
   "offset.bad-distance": {
     "text": "The offset distance of a path (the radius of the tool) is negative or not a number.",
@@ -3251,9 +3535,17 @@ export const TEXTS = {
     "text": "A feed of {feed:g} per minute is not possible on this axis.",
     "hint": "Give a feed greater than 0 and not greater than {fastest:g} per minute."
   },
+  "operation.bad-override": {
+    "text": "A feed override of {percent} % is not possible on this machine.",
+    "hint": "Choose {low} to {high} %."
+  },
   "operation.beyond-travel": {
     "text": "The move would end at {axis} {target:.3f}, beyond the travel of the axis from {low:g} to {high:g}. Nothing has moved.",
     "hint": "Jog a shorter distance, or in the other direction."
+  },
+  "operation.door-open": {
+    "text": "The safety door of {name} is open. Nothing was sent.",
+    "hint": "Close the safety door, then press Release."
   },
   "operation.expired": {
     "text": "The operation was not executed within {seconds:g} s and was dropped. Nothing was sent to the machine.",
@@ -3263,6 +3555,10 @@ export const TEXTS = {
     "text": "No gateway of {machine} is connected, so nothing can be sent to the machine.",
     "hint": "Switch on the machine and start its gateway."
   },
+  "operation.hands-not-clear": {
+    "text": "The request {request} moves {machine}, and nobody has stated within the last {seconds:g} s that hands are clear of it.",
+    "hint": "Look that nobody reaches into the machine, state hands clear at its station, then ask again."
+  },
   "operation.job-on-machine": {
     "text": "The machine executes a job, so it does nothing else.",
     "hint": "Wait until the job has ended, or cancel it."
@@ -3270,6 +3566,10 @@ export const TEXTS = {
   "operation.job-running": {
     "text": "Job {job} is {state} on {machine}, so the machine does nothing else.",
     "hint": "Wait until the job has ended, or cancel it."
+  },
+  "operation.jog-ended": {
+    "text": "The jog {id} has ended: its button was not reported as held within {seconds:g} s, or the machine has refused it.",
+    "hint": "Release the button, and press it again."
   },
   "operation.missing-argument": {
     "text": "The operation {request} needs the field {name}.",
@@ -3302,6 +3602,14 @@ export const TEXTS = {
   "operation.not-locked": {
     "text": "{name} is not locked by an alarm, so there is nothing to unlock.",
     "hint": ""
+  },
+  "operation.nothing-held": {
+    "text": "{name} holds nothing that could be released.",
+    "hint": "If an alarm locks it, unlock or home it."
+  },
+  "operation.override-not-confirmed": {
+    "text": "{name} reports a feed override of {found} % instead of {percent} %.",
+    "hint": "Press the button again; if the override does not change, look at the controller."
   },
   "operation.stopped": {
     "text": "A person has stopped {name} before the operation was complete.",
@@ -3644,8 +3952,8 @@ export const TEXTS = {
     "hint": ""
   },
   "reading.crashed": {
-    "text": "The file {name} cannot be read, probably because it is damaged ({reason}).",
-    "hint": "Export the drawing again as DXF, CF2, SVG or PDF, if necessary from another program."
+    "text": "The file {name} cannot be read, probably because it is damaged (error {incident}).",
+    "hint": "Export the drawing again as DXF, CF2, SVG or PDF, if necessary from another program. The log of the server contains the cause under this number."
   },
   "reading.damaged": {
     "text": "The {format} file cannot be read, because it is damaged ({reason}).",
@@ -3735,6 +4043,10 @@ export const TEXTS = {
     "text": "The request does not have exactly one Host header.",
     "hint": "Send one Host header, as HTTP/1.1 requires."
   },
+  "request.no-media": {
+    "text": "The request has a body but no Content-Type.",
+    "hint": "Send the body as {supported:or}, and name it in the header Content-Type."
+  },
   "request.not-base64": {
     "text": "The content of the file {name} is not base64.",
     "hint": "Encode the bytes of the file in base64, without line breaks."
@@ -3755,6 +4067,14 @@ export const TEXTS = {
     "text": "An order needs either a file or the id of a stored drawing.",
     "hint": "Send either the file (form part or JSON field file) or the field drawing, not both."
   },
+  "request.order-not-tried": {
+    "text": "This order was not tried, because an order before it failed. {reason}",
+    "hint": "Send the request again with the same Idempotency-Key: what is stored is not ordered twice."
+  },
+  "request.outcome-unknown": {
+    "text": "A request with this Idempotency-Key was begun, and its outcome is not known.",
+    "hint": "Look whether it was executed. If it was not, send it again with a new key."
+  },
   "request.refused": {
     "text": "The request was rejected with the HTTP status {status}.",
     "hint": "Correct the request as /api/openapi.json describes."
@@ -3762,6 +4082,10 @@ export const TEXTS = {
   "request.scope-missing": {
     "text": "{principal} lacks the scope {scope}, which this request requires (present: {scopes:, }).",
     "hint": "Sign in as a user with the role {scope}, or use an API key with this scope."
+  },
+  "request.secret-not-kept": {
+    "text": "The request was executed, and its answer had a secret, which is not kept: see {path}.",
+    "hint": "Get a new secret with POST {path}/rotate-secret."
   },
   "request.unknown-zone": {
     "text": "{zone!r} is not the name of a time zone.",
@@ -3779,6 +4103,10 @@ export const TEXTS = {
     "text": "The access key of the request is wrong.",
     "hint": "Send the key of this server in the header Authorization: Bearer KEY."
   },
+  "request.wrong-media": {
+    "text": "The content type {media} is not supported here.",
+    "hint": "Send the body as {supported:or}, and name it in the header Content-Type."
+  },
   "request.wrong-method": {
     "text": "The method {method} is not supported at {path}.",
     "hint": "Choose a method that /api/openapi.json describes for this URL."
@@ -3786,6 +4114,10 @@ export const TEXTS = {
   "rest.bound-to-sheet": {
     "text": "Job {job} makes the rest of the one sheet that lies on the machine {machine}.",
     "hint": "Order one more copy of the whole job. It can have another machine and number of copies."
+  },
+  "rest.continue-first": {
+    "text": "{interruption}",
+    "hint": "Continue this sheet, {tracks} left. {interruption:hint}"
   },
   "rest.continued-already": {
     "text": "Job {other} already continues the sheet of job {job}.",
@@ -3843,6 +4175,18 @@ export const TEXTS = {
     "text": "Job {job} is interrupted, and its sheet occupies the table.",
     "hint": "Make the rest of the sheet first, or scrap the job. Then order the remaining copies."
   },
+  "rest.statement-needed": {
+    "text": "The machine executed {executed} program lines of job {job} for certain, and possibly more, up to line {most}. It is not known how much of {tracks:# track|# tracks} is made; the first of them is track {track}.",
+    "hint": "Look at the sheet, and state the numbers of all tracks that are completely made (made). The new job makes all others."
+  },
+  "rest.tracks": {
+    "text": "{count:# track|# tracks}",
+    "hint": ""
+  },
+  "rest.tracks-between": {
+    "text": "{least} to {most:# track|# tracks}",
+    "hint": ""
+  },
   "rest.whole-ordered": {
     "text": "Job {job} was created to make the whole program again.",
     "hint": ""
@@ -3862,6 +4206,10 @@ export const TEXTS = {
   "rs274.arc-of-other-carriage": {
     "text": "The program line has an arc (G2 or G3) while a station of a further carriage is selected. Controllers make arcs only with X and Y, which move the first carriage.",
     "hint": "Replace the arc by short lines (G1) with the letters of the axes of the carriage."
+  },
+  "rs274.arc-on-chord-machine": {
+    "text": "The program line is an arc (G2, G3), and the controller of {machine} cannot follow arcs.",
+    "hint": "Make the program anew, or set arcs to 'arcs' in the machine file if the controller has them and turns the tool in them."
   },
   "rs274.axis-without-motion": {
     "text": "The program line has coordinates, but no motion word (G0, G1, G2 or G3).",
@@ -4135,6 +4483,10 @@ export const TEXTS = {
     "text": "The server is busy: {waiting:# request is|# requests are} already waiting, so this request was not started.",
     "hint": "Send the request again in {seconds} s."
   },
+  "server.database-damaged": {
+    "text": "The database of the server is damaged.",
+    "hint": "Stop the server and put a backup in its place: knifetip restore FILE --replace. Check the disk. To try again does not help."
+  },
   "server.database-silent": {
     "text": "The database of the server does not respond.",
     "hint": "Try again in a moment. If this happens again, check the database."
@@ -4142,6 +4494,10 @@ export const TEXTS = {
   "server.internal-error": {
     "text": "Internal error of the server. Nothing was cut.",
     "hint": "Report the error with the log of the server."
+  },
+  "server.machine-taken": {
+    "text": "Another server ({holder}) has the simulated machine {machine} of this database.",
+    "hint": "Stop that server, use another --database, or start this server with --no-simulator."
   },
   "server.not-started": {
     "text": "The server could not start with the database {database}.",
@@ -4154,6 +4510,90 @@ export const TEXTS = {
   "server.unreachable": {
     "text": "The server {server} cannot be reached: {reason}.",
     "hint": "Check the address in --server and the network connection."
+  },
+  "setting.difference": {
+    "text": "{setting} is {found}, expected {expected}: {reason}.",
+    "hint": "Set {assignment} at the controller, or correct the machine file."
+  },
+  "setting.faster": {
+    "text": "the controller moves the axis faster than the machine file permits",
+    "hint": ""
+  },
+  "setting.homes-at-other-end": {
+    "text": "the controller makes the place of the switch its zero, at the other end of the axis than the machine file has it",
+    "hint": ""
+  },
+  "setting.inches": {
+    "text": "positions are reported in inches and would be taken as millimetres",
+    "hint": ""
+  },
+  "setting.laser-mode": {
+    "text": "laser mode is on, but the machine file has no laser",
+    "hint": ""
+  },
+  "setting.laser-mode-stops-spindle": {
+    "text": "in laser mode the controller switches the spindle off in rapid moves, so tools would enter the board at rest",
+    "hint": ""
+  },
+  "setting.no-buffer-state": {
+    "text": "status reports do not contain the state of the buffers, so lost responses are noticed late",
+    "hint": ""
+  },
+  "setting.no-hard-limits": {
+    "text": "limit switches do not stop the machine",
+    "hint": ""
+  },
+  "setting.no-homing": {
+    "text": "the controller does not home, so it does not know its position after it was switched on",
+    "hint": ""
+  },
+  "setting.no-laser-mode": {
+    "text": "the controller is not in laser mode, so the laser beam would stay on during a feed hold",
+    "hint": ""
+  },
+  "setting.no-rate": {
+    "text": "the axis cannot move",
+    "hint": ""
+  },
+  "setting.no-soft-limits": {
+    "text": "the controller does not refuse moves beyond its travel",
+    "hint": ""
+  },
+  "setting.no-steps": {
+    "text": "the axis has no steps per millimetre or degree",
+    "hint": ""
+  },
+  "setting.no-work-offset": {
+    "text": "positions are reported without the offset of the work zero, so the gateway does not know where the tool is",
+    "hint": ""
+  },
+  "setting.rotary-axes": {
+    "text": "the controller takes the angle of a rotary axis as a length, or a length as an angle",
+    "hint": ""
+  },
+  "setting.short-travel": {
+    "text": "the travel is shorter than in the machine file, so the controller refuses jobs near the ends",
+    "hint": ""
+  },
+  "setting.slower": {
+    "text": "the controller moves the axis more slowly than the machine file states, so jobs take longer than stated",
+    "hint": ""
+  },
+  "setting.spindle-limit": {
+    "text": "the highest speed or power of the controller is below that of a station, which would run with less",
+    "hint": ""
+  },
+  "setting.unit-of-angle": {
+    "text": "the unit of angles of the controller is not the degree",
+    "hint": ""
+  },
+  "setting.unit-of-length": {
+    "text": "the unit of length of the controller is not the millimetre, so positions would be taken wrongly",
+    "hint": ""
+  },
+  "setting.z-homes-down": {
+    "text": "homing would drive the tool down into the board",
+    "hint": ""
   },
   "settings.bad-host": {
     "text": "{host!r} is not a host name.",
@@ -4188,12 +4628,16 @@ export const TEXTS = {
     "hint": "Enter the width and the height of the sheet, or close the outline of the drawing."
   },
   "sign-in.slow-down": {
-    "text": "Too many sign-ins failed for this name.",
+    "text": "Too many attempts to sign in failed.",
     "hint": "Wait {seconds} s, then try again."
   },
   "sign-in.wrong": {
     "text": "The name or the password is wrong.",
     "hint": "Check both. An administrator can set a new password."
+  },
+  "sign-in.wrong-code": {
+    "text": "This code is wrong, has expired or was used.",
+    "hint": "Ask an administrator for a new code: each is for one device and for ten minutes."
   },
   "store.no-column": {
     "text": "The {kind} {id} has no {column} yet.",
@@ -4295,6 +4739,10 @@ export const TEXTS = {
     "text": "Station {station} ({name}) of {machine} cannot be used: {reason}",
     "hint": "Correct the settings of the tool in the machine file."
   },
+  "tool.free-without-trail": {
+    "text": "the knife is free, but its tip does not trail its axis (trail is 0)",
+    "hint": ""
+  },
   "tool.missing": {
     "text": "{machine} has no tool for {count:# edge|# edges} of type {type}.",
     "hint": "Choose another line type for the edges, or another machine."
@@ -4305,6 +4753,10 @@ export const TEXTS = {
   },
   "tool.short-lead": {
     "text": "the lead-in of {lead:g} mm must be 0 or greater than the tool radius of {radius:g} mm",
+    "hint": ""
+  },
+  "tool.swivel-of-driven-knife": {
+    "text": "`swivel_depth` or `park_heading` is set, but the knife is not free: the machine turns it",
     "hint": ""
   },
   "tool.tilted": {
@@ -4655,9 +5107,33 @@ export const TEXTS = {
     "text": "Only a user who has signed in with a password can change it.",
     "hint": "Sign in with name and password."
   },
+  "user.password-blank": {
+    "text": "it contains only blanks",
+    "hint": ""
+  },
+  "user.password-common": {
+    "text": "it consists of words that many people use",
+    "hint": ""
+  },
+  "user.password-name": {
+    "text": "it consists of the name of the user or of the program",
+    "hint": ""
+  },
+  "user.password-repeated": {
+    "text": "it repeats a few characters",
+    "hint": ""
+  },
+  "user.password-sequence": {
+    "text": "its characters follow each other on the keyboard",
+    "hint": ""
+  },
   "user.unknown": {
     "text": "There is no user with the name {name}.",
     "hint": "List the users with `knifetip user list`."
+  },
+  "user.weak-password": {
+    "text": "The password is easily guessed: {why}.",
+    "hint": "Choose another one, for example four words that have nothing to do with each other."
   },
   "user.wrong-password": {
     "text": "The current password is wrong.",
@@ -4687,6 +5163,22 @@ export const TEXTS = {
     "text": "Axis {joint} moves to {position:.3f} mm, but its travel is {low:g} to {high:g} mm.",
     "hint": "For axis X or Y, move the drawing on the table, or choose a larger machine. For axis Z, check the heights in the machine file."
   },
+  "verify.blade-bend": {
+    "text": "The knife turns by {turn:.0f}° in the board within the width of its blade, {width:g} mm, on a bend of {radius:.2f} mm radius. It cuts the top face up to {top:.3f} mm beside the line, and the rear edge of the blade runs up to {rear:.2f} mm beside it.",
+    "hint": ""
+  },
+  "verify.blade-bend-too-tight": {
+    "text": "The bend is too tight for the knife: on a radius of {radius:.2f} mm it turns by {turn:.0f}° in the board within the width of its blade, {width:g} mm. It cuts the top face up to {top:.2f} mm beside the line (permitted: {tolerance:g} mm), and the rear edge of the blade runs up to {rear:.2f} mm beside it.",
+    "hint": "Draw a bend with a radius of at least {least:.1f} mm or a sharp corner, use a knife with a steeper or narrower blade, or accept the shortfall."
+  },
+  "verify.blade-not-parked": {
+    "text": "The program leaves the free blade of station {station} with a heading of {heading:.1f}°, and the next program begins with {park:g}°.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
+  },
+  "verify.blade-pushed": {
+    "text": "The tip of the free blade is pushed {length:.2f} mm away from its axis. The blade can turn round to either side there, or tear the board.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
+  },
   "verify.bridge-near-corner": {
     "text": "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm too close to a sharp corner.",
     "hint": "Compile the job again, or choose a smaller spacing of bridges in the board file."
@@ -4713,6 +5205,10 @@ export const TEXTS = {
   },
   "verify.cleaning-dropped": {
     "text": "Internal error in cleaning: {length:.3f} mm of the edge were lost.",
+    "hint": "Report this error with the drawing."
+  },
+  "verify.cleaning-fit": {
+    "text": "Internal error in cleaning: the edge is {distance:.4f} mm away from the arc that replaces it, and only {stated:.4f} mm are stated.",
     "hint": "Report this error with the drawing."
   },
   "verify.cleaning-incomplete": {
@@ -4755,6 +5251,10 @@ export const TEXTS = {
     "text": "Cuts cross {count} creases. The wheel stops before these cuts, and up to {distance:.2f} mm on each side of a cut are not creased.",
     "hint": "If the fold needs this length, choose a smaller creasing wheel, or move the cut."
   },
+  "verify.crease-too-bent": {
+    "text": "The crease bends too tightly for the creasing wheel: a wheel of {wheel:g} mm radius touches the board along a straight line of {contact:.1f} mm, whose ends press up to {distance:.2f} mm beside the crease (permitted: {tolerance:g} mm). {length:.1f} mm of the crease are not pressed.",
+    "hint": "Mount a creasing wheel of at most {smaller:.1f} mm radius, draw a bend with a radius of at least {radius:d} mm, change the line type to perforation or half-cut, or accept the shortfall."
+  },
   "verify.crease-too-short": {
     "text": "The crease is too short for the creasing wheel and is not made: it is {length:.2f} mm long, the wheel has a radius of {radius:.1f} mm, and it must stop {clearance:.2f} mm before each free end.",
     "hint": "Join the crease to a crease on the same straight line, set its line type to ignored, or choose a board on which short creases are pressed or a smaller creasing wheel."
@@ -4774,6 +5274,14 @@ export const TEXTS = {
   "verify.cutter-at-rest": {
     "text": "The cutter moves through the board while its spindle is off.",
     "hint": "Start the spindle (M3) before the cutter enters the board."
+  },
+  "verify.deep-swivel": {
+    "text": "The free blade is turned about its tip at a depth of {depth:.2f} mm instead of {planned:g} mm.",
+    "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
+  },
+  "verify.drawn-twice": {
+    "text": "Two lines of the type {type} lie {distance:.2f} mm apart for {length:.1f} mm, nearer than the board is thick. Is the same line drawn twice?",
+    "hint": "Set the line type of one of the two to ignored, move them apart, or accept that both are made."
   },
   "verify.feed-of-other-axis": {
     "text": "Station {station} is on a further carriage and moves at a feed (G94), which a controller may apply to the travel of the gantry alone.",
@@ -4818,6 +5326,10 @@ export const TEXTS = {
   "verify.groove-too-short": {
     "text": "The V-groove is {length:.2f} mm long, but the blade is {blade:.2f} mm wide, so the groove is not made.",
     "hint": "Draw a longer groove, set its line type to crease or ignored, or choose a V-cutter with a narrower blade."
+  },
+  "verify.grooves-meet": {
+    "text": "Two V-grooves lie {distance:.2f} mm apart, but each is {width:.2f} mm wide in the top face. Along {length:.1f} mm their flanks meet, and no ridge remains between them.",
+    "hint": "Move the grooves apart, choose a smaller depth of grooves in the board file, or accept the shortfall."
   },
   "verify.hanging-piece": {
     "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that, from line {line} of the program on, hangs only on bridges or narrow necks and may therefore move.",
@@ -4874,6 +5386,22 @@ export const TEXTS = {
   "verify.moves-with-beam": {
     "text": "The program moves the head before it switches off the spindle (M5), so a laser beam may still be on.",
     "hint": "Write M5 before the first move."
+  },
+  "verify.narrow-cuts": {
+    "text": "Two cuts lie {distance:.2f} mm apart for {length:.1f} mm. The strip or slot between them is narrower than the board is thick ({caliper:g} mm) and may tear or stay stuck.",
+    "hint": ""
+  },
+  "verify.narrow-lines": {
+    "text": "A line of the type {type} and one of the type {other} lie {distance:.2f} mm apart for {length:.1f} mm, which is too near for a board {caliper:g} mm thick: the narrow strip between them is crushed or tears off.",
+    "hint": ""
+  },
+  "verify.narrow-rim": {
+    "text": "The rim of {width:g} mm is narrow for a board {caliper:g} mm thick: it may cut the upper face instead of bending it.",
+    "hint": "Mount a creasing wheel with a rim of at least {least:g} mm."
+  },
+  "verify.narrow-slits": {
+    "text": "{count} slits and cuts between two parts ({length:.1f} mm) become {width:g} mm wide: the board on each side loses half of this strip.",
+    "hint": ""
   },
   "verify.never-stated": {
     "text": "The program never switches off {thing}, although an earlier program may have left it on.",
@@ -4979,6 +5507,10 @@ export const TEXTS = {
     "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that an earlier program has already cut out or begun to cut out on this sheet.",
     "hint": "Continue from the first contour that is not made, or start a new sheet. If the tool did not cut through the board, state this when you continue the job."
   },
+  "verify.replaced": {
+    "text": "{length:.2f} mm of this line of the type {type} are not made, because a line of the type {other} lies on it and is made instead.",
+    "hint": "If the {type} is meant, set the line type of the other line to ignored."
+  },
   "verify.slanted": {
     "text": "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) while the tool enters or leaves the board.",
     "hint": "Move the tool along its axis while it enters or leaves the board."
@@ -5010,6 +5542,10 @@ export const TEXTS = {
   "verify.switches-low": {
     "text": "The program line switches an output or the spindle while axis Z is at {height:.3f} mm, which is too low.",
     "hint": "Lift the head to Z {needed:.3f} mm before this program line."
+  },
+  "verify.swivel-mark": {
+    "text": "The free blade turns by {turn:.0f}° about its tip, and its slanted edge cuts the top face up to {mark:.2f} mm beside the line (permitted: {tolerance:g} mm).",
+    "hint": "Let the blade turn at a smaller depth (`swivel_depth` of the knife), use a blade with a steeper edge, or accept the mark."
   },
   "verify.too-few-bridges": {
     "text": "Only {bridges:# bridge holds|# bridges hold} the part, but the board needs at least {fewest:# bridge|# bridges}.",
@@ -5103,13 +5639,25 @@ export const TEXTS = {
     "text": "The move of station {station} takes {seconds:.4f} s instead of {planned:.4f} s.",
     "hint": "Compile the job again with the current machine file."
   },
+  "waiting.check-refused": {
+    "text": "{machine} has not begun the program: no line of it was executed. {reason}",
+    "hint": "{reason:hint} Then try it again, or compile the job again, or cancel it. Other jobs of the queue go on."
+  },
   "waiting.confirmed": {
     "text": "The operator confirmed the job, and {machine} is starting.",
     "hint": ""
   },
+  "waiting.controller-not-connected": {
+    "text": "The job waits, because the gateway of {machine} is not connected to the controller of the machine. {reason}",
+    "hint": "{reason:hint}"
+  },
+  "waiting.for-controller": {
+    "text": "The job waits, because the gateway of {machine} (the program that sends jobs to the machine) is not connected to the controller of the machine.",
+    "hint": "Switch on the controller and check its cable."
+  },
   "waiting.for-end": {
     "text": "The whole program was sent to {machine}, which does not report when it has executed it.",
-    "hint": "When the machine has finished and is at rest, confirm it (resume the job): the job is then done. If the machine has not finished the program, cancel the job."
+    "hint": "When the machine has finished and is at rest, state it at the machine (the command end): the copy is then finished. If the machine has not finished the program, cancel the job."
   },
   "waiting.for-gateway": {
     "text": "The job waits, because the gateway of {machine} (the program that sends jobs to the machine) is not connected to the server.",
@@ -5138,6 +5686,10 @@ export const TEXTS = {
   "waiting.for-turn": {
     "text": "The job waits until {machine} has finished the jobs that come before it in the queue.",
     "hint": ""
+  },
+  "waiting.obstacle": {
+    "text": "The job waits, because {machine} takes no job now. {reason}",
+    "hint": "{reason:hint}"
   },
   "waiting.on-hold": {
     "text": "The job is on hold in the queue of {machine}. Other jobs are taken before it.",
@@ -5262,6 +5814,10 @@ export const TEXTS = {
   "xjdf.bad-value": {
     "text": "{place} has the value {value!r}, which is not supported.",
     "hint": "Use one of the values that the how-to page order-with-xjdf describes."
+  },
+  "xjdf.foreign-drawing": {
+    "text": "The drawing {url} is on another server than {host}, and is not fetched from there.",
+    "hint": "Send the drawing in the package, or upload it to this server and name its path."
   },
   "xjdf.many-files": {
     "text": "The package has more than {limit} files.",

@@ -18,6 +18,8 @@ const TITLES: Readonly<Record<string, readonly [string, string]>> = {
   kerf: ["becomes as wide as the tool", "become as wide as the tool"],
   fold: ["does not fold far enough", "do not fold far enough"],
   uncut: ["cannot be made over its whole length", "cannot be made over their whole length"],
+  beside: ["bends more tightly than the tool follows", "bend more tightly than the tool follows"],
+  near: ["lies close beside another line", "lie close beside other lines"],
   deviation: ["differs from the drawn curve", "differ from the drawn curve"],
 };
 /** Greatest number of characters of a reason. */

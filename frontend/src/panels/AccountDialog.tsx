@@ -27,11 +27,15 @@ import {
   useMe,
   useUsers,
 } from "../state/accounts";
+import { useMachines } from "../state/queries";
 import { dateTimeText } from "../state/times";
 import css from "./account.module.css";
 
 const ROLES: readonly UserRole[] = ["viewer", "designer", "operator", "admin"];
-const SCOPES: readonly AccessScope[] = [...ROLES, "gateway"];
+const SCOPES: readonly AccessScope[] = [
+  ...(["read", "order", "webhooks", "station", "gateway"] as const),
+  ...ROLES,
+];
 const PERMITS: Readonly<Record<string, string>> = {
   viewer: "You can view drawings, jobs and machines, but not change them.",
   designer: "You can upload and change drawings and order jobs. An operator must release the jobs.",
@@ -97,6 +101,7 @@ function Account({ me }: { me: Me }) {
 function Own({ me }: { me: Me }) {
   const role = roleOf(me.scopes);
   if (me.kind === "local") return me.has_admin ? null : <FirstAdmin />;
+  if (me.kind === "device") return <PairedDevice me={me} />;
   return (
     <section className={css.section}>
       <p data-testid="account-name">
@@ -111,6 +116,20 @@ function Own({ me }: { me: Me }) {
       {me.sign_in === "oidc" && (
         <p>Your password and your role are managed by the provider with which you sign in.</p>
       )}
+    </section>
+  );
+}
+
+function PairedDevice({ me }: { me: Me }) {
+  return (
+    <section className={css.section}>
+      <p data-testid="account-name">
+        This device, <strong>{me.name}</strong>, is paired with {me.machines.join(", ")}. It may
+        start, continue and move this machine, and sees its jobs.
+      </p>
+      <Button variant="default" onClick={() => void signOut()} data-testid="unpair">
+        Unpair this device
+      </Button>
     </section>
   );
 }
@@ -262,12 +281,16 @@ function UserRow({ user }: { user: User }) {
 
 function Keys() {
   const { data: keys = [] } = useKeys();
-  const [scopes, setScopes] = useState<string[]>(["designer"]);
+  const [scopes, setScopes] = useState<AccessScope[]>(["order"]);
+  const [machines, setMachines] = useState<string[]>([]);
+  const { data: known = [] } = useMachines();
   const [secret, setSecret] = useState("");
   const send = async (form: FormData) => {
     const day = textOf(form, "expires");
     const expires = day === "" ? null : new Date(day).toISOString();
-    setSecret(await accounts.createKey(textOf(form, "title"), scopes as AccessScope[], expires));
+    const title = textOf(form, "title");
+    const customer = textOf(form, "customer");
+    setSecret(await accounts.createKey({ title, scopes, expires, customer, machines }));
     await refreshKeys();
     return "Copy the key now. It cannot be shown again.";
   };
@@ -284,6 +307,9 @@ function Keys() {
               <strong>{key.title}</strong>
               <small>
                 {`${key.scopes.join(", ")} · ${key.used === null ? "never used" : `used ${dateTimeText(key.used)}`}`}
+                {key.customer !== "" && ` · customer ${key.customer}`}
+                {key.machines.length > 0 && ` · ${key.machines.join(", ")}`}
+                {key.scopes.includes("gateway") && key.any_machine && " · any machine"}
                 {key.expires !== null && ` · expires ${dateTimeText(key.expires)}`}
               </small>
             </span>
@@ -305,7 +331,26 @@ function Keys() {
           required
           maxLength={100}
         />
-        <MultiSelect label="Scopes" data={[...SCOPES]} value={scopes} onChange={setScopes} />
+        <MultiSelect
+          label="Scopes"
+          description="No role lets a key start or move a machine: that is station"
+          data={[...SCOPES]}
+          value={scopes}
+          onChange={(chosen) => setScopes(chosen as AccessScope[])}
+        />
+        <TextInput
+          label="Customer (optional)"
+          description="The key sees and orders only jobs of this customer"
+          name="customer"
+          maxLength={200}
+        />
+        <MultiSelect
+          label="Machines (optional)"
+          description="The key is for these machines only"
+          data={known.map((machine) => machine.name)}
+          value={machines}
+          onChange={setMachines}
+        />
         <TextInput label="Expires (optional)" name="expires" type="date" />
       </RequestForm>
       {secret !== "" && (

@@ -14,6 +14,7 @@ import { REPORT } from "./ImportPanel";
 import { TO_ALL_DRAWINGS } from "./labels";
 import { Refusal } from "./Permitted";
 import css from "./panels.module.css";
+import { ShareControl } from "./ShareControl";
 
 const EDIT_PROFILE = "Edit the rules of this profile";
 
@@ -76,6 +77,7 @@ export function DocumentPanel() {
         )}
       </dl>
       {profiles && <ProfileChoice drawing={drawing} profiles={profiles} />}
+      <ShareControl drawing={drawing} />
     </section>
   );
 }

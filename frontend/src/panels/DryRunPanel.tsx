@@ -4,6 +4,7 @@ import { useState } from "react";
 import type { Activity, Job, Machine, OperationRequest, Station } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
 import { formatDuration } from "../state/format";
+import { type HandsClear, handsReason } from "../state/handsClear";
 import { operate } from "../state/operations";
 import { RUN_TITLES, reasonAgainst, runAboveBoard } from "../state/station";
 import css from "./station.module.css";
@@ -13,6 +14,7 @@ interface Props {
   readonly machine: Machine;
   readonly station: Station | undefined;
   readonly reached: boolean;
+  readonly hands: HandsClear;
 }
 
 /** Shares of the feeds of the program, in percent. */
@@ -37,11 +39,13 @@ const WAYS: readonly Way[] = [
   },
 ];
 
-export function DryRunPanel({ job, machine, station, reached }: Props) {
+export function DryRunPanel({ job, machine, station, reached, hands }: Props) {
   const [percent, setPercent] = useState<number>(25);
   const run = runAboveBoard(station);
   if (run !== null) return <RunAboveBoard run={run} machine={machine} />;
-  const reasons = WAYS.map(({ kind }) => reasonAgainst(kind, station, machine, job));
+  const reasons = WAYS.map(
+    ({ kind }) => reasonAgainst(kind, station, machine, job) ?? handsReason(kind, hands),
+  );
   const [first] = reasons;
   const common = reasons.every((one) => one === first) ? (first ?? null) : null;
   return (

@@ -6,7 +6,7 @@ import { useState } from "react";
 import type { EndedState, HistoryFilter, Job } from "../api/client";
 import { errorText } from "../messages/render";
 import { formatDuration, pluralize } from "../state/format";
-import { useBoards, useHistory, useMachines } from "../state/queries";
+import { useBoards, useBoardTitle, useHistory, useMachines } from "../state/queries";
 import { useUiStore } from "../state/store";
 import { dateTimeText } from "../state/times";
 import { DrawingPicture } from "./DrawingPicture";
@@ -155,7 +155,7 @@ function EndedJobs({ machine }: { machine: string }) {
 
 function EndedJob({ job }: { job: Job }) {
   const open = useUiStore((ui) => ui.open);
-  const { data: boards } = useBoards();
+  const board = useBoardTitle(job.board);
   const { data: machines } = useMachines();
   return (
     <li>
@@ -173,7 +173,7 @@ function EndedJob({ job }: { job: Job }) {
           {job.drawing_name}
           <OrderLine job={job} />
         </span>
-        <span>{boards?.find(({ name }) => name === job.board)?.title || job.board}</span>
+        <span>{board}</span>
         <span>{machines?.find(({ name }) => name === job.machine)?.title || job.machine}</span>
         <span className={css.figure}>
           {job.copies_done === job.copies

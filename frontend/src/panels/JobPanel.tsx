@@ -6,34 +6,33 @@ import {
   IconCircleCheckFilled,
   IconDownload,
   IconPlayerPauseFilled,
-  IconPlayerPlayFilled,
   IconPlayerStopFilled,
   IconRefresh,
   IconSend2,
   IconTrash,
 } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
-import { type Job, type JobCommand, service } from "../api/client";
+import { type Job, service } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
 import { useRefusal } from "../state/accounts";
 import { command } from "../state/actions";
 import { formatDuration, pluralize } from "../state/format";
 import {
-  awaitsEnd,
   commandsOf,
   confirmationBefore,
   hasProgram,
   isCompiling,
   isOnTable,
   needsOperator,
+  type OfficeCommand,
   STATE_STYLES,
+  waitsAtMachine,
 } from "../state/jobs";
-import { useEdges, useJob } from "../state/queries";
+import { useBoardTitle, useEdges, useJob } from "../state/queries";
 import { canContinue } from "../state/rest";
 import { rowsOfHandles } from "../state/rows";
 import { SHOWN_STAGES, stageProgress } from "../state/stages";
 import { useUiStore } from "../state/store";
-import { ConfirmationCard } from "./ConfirmationCard";
 import { ConfirmDialog } from "./ConfirmDialog";
 import jobCss from "./job.module.css";
 import { OrderCard } from "./OrderDetails";
@@ -44,6 +43,7 @@ import { Section } from "./Section";
 import { StateBadge } from "./StateBadge";
 import { VerdictCard } from "./VerdictCard";
 import verdictCss from "./verdict.module.css";
+import { WaitsAtMachine } from "./WaitsAtMachine";
 
 export function JobPanel() {
   const { data: job } = useJob();
@@ -51,9 +51,10 @@ export function JobPanel() {
   return (
     <Section title="Open job" aside={<StateBadge job={job} testId="job-state" />}>
       <div style={{ display: "grid", gridTemplateColumns: "minmax(0, 1fr)", gap: 12 }}>
+        <JobBoard job={job} />
         <OrderCard job={job} />
         {isCompiling(job) && <Compiling job={job} />}
-        {needsOperator(job) && <ConfirmationCard job={job} />}
+        {waitsAtMachine(job) && <WaitsAtMachine job={job} />}
         {job.state === "queued" && !needsOperator(job) && <Waiting job={job} />}
         {isOnTable(job) && <Running job={job} />}
         <Outcome job={job} />
@@ -77,6 +78,16 @@ export function JobPanel() {
         )}
       </div>
     </Section>
+  );
+}
+
+/** The board and the machine for which the program was made. */
+function JobBoard({ job }: { job: Job }) {
+  const title = useBoardTitle(job.board);
+  return (
+    <p className={css.note} style={{ margin: 0 }} data-testid="job-board">
+      Board: <b>{title}</b> · {job.machine}
+    </p>
   );
 }
 
@@ -176,8 +187,8 @@ function Outcome({ job }: { job: Job }) {
       </div>
     );
   }
-  // ConfirmationCard shows what the job waits for, and VerdictCard the shortfalls of its program.
-  if (job.waiting_for !== "" || job.actions.includes("accept")) return null;
+  // WaitsAtMachine shows what the job waits for, and VerdictCard the shortfalls of its program.
+  if (job.waiting_for !== "" || waitsAtMachine(job) || job.actions.includes("accept")) return null;
   const fallback = job.state === "cancelled" ? "The job was cancelled." : "";
   const text = job.message === null ? fallback : renderText(job.message);
   if (text === "") return null;
@@ -203,7 +214,7 @@ function Outcome({ job }: { job: Job }) {
 
 const LOOKS: Readonly<
   Record<
-    JobCommand,
+    OfficeCommand,
     { title: string; icon: ReactNode; colour: string; variant: string; testId: string }
   >
 > = {
@@ -221,26 +232,12 @@ const LOOKS: Readonly<
     variant: "filled",
     testId: "recompile",
   },
-  confirm: {
-    title: "Table is ready: start machine",
-    icon: <IconCheck size={16} />,
-    colour: "green",
-    variant: "filled",
-    testId: "confirm",
-  },
   hold: {
     title: "Pause job",
     icon: <IconPlayerPauseFilled size={16} />,
     colour: "yellow",
     variant: "light",
     testId: "hold",
-  },
-  resume: {
-    title: "Resume job",
-    icon: <IconPlayerPlayFilled size={16} />,
-    colour: "blue",
-    variant: "filled",
-    testId: "resume",
   },
   cancel: {
     title: "Cancel job",
@@ -255,6 +252,13 @@ const LOOKS: Readonly<
     colour: "green",
     variant: "light",
     testId: "finish",
+  },
+  recheck: {
+    title: "Let the machine try again",
+    icon: <IconRefresh size={16} />,
+    colour: "blue",
+    variant: "light",
+    testId: "recheck",
   },
   requeue: {
     title: "Queue job again",
@@ -273,7 +277,7 @@ const LOOKS: Readonly<
 };
 
 /** What a designer may ask for, too, before a job is queued. */
-const OF_DESIGNERS: readonly JobCommand[] = ["recompile", "cancel"];
+const OF_DESIGNERS: readonly OfficeCommand[] = ["recompile", "cancel"];
 
 const isBeforeQueue = ({ state }: Job): boolean =>
   ["received", "compiling", "ready", "refused"].includes(state);
@@ -283,17 +287,17 @@ function Controls({ job }: { job: Job }) {
     designer: useRefusal("POST /api/v1/jobs/{id}/cancel"),
     operator: useRefusal("POST /api/v1/jobs/{id}/release"),
   };
-  const reasonAgainst = (word: JobCommand) =>
+  const reasonAgainst = (word: OfficeCommand) =>
     // A queued job is the operator's.
     OF_DESIGNERS.includes(word) && isBeforeQueue(job) ? reasons.designer : reasons.operator;
   const busy = useUiStore((ui) => ui.busy);
-  const [asking, setAsking] = useState<JobCommand | null>(null);
+  const [asking, setAsking] = useState<OfficeCommand | null>(null);
   const words = commandsOf(job);
   // The job may change while the dialog is open: close it when the command is no longer possible.
   const open = asking !== null && words.includes(asking) ? confirmationBefore(job, asking) : null;
   if (words.length === 0) return null;
   const refused = words.find((word) => reasonAgainst(word) !== null);
-  const send = (word: JobCommand) => {
+  const send = (word: OfficeCommand) => {
     if (confirmationBefore(job, word) === null) void command(job.id, word);
     else setAsking(word);
   };
@@ -308,9 +312,7 @@ function Controls({ job }: { job: Job }) {
         onNo={() => setAsking(null)}
       />
       {words.map((word, at) => {
-        const { icon, colour, variant, testId } = LOOKS[word];
-        const title =
-          word === "resume" && awaitsEnd(job) ? "Machine has finished" : LOOKS[word].title;
+        const { icon, colour, variant, testId, title } = LOOKS[word];
         return (
           <Button
             key={word}

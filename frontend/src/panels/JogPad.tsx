@@ -1,4 +1,4 @@
-/** Arrows that move the axes: a tap makes one step, holding an arrow moves until it is released. */
+/** Arrows that move the axes while they are held, at most by a chosen distance. */
 
 import {
   IconArrowDown,
@@ -11,9 +11,16 @@ import {
 import { type ReactNode, useEffect, useRef, useState } from "react";
 import type { Job, Machine, Station } from "../api/client";
 import { HeldJog } from "../state/heldJog";
-import { operate } from "../state/operations";
+import { beginJog, operate, renewJog } from "../state/operations";
 import { queries, queryClient } from "../state/queries";
-import { type Axis, jogDistance, jogFeed, reasonAgainst, travelOf } from "../state/station";
+import {
+  type Axis,
+  jogDistance,
+  jogFeed,
+  reasonAgainst,
+  travelOf,
+  turnsTools,
+} from "../state/station";
 import css from "./station.module.css";
 
 interface Props {
@@ -23,12 +30,10 @@ interface Props {
   readonly reached: boolean;
 }
 
-/** Steps of a tap: mm, or degrees for C. */
-const STEPS = [0.1, 1, 10, 100] as const;
-/** Time (ms) from which a press is a hold. */
-const HOLD_AFTER = 350;
-/** Duration (s) of one short move while an arrow is held. */
-const SHORT_MOVE = 1;
+/** A hold without a limit of its own; the travel of the axis limits it. */
+const FREE = 5000;
+/** Longest moves of one hold: mm, or degrees for C. */
+const LIMITS = [0.1, 1, 10, 100, FREE] as const;
 
 interface Arrow {
   readonly axis: Axis;
@@ -62,7 +67,7 @@ const travelText = (machine: Machine): string =>
     .replaceAll("-", "\u2212");
 
 export function JogPad(props: Props) {
-  const [step, setStep] = useState<number>(10);
+  const [limit, setLimit] = useState<number>(10);
   const { machine, station, job, reached } = props;
   const reasons = ARROWS.map(({ axis }) => reasonAgainst("jog", station, machine, job, axis));
   const [first] = reasons;
@@ -71,22 +76,33 @@ export function JogPad(props: Props) {
   return (
     <div className={css.jogPad} data-testid="jog">
       <fieldset className={css.steps}>
-        <legend>Step of a tap</legend>
-        {STEPS.map((one) => (
+        <legend>Longest move of one hold (mm, °)</legend>
+        {LIMITS.map((one) => (
           <label key={one} className={css.step}>
-            <input type="radio" name="step" checked={step === one} onChange={() => setStep(one)} />
-            <span className={css.stepText}>{one}</span>
+            <input
+              type="radio"
+              name="limit"
+              checked={limit === one}
+              onChange={() => setLimit(one)}
+            />
+            <span className={css.stepText} data-testid={`jog-limit-${one}`}>
+              {one === FREE ? "Free" : one}
+            </span>
           </label>
         ))}
       </fieldset>
       <div className={css.arrows}>
-        {ARROWS.map((arrow, at) => (
+        {ARROWS.filter(({ axis }) => axis !== "C" || turnsTools(machine)).map((arrow) => (
           <JogButton
             key={arrow.place}
             {...props}
             arrow={arrow}
-            step={step}
-            reason={reached ? (reasons[at] ?? null) : "There is no connection to the server."}
+            limit={limit}
+            reason={
+              reached
+                ? reasonAgainst("jog", station, machine, job, arrow.axis)
+                : "There is no connection to the server."
+            }
           />
         ))}
         <span className={css.axisName} data-place="xy">
@@ -95,12 +111,14 @@ export function JogPad(props: Props) {
         <span className={css.axisName} data-place="z">
           Z
         </span>
-        <span className={css.axisName} data-place="c">
-          C
-        </span>
+        {turnsTools(machine) && (
+          <span className={css.axisName} data-place="c">
+            C
+          </span>
+        )}
       </div>
       <p className={css.small} data-testid="jog-note">
-        {reason ?? "Tap for one step; hold to move until you release."} Travel:{" "}
+        {reason ?? "Hold an arrow to move; the machine stops when you release it."} Travel:{" "}
         {travelText(machine)}
       </p>
     </div>
@@ -109,44 +127,32 @@ export function JogPad(props: Props) {
 
 interface ButtonProps extends Props {
   readonly arrow: Arrow;
-  readonly step: number;
+  readonly limit: number;
   readonly reason: string | null;
 }
 
-function JogButton({ machine, station, arrow, step, reason }: ButtonProps) {
+function JogButton({ machine, station, arrow, limit, reason }: ButtonProps) {
   const { axis, sign, icon, place } = arrow;
   const label = `${axis}${signOf(sign)}`;
   const held = useRef<HeldJog | null>(null);
-  const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
   const position = station?.position ?? null;
-  const atLimit = reason === null && jogDistance(machine, position, axis, sign * step) === 0;
+  const atLimit = reason === null && jogDistance(machine, position, axis, sign * limit) === 0;
   const why = atLimit ? `${axis} is at the limit of its travel.` : reason;
 
   const reported = () => queryClient.getQueryData(queries.station(machine.name).queryKey);
-  const move = (wanted: number) => {
-    const distance = jogDistance(machine, reported()?.position ?? null, axis, sign * wanted);
-    if (distance === 0) return null;
-    const feed = jogFeed(machine, axis);
-    const text = `${axis} ${signOf(sign)}${Math.abs(distance).toFixed(1)}${unitOf(axis)}`;
-    return operate(machine.name, text, { operation: "jog", axis, distance, feed });
-  };
   const begin = () => {
-    timer.current = setTimeout(() => {
-      timer.current = undefined;
-      held.current = new HeldJog({
-        move: () => move((jogFeed(machine, axis) / 60) * SHORT_MOVE),
-        stop: () => operate(machine.name, `Stop ${axis}`, { operation: "stop_jog" }),
-        isAtRest: () => reported()?.state === "idle",
-      });
-      void held.current.hold();
-    }, HOLD_AFTER);
+    const wanted = jogDistance(machine, reported()?.position ?? null, axis, sign * limit);
+    if (why !== null || wanted === 0) return;
+    const feed = jogFeed(machine, axis);
+    held.current = new HeldJog({
+      begin: () =>
+        beginJog(machine.name, `Move ${label}`, { operation: "jog", axis, distance: wanted, feed }),
+      renew: (id) => renewJog(machine.name, id),
+      stop: () => operate(machine.name, `Stop ${axis}`, { operation: "stop_jog" }),
+    });
+    void held.current.hold();
   };
-  /** End a press; `tap` makes one step if it was short. */
-  const end = (tap: boolean) => {
-    const short = timer.current !== undefined;
-    clearTimeout(timer.current);
-    timer.current = undefined;
-    if (short && tap) void move(step);
+  const end = () => {
     held.current?.release();
     held.current = null;
   };
@@ -155,7 +161,7 @@ function JogButton({ machine, station, arrow, step, reason }: ButtonProps) {
 
   // When the page loses the focus or is hidden, it receives no release: this counts as one.
   useEffect(() => {
-    const release = () => stop.current(false);
+    const release = () => stop.current();
     window.addEventListener("blur", release);
     document.addEventListener("visibilitychange", release);
     return () => {
@@ -172,21 +178,22 @@ function JogButton({ machine, station, arrow, step, reason }: ButtonProps) {
       data-place={place}
       // The button stays enabled while its own move runs: a disabled one gets no release.
       aria-disabled={why !== null}
-      aria-label={`${label} by ${step}${unitOf(axis)}`}
+      aria-label={`${label} while held${limit === FREE ? "" : `, at most ${limit}${unitOf(axis)}`}`}
       title={why ?? undefined}
       onPointerDown={(event) => {
         if (event.button !== 0 || why !== null) return;
         event.currentTarget.setPointerCapture(event.pointerId);
         begin();
       }}
-      onPointerUp={() => end(true)}
-      onPointerCancel={() => end(false)}
-      onLostPointerCapture={() => end(false)}
+      onPointerUp={end}
+      onPointerCancel={end}
+      onLostPointerCapture={end}
       onContextMenu={(event) => event.preventDefault()}
-      onClick={({ detail }) => {
-        // Pressed with the keyboard or a screen reader.
-        if (detail === 0 && why === null) void move(step);
+      onKeyDown={({ key, repeat }) => {
+        if (!repeat && (key === " " || key === "Enter")) begin();
       }}
+      onKeyUp={end}
+      onBlur={end}
       data-testid={`jog-${place}`}
     >
       {icon}

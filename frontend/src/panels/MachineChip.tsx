@@ -18,6 +18,7 @@ export function MachineChip() {
   const occupant = queue?.entries.find(({ place }) => place === 0)?.job;
   const lost = connection === "broken" || isError;
   const there = !lost && machine?.gateway === "connected";
+  const word = machine === undefined ? "" : machineWord(machine, occupant);
   const label = lost
     ? "The knifetip server does not respond. The page keeps trying to connect."
     : machine === undefined
@@ -30,7 +31,7 @@ export function MachineChip() {
       <span
         className={css.badge}
         style={{ minWidth: 0 }}
-        data-tone={lost ? "red" : there ? "green" : "grey"}
+        data-tone={lost ? "red" : word === "interrupted" ? "amber" : there ? "green" : "grey"}
         data-testid="machine-status"
         role="status"
       >
@@ -41,9 +42,7 @@ export function MachineChip() {
         <span className={`${css.rowName} ${lost ? "" : css.machineName}`}>
           {lost ? "Server not reachable" : machine?.title || machine?.name || "…"}
         </span>
-        {!lost && machine !== undefined && (
-          <span className={css.detail}>{machineWord(machine, occupant)}</span>
-        )}
+        {!lost && machine !== undefined && <span className={css.detail}>{word}</span>}
       </span>
     </Tooltip>
   );

@@ -5,6 +5,7 @@ import { CANVAS } from "../state/palette";
 import { useMachines } from "../state/queries";
 import { useUiStore } from "../state/store";
 import jobCss from "./job.module.css";
+import { PairedDevices } from "./PairedDevices";
 import css from "./panels.module.css";
 import { Section } from "./Section";
 import { dimensionText } from "./toolText";
@@ -43,6 +44,7 @@ export function MachinePanel() {
           Webhooks
         </a>
       </div>
+      <PairedDevices key={machine.name} machine={machine.name} />
       {machine.carriages.map((carriage) => (
         <div key={carriage.number}>
           {machine.carriages.length > 1 && (

@@ -15,8 +15,8 @@ import type { Machine, QueueEntry } from "../api/client";
 import { useRefusal } from "../state/accounts";
 import { changeJob, moveJob, transferJob } from "../state/actions";
 import { formatDuration, pluralize } from "../state/format";
-import { isOnTable, needsOperator } from "../state/jobs";
-import { useBoards, useMachines, useQueue } from "../state/queries";
+import { isOnTable, waitsAtMachine } from "../state/jobs";
+import { useBoardTitle, useMachines, useQueue } from "../state/queries";
 import {
   indexBeside,
   neighboursAt,
@@ -26,13 +26,13 @@ import {
   waitingIds,
 } from "../state/queue";
 import { useUiStore } from "../state/store";
-import { ConfirmationCard } from "./ConfirmationCard";
 import { DrawingPicture } from "./DrawingPicture";
 import jobCss from "./job.module.css";
 import { OrderLine } from "./OrderDetails";
 import css from "./queue.module.css";
 import { Section } from "./Section";
 import { StateBadge } from "./StateBadge";
+import { WaitsAtMachine } from "./WaitsAtMachine";
 
 /** The row over which a job is dragged, and whether the job would be below it. */
 interface Target {
@@ -115,9 +115,9 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
                   toTop={() => moveTo(job.id, 0)}
                 />
               )}
-              {needsOperator(job) && job.id !== current && (
+              {waitsAtMachine(job) && job.id !== current && (
                 <div className={jobCss.inRow}>
-                  <ConfirmationCard job={job} />
+                  <WaitsAtMachine job={job} />
                 </div>
               )}
             </li>
@@ -132,8 +132,7 @@ function Row({ entry }: { entry: QueueEntry }) {
   const { job, place } = entry;
   const open = useUiStore((ui) => ui.open);
   const current = useUiStore((ui) => ui.job === job.id);
-  const { data: boards } = useBoards();
-  const board = boards?.find(({ name }) => name === job.board)?.title || job.board;
+  const board = useBoardTitle(job.board);
   return (
     <button
       type="button"

@@ -9,9 +9,10 @@ import { pluralize } from "../state/format";
 import { isCompiling } from "../state/jobs";
 import { proposedMachine } from "../state/machines";
 import { detailsOf } from "../state/orderDetails";
-import { useBoards, useDrawing, useJob, useMachines } from "../state/queries";
+import { useDrawing, useJob, useMachines } from "../state/queries";
 import { hasLeastLift } from "../state/sheet";
 import { useUiStore } from "../state/store";
+import { BoardSelect } from "./BoardSelect";
 import { CornersForm } from "./CornersForm";
 import { OrderDetailsForm } from "./OrderDetailsForm";
 import { Permitted } from "./Permitted";
@@ -22,7 +23,6 @@ import { SheetForm } from "./SheetForm";
 export function OrderPanel() {
   const { data: drawing } = useDrawing();
   const { data: machines } = useMachines();
-  const { data: boards } = useBoards();
   const { data: job } = useJob();
   const machine = useUiStore((ui) => ui.machine);
   const board = useUiStore((ui) => ui.board);
@@ -60,7 +60,7 @@ export function OrderPanel() {
     open > 0
       ? `Answer ${open === 1 ? "the open question" : `the ${pluralize(open, "open question")}`} first.`
       : board === null
-        ? "Choose a board."
+        ? "Choose the board."
         : machine === null
           ? "Choose a machine."
           : null;
@@ -81,15 +81,7 @@ export function OrderPanel() {
             data-testid="machine-select"
           />
           {chosen?.offset_cuts === true && <CornersForm />}
-          <Select
-            label="Board"
-            placeholder="Choose a board"
-            data={(boards ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
-            value={board}
-            allowDeselect={false}
-            onChange={(value) => set({ board: value })}
-            data-testid="board-select"
-          />
+          <BoardSelect drawing={drawing} />
           <SheetForm
             width={drawing.bounds[2] - drawing.bounds[0]}
             height={drawing.bounds[3] - drawing.bounds[1]}

@@ -5,7 +5,7 @@ import { deepestZ } from "../geometry/depths";
 import { halfContactLength, type Sweep, sweepOf } from "../geometry/sweep";
 import { formatHundredths } from "../state/format";
 import { MARKS, SWEPT } from "../state/palette";
-import { useBoards, useJob, useMachines, useToolpath } from "../state/queries";
+import { useBoardCaliper, useJob, useMachines, useToolpath } from "../state/queries";
 import { useUiStore } from "../state/store";
 import overlayCss from "./overlay.module.css";
 import css from "./panels.module.css";
@@ -40,13 +40,12 @@ export function PathLegend() {
 function Tools() {
   const { data: toolpath } = useToolpath();
   const { data: machines } = useMachines();
-  const { data: boards } = useBoards();
   const { data: job } = useJob();
   const depths = useMemo(
     () => (toolpath === undefined ? new Map<number, number>() : deepestZ(toolpath)),
     [toolpath],
   );
-  const caliper = boards?.find(({ name }) => name === job?.board)?.caliper ?? 0;
+  const caliper = useBoardCaliper(job?.board);
   const stations = machines?.find(({ name }) => name === job?.machine)?.stations ?? [];
   const swept = stations.flatMap(({ number, name, tool }) => {
     const z = depths.get(number);

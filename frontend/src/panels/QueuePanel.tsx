@@ -6,7 +6,7 @@ import type { Job } from "../api/client";
 import { errorText } from "../messages/render";
 import { formatAgo, formatDuration } from "../state/format";
 import { isCompiling, isFinal, isQueued } from "../state/jobs";
-import { useBoards, useJobs, useMachines } from "../state/queries";
+import { useBoardTitle, useJobs, useMachines } from "../state/queries";
 import { useUiStore } from "../state/store";
 import { secondsOf } from "../state/times";
 import jobCss from "./job.module.css";
@@ -81,7 +81,7 @@ export function QueuePanel() {
 function Row({ job, now }: { job: Job; now: number }) {
   const open = useUiStore((ui) => ui.open);
   const current = useUiStore((ui) => ui.job === job.id);
-  const { data: boards } = useBoards();
+  const board = useBoardTitle(job.board);
   const moving = isCompiling(job);
   return (
     <button
@@ -94,7 +94,7 @@ function Row({ job, now }: { job: Job; now: number }) {
       <span className={css.rowName}>{job.drawing_name}</span>
       <StateBadge job={job} />
       <small>
-        {boards?.find(({ name }) => name === job.board)?.title || job.board}
+        {board}
         {job.copies > 1 ? ` · ${job.copies} copies` : ""} · {formatAgo(secondsOf(job.updated), now)}
       </small>
       <small>{job.seconds > 0 ? `machine time ${formatDuration(job.seconds)}` : ""}</small>

@@ -10,9 +10,13 @@ import { pluralize } from "../state/format";
 import { useToolpathOf, useTracks } from "../state/queries";
 import {
   chosenTracks,
+  madeTracks,
+  openTracks,
   proposedTrack,
   type RestMode,
   restChoice,
+  type Statement,
+  statedChoice,
   trackNumbers,
   trackOfLine,
   trackOutlines,
@@ -33,6 +37,7 @@ const STATES: Readonly<Record<Track["state"], string>> = {
   cut: "cut",
   begun: "begun",
   uncut: "not cut",
+  unknown: "not known",
 };
 
 /** The tracks of a job's program; the user chooses those that a new job makes, and orders it. */
@@ -44,8 +49,26 @@ export function RestPanel({ job }: { job: Job }) {
   const [picked, setPicked] = useState<number | null>(null);
   const [made, setMade] = useState(false);
   const [uncut, setUncut] = useState(false);
+  const [stated, setStated] = useState<Statement>({});
   if (error !== null) return <div className={css.note}>{error.message}</div>;
   if (tracks === undefined || tracks.length === 0) return null;
+  const asks = mode !== "whole" && tracks.some(({ state }) => state === "unknown");
+  if (asks) {
+    return (
+      <div className={css.rest} data-testid="rest">
+        <RemainingCopies job={job} />
+        <StatementForm
+          job={job}
+          tracks={tracks}
+          toolpath={toolpath}
+          stated={stated}
+          busy={busy}
+          onState={(number, made) => setStated({ ...stated, [number]: made })}
+          onWhole={() => setMode("whole")}
+        />
+      </div>
+    );
+  }
   const first = picked ?? proposedTrack(tracks);
   const chosen = chosenTracks(tracks, mode, first);
   const unconfirmed = mode === "whole" ? [] : unconfirmedTracks(tracks, mode, first);
@@ -118,9 +141,90 @@ export function RestPanel({ job }: { job: Job }) {
         onClick={() => void continueJob(job.id, restChoice(tracks, mode, first, made, uncut))}
         data-testid="rest-order"
       >
-        {mode === "whole" ? "Queue one more copy" : `Queue ${pluralize(chosen.length, "track")}`}
+        {mode === "whole"
+          ? "Queue one more copy"
+          : `Continue this sheet, ${pluralize(chosen.length, "track")} left`}
       </Button>
     </div>
+  );
+}
+
+interface StatementProps {
+  readonly job: Job;
+  readonly tracks: readonly Track[];
+  readonly toolpath: Toolpath | undefined;
+  readonly stated: Statement;
+  readonly busy: boolean;
+  readonly onState: (number: number, made: boolean) => void;
+  readonly onWhole: () => void;
+}
+
+/** Nobody has seen where the machine stopped: the person states which tracks are made. */
+function StatementForm({ job, tracks, toolpath, stated, busy, onState, onWhole }: StatementProps) {
+  const tools = new Map(job.tools.map(({ station, name }) => [station, name]));
+  const open = openTracks(tracks, stated);
+  const made = madeTracks(tracks, stated);
+  const rest = tracks.filter(({ number }) => !made.includes(number));
+  const unknown = tracks.filter(({ state }) => state === "unknown");
+  return (
+    <>
+      <p className={css.note} data-testid="rest-statement">
+        It is not known how far the machine went. Look at the sheet, and state for each of these{" "}
+        {pluralize(unknown.length, "track")} whether it is completely made. Touch a track in the
+        picture, or answer in the list.
+      </p>
+      {toolpath !== undefined && (
+        <TrackPicture
+          tracks={tracks}
+          toolpath={toolpath}
+          chosen={rest.filter(({ number }) => !open.includes(number))}
+          onPick={(number) => {
+            if (tracks[number - 1]?.state === "unknown") onState(number, stated[number] !== true);
+          }}
+        />
+      )}
+      <Legend />
+      <ol className={css.list} data-testid="rest-answers">
+        {unknown.map((track) => (
+          <li key={track.number} className={css.answer}>
+            <span>
+              {track.number} {tools.get(track.station) ?? `Station ${track.station}`}
+            </span>
+            {[true, false].map((answer) => (
+              <button
+                key={String(answer)}
+                type="button"
+                className={css.row}
+                aria-pressed={stated[track.number] === answer}
+                onClick={() => onState(track.number, answer)}
+                data-testid={answer ? "rest-is-made" : "rest-is-not-made"}
+              >
+                {answer ? "Made" : "Not made"}
+              </button>
+            ))}
+          </li>
+        ))}
+      </ol>
+      <div className={css.note} role="status" data-testid="rest-summary">
+        {open.length > 0
+          ? `${pluralize(open.length, "track")} not answered yet.`
+          : rest.length === 0
+            ? "All tracks are made. Mark the job finished below."
+            : `Leave the sheet in its place. A new job makes ${rest.length} of ${pluralize(tracks.length, "track")}: ${trackNumbers(rest)}.`}
+      </div>
+      <Button
+        size="md"
+        leftSection={<IconPlayerTrackNext size={16} aria-hidden />}
+        disabled={busy || open.length > 0 || rest.length === 0}
+        onClick={() => void continueJob(job.id, statedChoice(made))}
+        data-testid="rest-order"
+      >
+        Continue this sheet, {pluralize(rest.length, "track")} left
+      </Button>
+      <Button size="sm" variant="default" onClick={onWhole} data-testid="rest-whole">
+        Make one more copy on a new sheet instead
+      </Button>
+    </>
   );
 }
 
@@ -199,7 +303,7 @@ export function TrackPicture({ tracks, toolpath, chosen, onPick }: PictureProps)
 function Legend() {
   return (
     <div className={css.legend} aria-hidden>
-      {(["cut", "begun", "uncut"] as const).map((state) => (
+      {(["cut", "begun", "uncut", "unknown"] as const).map((state) => (
         <span key={state}>
           <svg width="26" height="8" viewBox="0 0 26 8" aria-hidden="true">
             <path d="M1 4H25" className={css.track} data-state={state} />

@@ -1,11 +1,14 @@
-/** The alarm that locks the machine: its meaning, what to do, and the two ways out. */
+/** What keeps the machine from work: its alarm or its hold, what to do, and the ways out. */
 
 import { IconAlertTriangleFilled } from "@tabler/icons-react";
 import type { Job, Machine, Station } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
 import { useRefusal } from "../state/accounts";
+import { type HandsClear, handsReason } from "../state/handsClear";
 import { operate } from "../state/operations";
 import { reasonAgainst } from "../state/station";
+import { headingOf, waysOut } from "../state/wayOut";
+import { HandsClearButton } from "./HandsClearButton";
 import css from "./station.module.css";
 
 interface Props {
@@ -13,32 +16,34 @@ interface Props {
   readonly station: Station;
   readonly job: Job | undefined;
   readonly reached: boolean;
+  readonly hands: HandsClear;
 }
 
-const WAYS = [
-  { operation: "home", title: "Home", note: "Finds the zero of all axes. The machine moves." },
-  {
-    operation: "unlock",
-    title: "Unlock",
-    note: "Clears the alarm without homing. The position may be wrong.",
-  },
-] as const;
-
-export function StationAlarm({ machine, station, job, reached }: Props) {
+export function StationAlarm({ machine, station, job, reached, hands }: Props) {
   const refusal = useRefusal("POST /api/v1/machines/{name}/operations");
-  if (station.alarm === null) return null;
-  const hint = renderHint(station.alarm);
+  const message = station.alarm ?? station.obstacle;
+  if (message === null) return null;
+  const hint = renderHint(message);
+  const ways = waysOut(station, job);
   return (
-    <section className={css.alarm} role="alert" data-testid="alarm">
+    <section
+      className={css.alarm}
+      role="alert"
+      data-testid={station.alarm === null ? "obstacle" : "alarm"}
+    >
       <h2>
         <IconAlertTriangleFilled color="var(--bad)" aria-hidden />
-        Alarm
+        {headingOf(station, job)}
       </h2>
-      <p>{renderText(station.alarm)}</p>
+      <p>{renderText(message)}</p>
       {hint !== "" && <p className={css.todo}>{hint}</p>}
+      {ways.length > 0 && <HandsClearButton hands={hands} reached={reached} />}
       <div className={css.answers}>
-        {WAYS.map(({ operation, title, note }) => {
-          const reason = refusal ?? reasonAgainst(operation, station, machine, job);
+        {ways.map(({ operation, title, note }) => {
+          const reason =
+            refusal ??
+            reasonAgainst(operation, station, machine, job) ??
+            handsReason(operation, hands);
           return (
             <div key={operation} className={css.way}>
               <button

@@ -10,9 +10,11 @@ import {
 import { type ReactNode, useEffect, useState } from "react";
 import type { Job, JobCommand, Station } from "../api/client";
 import { useRefusal } from "../state/accounts";
-import { awaitsEnd, confirmationBefore, needsOperator } from "../state/jobs";
+import { type HandsClear, handsReason } from "../state/handsClear";
+import { awaitsEnd, confirmationBefore } from "../state/jobs";
 import { type Checked, commandJob, operate, startJob } from "../state/operations";
 import { runAboveBoard, type Stop, stopOf } from "../state/station";
+import { reasonAgainstResume, reasonAgainstStart } from "../state/wayOut";
 import { AskOnce } from "./AskOnce";
 import css from "./station.module.css";
 
@@ -21,6 +23,7 @@ interface Props {
   readonly station: Station | undefined;
   readonly job: Job | undefined;
   readonly reached: boolean;
+  readonly hands: HandsClear;
   /** What the person has checked; null while something is not ticked. */
   readonly checked: Checked | null;
 }
@@ -35,21 +38,8 @@ interface Control {
   act(): void;
 }
 
-const has = (job: Job | undefined, word: JobCommand): boolean =>
+const has = (job: Job | undefined, word: JobCommand | "confirm"): boolean =>
   job?.actions.includes(word) === true;
-
-/** What `Start` waits for. */
-function reasonAgainstStart(
-  job: Job | undefined,
-  station: Station | undefined,
-  checked: Checked | null,
-): string | null {
-  if (job === undefined) return "There is no job for this machine.";
-  if (runAboveBoard(station) !== null)
-    return "The machine runs above the board. Wait until it has ended, or stop it.";
-  if (!needsOperator(job) || !has(job, "confirm")) return "No job waits for its start.";
-  return checked !== null ? null : "Check and tick everything that is listed first.";
-}
 
 /** Question before a job is ended whose machine does not move. */
 const questionOf = (job: Job) =>
@@ -60,7 +50,7 @@ const questionOf = (job: Job) =>
     no: "Keep job",
   };
 
-export function StationControls({ machine, station, job, reached, checked }: Props) {
+export function StationControls({ machine, station, job, reached, hands, checked }: Props) {
   const refusal = useRefusal("POST /api/v1/machines/{name}/operations");
   const [asking, setAsking] = useState<string | null>(null);
   const stop = stopOf(station, job);
@@ -86,7 +76,9 @@ export function StationControls({ machine, station, job, reached, checked }: Pro
       testId: "station-start",
       tone: "green",
       icon: <IconPlayerPlayFilled aria-hidden />,
-      reason: reasonAgainstStart(job, station, checked),
+      reason:
+        reasonAgainstStart(job, station) ??
+        (checked !== null ? null : "Check and tick everything that is listed first."),
       act: () => {
         if (job !== undefined && checked !== null) void startJob(job.id, checked);
       },
@@ -111,15 +103,14 @@ export function StationControls({ machine, station, job, reached, checked }: Pro
       testId: "station-resume",
       tone: "blue",
       icon: <IconPlayerTrackNextFilled aria-hidden />,
-      // A job that waits for a sheet goes on with Start, after the checks.
-      reason: !(holds("held") || (has(job, "resume") && !has(job, "confirm")))
-        ? "No job is held."
-        : station?.state === "door"
-          ? "Close the safety door first."
-          : null,
+      reason:
+        reasonAgainstResume(job, station) ??
+        (run === null && has(job, "end") ? null : handsReason("resume", hands)),
       act: () =>
         run === null
-          ? send("Resume", "resume")
+          ? has(job, "end")
+            ? send("Has finished", "end")
+            : send("Resume", "resume")
           : void operate(machine, "Resume", { operation: "resume" }),
     },
     {

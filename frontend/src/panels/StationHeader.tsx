@@ -2,7 +2,7 @@
 
 import { IconPlugConnected, IconPlugConnectedX } from "@tabler/icons-react";
 import type { Job, Machine, Station } from "../api/client";
-import { AXES, titleOf } from "../state/station";
+import { AXES, ageText, titleOf } from "../state/station";
 import { OperatorButton } from "./OperatorForm";
 import css from "./station.module.css";
 
@@ -25,6 +25,11 @@ export function StationHeader({ machine, station, job, reached }: Props) {
         <div className={css.state} data-tone={tone} role="status" data-testid="station-state">
           {title}
         </div>
+        {reached && ageText(station) !== "" && (
+          <small className={css.age} data-testid="station-age">
+            Reported {ageText(station)}
+          </small>
+        )}
       </div>
       <Position station={reached ? station : undefined} />
       <div className={css.links}>

@@ -1,23 +1,26 @@
 /** The job of the machine: what to check before it starts, its progress, and how it ended. */
 
-import { IconCheck } from "@tabler/icons-react";
 import { useState } from "react";
 import type { Job, JobCommand, Machine, Station } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
 import type { Check } from "../state/checks";
 import { formatDuration, pluralize } from "../state/format";
+import type { HandsClear } from "../state/handsClear";
 import { type Confirmation, confirmationBefore, isOnTable, needsOperator } from "../state/jobs";
 import { commandJob } from "../state/operations";
-import { useBoards } from "../state/queries";
-import { canContinue } from "../state/rest";
+import { useBoardTitle, useTracks } from "../state/queries";
+import { canContinue, tracksLeft } from "../state/rest";
 import { recompileNote } from "../state/toolCheck";
 import type { WornToolsState } from "../state/wornTools";
 import { AskOnce } from "./AskOnce";
 import { DryRunPanel } from "./DryRunPanel";
+import { FeedOverride } from "./FeedOverride";
+import { HandsClearButton } from "./HandsClearButton";
 import { OrderCard } from "./OrderDetails";
 import { RemainingCopies } from "./RemainingCopies";
 import { RestPanel } from "./RestPanel";
 import { StateBadge } from "./StateBadge";
+import { StationChecks } from "./StationChecks";
 import css from "./station.module.css";
 import { ToolCheckPanel } from "./ToolCheckPanel";
 import { WornTools } from "./WornTools";
@@ -31,38 +34,69 @@ interface Props {
   readonly ticked: ReadonlySet<string>;
   readonly wornTools: WornToolsState;
   readonly reached: boolean;
-  onTick(key: string): void;
+  readonly hands: HandsClear;
+  onTick(keys: readonly string[]): void;
 }
 
 export function StationJob(props: Props) {
-  const { job, machine, station, checks, ticked, wornTools, reached, onTick } = props;
-  const { data: boards } = useBoards();
-  const board = boards?.find(({ name }) => name === job.board);
+  const { job, machine, station, checks, ticked, wornTools, reached, hands, onTick } = props;
+  const board = useBoardTitle(job.board);
   return (
     <section className={css.job} aria-label="Job" data-testid="station-job" data-state={job.state}>
       <div className={css.jobHead}>
         <h2>{job.drawing_name}</h2>
         <StateBadge job={job} testId="station-job-state" />
       </div>
+      {/* Large: on another board than its own, a job cuts at wrong depths. */}
+      <p className={css.boardName} data-testid="station-board">
+        {board}
+      </p>
       <p className={css.jobFacts}>
-        {board?.title || job.board}
-        {job.copies > 1 && ` · ${pluralize(job.copies, "copy", "copies")}`}
+        {pluralize(job.copies, "copy", "copies")}
         {job.seconds > 0 && ` · ${formatDuration(job.seconds)} each`}
       </p>
       <OrderCard job={job} />
       {isOnTable(job) && <Run job={job} />}
+      <FeedOverride machine={machine} station={station} job={job} reached={reached} />
+      {job.actions.includes("resume") && <HandsClearButton hands={hands} reached={reached} />}
       <Reason job={job} />
       {needsOperator(job) && checks !== null && (
         <>
           <WornTools tools={wornTools} />
-          <Checks checks={checks} ticked={ticked} onTick={onTick} />
+          <StationChecks
+            machine={machine}
+            checks={checks}
+            ticked={ticked}
+            hands={hands}
+            onTick={onTick}
+          />
         </>
       )}
       {job.waiting_for === "confirmation" && job.state === "queued" && (
         <>
-          <DryRunPanel job={job} machine={machine} station={station} reached={reached} />
+          <DryRunPanel
+            job={job}
+            machine={machine}
+            station={station}
+            reached={reached}
+            hands={hands}
+          />
           {checks !== null && <ToolCheckPanel {...props} checks={checks} />}
         </>
+      )}
+      {job.actions.includes("recheck") && (
+        <div className={css.way}>
+          <button
+            type="button"
+            className={css.button}
+            disabled={!reached}
+            onClick={() => void commandJob(job.id, "Try again", "recheck")}
+            data-testid="station-recheck"
+          >
+            Try again
+          </button>
+          <small>The machine checks the program again. Nothing moves before you start it.</small>
+        </div>
       )}
       {job.waiting_for === "compile" && (
         <div className={css.way}>
@@ -140,33 +174,6 @@ function Reason({ job }: { job: Job }) {
   );
 }
 
-interface ChecksProps extends Pick<Props, "ticked" | "onTick"> {
-  readonly checks: readonly Check[];
-}
-
-function Checks({ checks, ticked, onTick }: ChecksProps) {
-  return (
-    <fieldset className={css.checks} data-testid="checks">
-      <legend>
-        Check at the table, then start ({checks.filter(({ key }) => ticked.has(key)).length} of{" "}
-        {checks.length})
-      </legend>
-      {checks.map(({ key, title, detail, warns }) => (
-        <label key={key} className={css.check} data-warns={warns} data-testid="check">
-          <input type="checkbox" checked={ticked.has(key)} onChange={() => onTick(key)} />
-          <span className={css.box} aria-hidden>
-            <IconCheck className={css.tick} />
-          </span>
-          <span>
-            <b>{title}</b>
-            <small>{detail}</small>
-          </span>
-        </label>
-      ))}
-    </fieldset>
-  );
-}
-
 type Ending = Extract<JobCommand, "requeue" | "finish" | "scrap">;
 
 const ENDINGS: Readonly<Record<Ending, { title: string; note: string }>> = {
@@ -207,7 +214,7 @@ function AfterInterruption({ job, reached }: { job: Job; reached: boolean }) {
       {job.stopped_at !== null && <p>{stopText(job, job.stopped_at)}</p>}
       {canContinue(job) && (
         <fieldset className={css.rest} disabled={!reached}>
-          <legend>Continue this sheet, or make one more copy</legend>
+          <RestLegend job={job} />
           <RestPanel job={job} />
         </fieldset>
       )}
@@ -227,6 +234,13 @@ function AfterInterruption({ job, reached }: { job: Job; reached: boolean }) {
       ))}
     </div>
   );
+}
+
+/** The best way after an interruption, with what it makes. */
+function RestLegend({ job }: { job: Job }) {
+  const { data: tracks } = useTracks(job);
+  const left = tracks === undefined ? "" : `, ${tracksLeft(tracks)} left`;
+  return <legend data-testid="rest-title">Continue this sheet{left}</legend>;
 }
 
 function stopText({ lines, tools }: Job, stop: NonNullable<Job["stopped_at"]>): string {

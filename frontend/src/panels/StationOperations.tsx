@@ -2,9 +2,11 @@
 
 import { useState } from "react";
 import type { Job, Machine, OperationRequest, Station } from "../api/client";
+import { type HandsClear, handsReason } from "../state/handsClear";
 import { operate } from "../state/operations";
 import { type OperationName, outputsOf, reasonAgainst, spindlesOf } from "../state/station";
 import { AskOnce } from "./AskOnce";
+import { HandsClearButton } from "./HandsClearButton";
 import { JogPad } from "./JogPad";
 import css from "./station.module.css";
 
@@ -13,6 +15,7 @@ interface Props {
   readonly station: Station | undefined;
   readonly job: Job | undefined;
   readonly reached: boolean;
+  readonly hands: HandsClear;
 }
 
 interface Way {
@@ -70,9 +73,11 @@ function commonReason({ machine, station, job, reached }: Props): string | null 
 }
 
 export function StationOperations(props: Props) {
-  const { machine, station, job, reached } = props;
+  const { machine, station, job, reached, hands } = props;
   const [asking, setAsking] = useState<Way | null>(null);
   const common = commonReason(props);
+  const reasonOf = ({ operation }: Way) =>
+    reasonAgainst(operation, station, machine, job) ?? handsReason(operation, hands);
   const ask = ({ title, request }: Way) => void operate(machine.name, title, request);
   return (
     <section className={css.operations} aria-label="Move the machine" data-testid="operations">
@@ -82,11 +87,12 @@ export function StationOperations(props: Props) {
         </p>
       )}
       <JogPad {...props} />
+      <HandsClearButton hands={hands} reached={reached} />
       <div className={css.waysOrQuestion}>
         {asking?.question != null && (
           <AskOnce
             {...asking.question}
-            disabled={!reached || reasonAgainst(asking.operation, station, machine, job) !== null}
+            disabled={!reached || reasonOf(asking) !== null}
             onNo={() => setAsking(null)}
             onYes={() => {
               setAsking(null);
@@ -96,7 +102,7 @@ export function StationOperations(props: Props) {
         )}
         <div className={css.wayGrid} inert={asking !== null}>
           {WAYS.map((way) => {
-            const reason = reasonAgainst(way.operation, station, machine, job);
+            const reason = reasonOf(way);
             return (
               <div key={way.operation} className={css.way}>
                 <button
@@ -119,12 +125,14 @@ export function StationOperations(props: Props) {
   );
 }
 
-function Outputs({ machine, station, job, reached }: Props) {
+function Outputs({ machine, station, job, reached, hands }: Props) {
   const outputs = outputsOf(machine);
   const spindles = spindlesOf(machine);
   if (outputs.length + spindles.length === 0) return null;
   const reason = reasonAgainst("switch", station, machine, job);
-  const enabled = reached && reason === null;
+  // What is on can always be switched off.
+  const toSwitchOn = reason ?? handsReason("switch", hands);
+  const because = (on: boolean) => (on ? reason : toSwitchOn);
   return (
     <fieldset className={css.outputs} data-testid="outputs">
       <legend>Outputs by hand, only at rest and with the tool lifted</legend>
@@ -134,8 +142,9 @@ function Outputs({ machine, station, job, reached }: Props) {
           name={name}
           note={`Output ${number}`}
           on={station?.outputs.includes(number) === true}
-          enabled={enabled}
-          reason={reason}
+          known={station?.outputs_known === true}
+          enabled={reached}
+          reason={because(station?.outputs.includes(number) === true)}
           onSwitch={(on, title) =>
             void operate(machine.name, title, { operation: "switch", output: number, on })
           }
@@ -148,8 +157,9 @@ function Outputs({ machine, station, job, reached }: Props) {
           name={`${name}: ${motorOf(machine, number)}`}
           note={spindleText(machine, number)}
           on={station?.spindle === number}
-          enabled={enabled}
-          reason={reason}
+          known={station?.outputs_known === true}
+          enabled={reached}
+          reason={because(station?.spindle === number)}
           onSwitch={(on, title) =>
             void operate(machine.name, title, { operation: "spindle", station: number, on })
           }
@@ -165,6 +175,8 @@ interface SwitchProps {
   /** Text below the name. */
   readonly note: string;
   readonly on: boolean;
+  /** Whether it is off if it is not known to be on. */
+  readonly known: boolean;
   readonly enabled: boolean;
   /** Reason why it cannot be switched now; null if it can. */
   readonly reason: string | null;
@@ -174,14 +186,14 @@ interface SwitchProps {
 }
 
 /** One output or spindle with its present state. */
-function OutputSwitch({ name, note, on, enabled, reason, onSwitch, testId }: SwitchProps) {
+function OutputSwitch({ name, note, on, known, enabled, reason, onSwitch, testId }: SwitchProps) {
   return (
     <button
       type="button"
       role="switch"
-      aria-checked={on}
+      aria-checked={on || known ? on : "mixed"}
       className={css.output}
-      disabled={!enabled}
+      disabled={!enabled || reason !== null}
       title={reason ?? undefined}
       onClick={() => onSwitch(!on, `${name} ${on ? "off" : "on"}`)}
       data-testid={testId}
@@ -190,7 +202,7 @@ function OutputSwitch({ name, note, on, enabled, reason, onSwitch, testId }: Swi
         {name}
         <small>{note}</small>
       </span>
-      <b>{on ? "On" : "Off"}</b>
+      <b>{on ? "On" : known ? "Off" : "Not known"}</b>
     </button>
   );
 }

@@ -1,11 +1,17 @@
 /** Outcome of the last action of the person. */
 
+import { useEffect } from "react";
 import { useOutcomes } from "../state/operations";
 import { OUTCOME_TITLES, OUTCOME_TONES } from "../state/station";
 import css from "./station.module.css";
 
-export function StationOutcome() {
+/** `state` of job and machine: the outcome of an older action leaves when it changes. */
+export function StationOutcome({ state }: { readonly state: string }) {
   const last = useOutcomes((outcomes) => outcomes.last);
+  const leave = useOutcomes((outcomes) => outcomes.leave);
+  useEffect(() => {
+    if (state !== "") leave();
+  }, [state, leave]);
   return (
     <div className={css.outcomeArea} role="status" aria-live="polite">
       {last !== null && (

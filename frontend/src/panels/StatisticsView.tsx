@@ -5,7 +5,7 @@ import { useState } from "react";
 import type { Statistics } from "../api/client";
 import { errorText } from "../messages/render";
 import { formatDuration, formatMetres, pluralize } from "../state/format";
-import { useBoards, useMachines, useStatistics } from "../state/queries";
+import { useBoardTitles, useMachines, useStatistics } from "../state/queries";
 import css from "./history.module.css";
 
 const STEPS = [
@@ -68,7 +68,7 @@ export function StatisticsView({ machine }: { machine: string }) {
 
 /** One row per period, newest first; the bar is its share of the greatest number of copies. */
 function Periods({ rows, step }: { rows: readonly Statistics[]; step: Step }) {
-  const { data: boards } = useBoards();
+  const titleOf = useBoardTitles();
   const most = Math.max(1, ...rows.map(({ copies }) => copies));
   return (
     <ul className={css.periods}>
@@ -86,10 +86,7 @@ function Periods({ rows, step }: { rows: readonly Statistics[]; step: Step }) {
               <dt>Sheets</dt>
               <dd>
                 {Object.entries(row.sheets)
-                  .map(
-                    ([board, count]) =>
-                      `${count} ${boards?.find(({ name }) => name === board)?.title || board}`,
-                  )
+                  .map(([board, count]) => `${count} ${titleOf(board)}`)
                   .join(", ") || "–"}
               </dd>
             </div>

@@ -5,6 +5,7 @@ import type { Job, Machine, Station } from "../api/client";
 import { renderText } from "../messages/render";
 import { useRefusal } from "../state/accounts";
 import type { Check } from "../state/checks";
+import { type HandsClear, handsReason } from "../state/handsClear";
 import { operate, reportAction } from "../state/operations";
 import { useDrawing } from "../state/queries";
 import { AXES, type Axis, reasonAgainst, runAboveBoard } from "../state/station";
@@ -27,7 +28,8 @@ interface Props {
   readonly checks: readonly Check[];
   readonly ticked: ReadonlySet<string>;
   readonly reached: boolean;
-  onTick(key: string): void;
+  readonly hands: HandsClear;
+  onTick(keys: readonly string[]): void;
 }
 
 type Mounted = Machine["stations"][number];
@@ -47,7 +49,7 @@ export function ToolCheckPanel(props: Props) {
     <section className={css.dryRun} aria-label="Tool check" data-testid="tool-check">
       <h3>Check a tool above the board</h3>
       <div className={css.wayGrid}>
-        {tools.map(({ key, station, title }) => (
+        {tools.map(({ key, station }) => (
           <button
             key={key}
             type="button"
@@ -56,7 +58,7 @@ export function ToolCheckPanel(props: Props) {
             onClick={() => setOpened(opened === station ? null : station)}
             data-testid={`check-tool-${station}`}
           >
-            {station} {title}
+            {station} {machine.stations.find(({ number }) => number === station)?.name}
           </button>
         ))}
       </div>
@@ -78,14 +80,15 @@ interface OneProps extends Props {
 }
 
 function OneTool(props: OneProps) {
-  const { machine, station, job, reached, mounted, check, ticked, onTick } = props;
+  const { machine, station, job, reached, hands, mounted, check, ticked, onTick } = props;
   const { data: drawing } = useDrawing();
   const [place, setPlace] = useState("corner");
   const [shift, setShift] = useState<Shift>(NO_SHIFT);
   const places = placesOf(machine, drawing);
   const [first] = places;
   const chosen = places.find(({ key }) => key === place) ?? first;
-  const reason = reasonAgainst("tool_check", station, machine, job);
+  const reason =
+    reasonAgainst("tool_check", station, machine, job) ?? handsReason("tool_check", hands);
   const move = () => {
     if (chosen === undefined) return;
     const [x, y] = chosen.point;
@@ -148,7 +151,7 @@ function OneTool(props: OneProps) {
         shift={shift}
         onShift={setShift}
         right={check !== undefined && ticked.has(check.key)}
-        onRight={() => check !== undefined && onTick(check.key)}
+        onRight={() => check !== undefined && onTick([check.key])}
       />
     </div>
   );

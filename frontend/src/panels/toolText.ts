@@ -7,6 +7,7 @@ const DIMENSIONS: Readonly<Record<string, string>> = {
   blade_angle: "blade angle",
   blade_width: "blade width",
   half_width: "tip offset behind head axis",
+  least_radius: "least radius of a bend",
   radius: "tool radius",
   tilt: "blade tilt",
   trail: "tip offset behind head axis",

@@ -1,9 +1,9 @@
 /** The user of the page, and the users, keys and audit log of the server. */
 
 import { queryOptions, useQuery } from "@tanstack/react-query";
-import { accounts, type Me, type UserRole } from "../api/accounts";
+import { type AccessScope, accounts, type Me, type UserRole } from "../api/accounts";
 import type { Shelf } from "../api/client";
-import { ROLE_FOR } from "../api/roles.gen";
+import { SCOPES_FOR } from "../api/roles.gen";
 import { queryClient } from "./queries";
 
 export const accountQueries = {
@@ -11,6 +11,11 @@ export const accountQueries = {
   users: () =>
     queryOptions({ queryKey: ["users"], queryFn: ({ signal }) => accounts.users(signal) }),
   keys: () => queryOptions({ queryKey: ["keys"], queryFn: ({ signal }) => accounts.keys(signal) }),
+  devices: (machine: string) =>
+    queryOptions({
+      queryKey: ["devices", machine],
+      queryFn: ({ signal }) => accounts.devices(machine, signal),
+    }),
   audit: () =>
     queryOptions({
       queryKey: ["audit"],
@@ -39,6 +44,11 @@ export async function signOut(): Promise<void> {
   globalThis.location.reload();
 }
 
+export const useDevices = (machine: string, wanted: boolean) =>
+  useQuery({ ...accountQueries.devices(machine), enabled: wanted });
+export const refreshDevices = (machine: string) =>
+  queryClient.invalidateQueries(accountQueries.devices(machine));
+
 const ROLES: readonly UserRole[] = ["viewer", "designer", "operator", "admin"];
 const PLURALS: Readonly<Record<UserRole, string>> = {
   viewer: "users",
@@ -47,31 +57,45 @@ const PLURALS: Readonly<Record<UserRole, string>> = {
   admin: "administrators",
 };
 
-/** Reason why a user lacks a role; null: the user has it, or is not known yet. */
-export function roleReason(me: Me | undefined, role: UserRole): string | null {
-  if (me === undefined || me.scopes.includes(role)) return null;
-  return `Only ${PLURALS[role]} can do this. You are signed in as ${me.name} (${roleOf(me.scopes)}).`;
+/** Method and path of a request for which a scope is needed. */
+export type RestrictedRequest = keyof typeof SCOPES_FOR;
+
+/** Least role whose users have a scope; null: no user has it as a role. */
+const leastRole = (scope: AccessScope): UserRole | null =>
+  scope === "station" ? "operator" : (ROLES.find((role) => role === scope) ?? null);
+
+/**
+ * Reason why the scopes of the sender do not permit a request; null: they do, or are not known yet.
+ */
+export function refusalFor(me: Me | undefined, request: RestrictedRequest): string | null {
+  const needed: readonly AccessScope[] = SCOPES_FOR[request];
+  if (me === undefined || needed.some((scope) => me.scopes.includes(scope))) return null;
+  const roles = needed.map(leastRole);
+  const role = ROLES.find((one) => roles.includes(one)) ?? "admin";
+  return `Only ${PLURALS[role]} can do this. ${whoText(me)}`;
 }
 
-/** Method and path of a request for which a role is needed. */
-export type RestrictedRequest = keyof typeof ROLE_FOR;
+const whoText = ({ kind, name, scopes, machines }: Me): string =>
+  kind === "device"
+    ? `This device (${name}) is paired with ${machines.join(", ")} only.`
+    : `You are signed in as ${name} (${roleOf(scopes)}).`;
 
-/** Reason why the role of the user does not permit a request; null: permitted, or not known yet. */
+/** The same for the sender of the page. */
 export const useRefusal = (request: RestrictedRequest): string | null =>
-  roleReason(useMe(), ROLE_FOR[request]);
+  refusalFor(useMe(), request);
 
-/** Whether the user is known and has the role for a request. */
+/** Whether the sender is known and may send a request. */
 export const useIsPermitted = (request: RestrictedRequest): boolean => {
   const me = useMe();
-  return me !== undefined && roleReason(me, ROLE_FOR[request]) === null;
+  return me !== undefined && refusalFor(me, request) === null;
 };
 
 /** The same as `useRefusal`, for code outside of components. */
 export const refusalOf = (request: RestrictedRequest): string | null =>
-  roleReason(queryClient.getQueryData(accountQueries.me().queryKey), ROLE_FOR[request]);
+  refusalFor(queryClient.getQueryData(accountQueries.me().queryKey), request);
 
 export const savingOf = (shelf: Shelf) => `PUT /api/v1/${shelf}/{name}` as const;
 
-/** Role of a user: the greatest of the scopes. */
+/** Role of a user: the greatest of the scopes; for a program the first of its scopes. */
 export const roleOf = (scopes: readonly string[]): string =>
-  ROLES.findLast((role) => scopes.includes(role)) ?? "gateway";
+  ROLES.findLast((role) => scopes.includes(role)) ?? scopes[0] ?? "no scope";

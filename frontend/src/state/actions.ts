@@ -2,7 +2,6 @@
 
 import {
   type Exceptions,
-  type JobCommand,
   type Neighbours,
   type Profile,
   pageProblem,
@@ -31,12 +30,12 @@ import {
   retypeChange,
   settingsOf,
 } from "./history";
+import type { OfficeCommand } from "./jobs";
 import { notifyError } from "./notifications";
 import { useProfileDraft } from "./profileDraft";
-import { phaseOf, queries, queryClient, upsertJob } from "./queries";
+import { queries, queryClient, upsertJob } from "./queries";
 import { hasLeastLift } from "./sheet";
 import { useUiStore } from "./store";
-import type { ToolDecision } from "./wornTools";
 
 export function uploadFiles(files: readonly File[]): Promise<void> {
   return enqueue(async () => {
@@ -72,6 +71,15 @@ export function patchDrawing(part: { unit?: Unit | "file"; profile?: string }): 
     useUiStore
       .getState()
       .recordChange({ kind: "settings", before: settingsOf(before), after: settingsOf(after) });
+  });
+}
+
+/** Let all designers change the open drawing, or its owner and operators only. */
+export function shareDrawing(shared: boolean): Promise<void> {
+  return enqueue(async () => {
+    const { drawing } = useUiStore.getState();
+    if (drawing === null) return;
+    await applyDrawing(await service.patchDrawing(drawing, { shared }, displayedRevision(drawing)));
   });
 }
 
@@ -232,23 +240,8 @@ export function continueJob(job: string, choice: RestChoice): Promise<void> {
   });
 }
 
-export function command(job: string, word: JobCommand): Promise<void> {
-  const phase = phaseOf(job);
-  return enqueue(async () => upsertJob(await service.command(job, word, phase)));
-}
-
-/** Confirm a job whose tools are all good, or for which a decision was made. */
-export function confirmJob(job: string, tools: ToolDecision): Promise<void> {
-  const checked = { board: null, stations: null };
-  return enqueue(async () =>
-    upsertJob(
-      await service.confirmNow(job, {
-        ...checked,
-        changed: tools.changed,
-        worn_reason: tools.reason,
-      }),
-    ),
-  );
+export function command(job: string, word: OfficeCommand): Promise<void> {
+  return enqueue(async () => upsertJob(await service.command(job, word)));
 }
 
 /** Move a waiting job between two others, if the queue is still as displayed. */

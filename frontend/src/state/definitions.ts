@@ -56,7 +56,12 @@ export const GROUPS: Readonly<Record<Shelf, Readonly<Record<string, readonly str
   },
   boards: {
     Board: ["title", "material", "caliper", "grain"],
-    Creases: ["crease_along", "crease_across", "end_clearance", "short_crease", "double_crease"],
+    Creases: [
+      ...["crease_along", "crease_across", "crease_tolerance"],
+      ...["end_clearance", "short_crease", "double_crease"],
+    ],
+    "Bends of cuts": ["cut_tolerance", "least_radius"],
+    "Limits of tools": ["limits"],
     "V-grooves": [
       ...["groove_depth", "groove_pass", "groove_curve"],
       ...["groove_overcut", "groove_shift", "fold_angle"],
@@ -72,6 +77,8 @@ export const GROUPS: Readonly<Record<Shelf, Readonly<Record<string, readonly str
 const LABELS: Readonly<Record<string, string>> = {
   area: "Reachable area",
   blade_angle: "Blade angle",
+  crease_tolerance: "Tolerance of bent creases",
+  cut_tolerance: "Tolerance of bent cuts",
   dialect: "Controller language",
   into_mat: "Depth in the mat",
   datum: "Offset of the station",
@@ -82,6 +89,7 @@ const LABELS: Readonly<Record<string, string>> = {
   groove_pass: "Depth of one groove pass",
   groove_shift: "Shift of grooves beside cuts",
   gantry: "Gantry with several carriages",
+  least_radius: "Least radius of a bend",
   life: "Tool life",
   min_distance: "Least distance of carriages",
   origin: "Place of the drawing",

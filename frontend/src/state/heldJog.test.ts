@@ -1,25 +1,23 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { HeldJog, type JogCommands } from "./heldJog";
-import type { Outcome } from "./station";
 
-const outcome = (state: Outcome["state"]): Outcome => ({ label: "X", state, text: "", hint: "" });
-
-/** A machine that moves for one second after each move. */
-function machine(answer: Outcome["state"] = "done", moves = Number.POSITIVE_INFINITY) {
+/** Commands that take 100 ms, and what was sent. */
+function machine(id: string | null = "jog", renewals = Number.POSITIVE_INFINITY) {
   const log: string[] = [];
-  let until = 0;
+  const later = <T>(value: T): Promise<T> =>
+    new Promise((resolve) => setTimeout(() => resolve(value), 100));
   const commands: JogCommands = {
-    move: () => {
-      if (moves-- <= 0) return null;
-      log.push("move");
-      until = Date.now() + 1000;
-      return new Promise((resolve) => setTimeout(() => resolve(outcome(answer)), 100));
+    begin: () => {
+      log.push("begin");
+      return later(id);
+    },
+    renew: (of) => {
+      log.push(`renew ${of}`);
+      return later(renewals-- > 0);
     },
     stop: async () => {
       log.push("stop");
-      until = 0;
     },
-    isAtRest: () => Date.now() >= until,
   };
   return { log, commands };
 }
@@ -31,16 +29,16 @@ afterEach(() => {
   vi.useRealTimers();
 });
 
-test("moves one short move after another until it is released", async () => {
+test("states every 300 ms that the button is held, until it is released", async () => {
   const { log, commands } = machine();
   const jog = new HeldJog(commands);
   const ended = jog.hold();
-  await vi.advanceTimersByTimeAsync(2500);
-  expect(log).toEqual(["move", "move", "move"]);
+  await vi.advanceTimersByTimeAsync(1050);
+  expect(log).toEqual(["begin", "renew jog", "renew jog", "renew jog"]);
   jog.release();
   await vi.advanceTimersByTimeAsync(5000);
   await ended;
-  expect(log).toEqual(["move", "move", "move", "stop"]);
+  expect(log).toEqual(["begin", "renew jog", "renew jog", "renew jog", "stop"]);
 });
 
 test("a release while the move is on its way stops it again once it has arrived", async () => {
@@ -51,23 +49,23 @@ test("a release while the move is on its way stops it again once it has arrived"
   jog.release();
   await vi.advanceTimersByTimeAsync(500);
   await ended;
-  expect(log).toEqual(["move", "stop", "stop"]);
+  expect(log).toEqual(["begin", "stop", "stop"]);
 });
 
-test.each(["refused", "expired"] as const)("a move that is %s is not repeated", async (state) => {
-  const { log, commands } = machine(state);
-  const ended = new HeldJog(commands).hold();
-  await vi.advanceTimersByTimeAsync(5000);
-  await ended;
-  expect(log).toEqual(["move"]);
-});
-
-test("the limit of the travel ends it", async () => {
-  const { log, commands } = machine("done", 1);
+test("a move that is refused is not held", async () => {
+  const { log, commands } = machine(null);
   const jog = new HeldJog(commands);
   const ended = jog.hold();
   await vi.advanceTimersByTimeAsync(5000);
   await ended;
   jog.release();
-  expect(log).toEqual(["move"]);
+  expect(log).toEqual(["begin"]);
+});
+
+test("a move that has ended is not renewed any more", async () => {
+  const { log, commands } = machine("jog", 1);
+  const ended = new HeldJog(commands).hold();
+  await vi.advanceTimersByTimeAsync(5000);
+  await ended;
+  expect(log).toEqual(["begin", "renew jog", "renew jog"]);
 });

@@ -1,24 +1,20 @@
 /**
  * Moves an axis while a button is held down.
  *
- * The machine gets one short move after another, never a long one: if the page, the network or the
- * tablet fails while the button is down, the machine stops by itself at the end of a short move.
+ * The machine moves only as long as it is stated again and again that the button is held: if the
+ * page, the network or the tablet fails while the button is down, the machine stops by itself.
  */
 
-import type { Outcome } from "./station";
-
 export interface JogCommands {
-  /** Begin the next short move; null if there is none, as at the limit of the travel. */
-  move(): Promise<Outcome> | null;
+  /** Begin the move; its id, or null if it was refused or there is none, as at the limit. */
+  begin(): Promise<string | null>;
+  /** State that the button is still held; false: the move has ended. */
+  renew(id: string): Promise<boolean>;
   stop(): Promise<unknown>;
-  /** Whether the machine has come to rest after its last move. */
-  isAtRest(): boolean;
 }
 
-/** Time between two checks of the state of the machine (ms). */
-const LOOK = 60;
-/** Looks after which a machine that has taken a move, but reports no motion, counts as at rest. */
-const PATIENT_LOOKS = 8;
+/** Time between two statements that the button is held (ms). */
+const RENEWAL = 300;
 
 const sleep = (milliseconds: number): Promise<void> =>
   new Promise((resolve) => setTimeout(resolve, milliseconds));
@@ -28,23 +24,25 @@ export class HeldJog {
 
   constructor(private readonly commands: JogCommands) {}
 
-  /** Move until `release`, the limit of the travel, or a refusal. */
+  /** Move until `release`, the end of the distance, or a refusal. */
   async hold(): Promise<void> {
     if (this.held) return;
     this.held = true;
-    while (this.held) {
-      const move = this.commands.move();
-      if (move === null) break;
-      const outcome = await move;
-      if (!this.held) {
-        // Released while the move was on its way.
-        await this.commands.stop();
-        return;
-      }
-      if (outcome.state !== "done") break;
-      await this.untilRest();
+    const id = await this.commands.begin();
+    if (id === null) {
+      this.held = false;
+      return;
     }
-    this.held = false;
+    if (!this.held) {
+      // Released while the move was on its way.
+      await this.commands.stop();
+      return;
+    }
+    while (this.held) {
+      await sleep(RENEWAL);
+      // Not awaited: a slow answer must not delay the next statement.
+      if (this.held) void this.renew(id);
+    }
   }
 
   /** Stop; does nothing if the button is not held. */
@@ -54,13 +52,7 @@ export class HeldJog {
     void this.commands.stop();
   }
 
-  private async untilRest(): Promise<void> {
-    let moved = false;
-    for (let looks = 0; this.held; looks++) {
-      const rest = this.commands.isAtRest();
-      if (!rest) moved = true;
-      else if (moved || looks >= PATIENT_LOOKS) return;
-      await sleep(LOOK);
-    }
+  private async renew(id: string): Promise<void> {
+    if (!(await this.commands.renew(id))) this.held = false;
   }
 }

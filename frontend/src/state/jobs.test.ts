@@ -1,13 +1,20 @@
 import { describe, expect, it } from "vitest";
 import type { Job } from "../api/client";
-import { awaitsEnd, commandsOf, confirmationBefore, needsOperator, stateStyleOf } from "./jobs";
+import {
+  awaitsEnd,
+  commandsOf,
+  confirmationBefore,
+  needsOperator,
+  stateStyleOf,
+  waitsAtMachine,
+} from "./jobs";
 
 const job = (change: Partial<Job>): Job =>
   ({ state: "ready", waiting_for: "", line: 0, lines: 100, copies: 1, ...change }) as Job;
 
 describe("what the operator is offered", () => {
   it("is what the server allows", () => {
-    expect(commandsOf(job({ actions: ["resume", "cancel"] }))).toEqual(["resume", "cancel"]);
+    expect(commandsOf(job({ actions: ["hold", "cancel"] }))).toEqual(["hold", "cancel"]);
     expect(commandsOf(job({ state: "interrupted", actions: ["finish", "scrap"] }))).toEqual([
       "finish",
       "scrap",
@@ -19,7 +26,7 @@ describe("what the operator is offered", () => {
     expect(commandsOf(job({ actions: [] }))).toEqual([]);
   });
 
-  it("asks for the confirmation and offers no resume beside it", () => {
+  it("is nothing that starts or continues the machine", () => {
     const waiting = job({
       state: "queued",
       waiting_for: "confirmation",
@@ -27,8 +34,10 @@ describe("what the operator is offered", () => {
     });
     expect(needsOperator(waiting)).toBe(true);
     expect(commandsOf(waiting)).toEqual(["cancel"]);
-    const held = job({ state: "held", actions: ["confirm", "resume", "cancel"] });
+    const held = job({ state: "held", actions: ["confirm", "resume", "end", "cancel"] });
     expect(commandsOf(held)).toEqual(["cancel"]);
+    expect(waitsAtMachine({ ...held, requested_action: "" })).toBe(true);
+    expect(waitsAtMachine({ ...held, requested_action: "resume" })).toBe(false);
     expect(needsOperator(job({ state: "queued", waiting_for: "turn" }))).toBe(false);
   });
 
@@ -64,8 +73,8 @@ describe("what is asked before it is sent", () => {
     expect(confirmationBefore(interrupted, "requeue")).toBeNull();
   });
 
-  it("sends hold, resume and confirm at once", () => {
-    for (const word of ["hold", "resume", "confirm"] as const) {
+  it("sends hold, resume and the end of a program at once", () => {
+    for (const word of ["hold", "resume", "end"] as const) {
       expect(confirmationBefore(job({ state: "running" }), word)).toBeNull();
     }
   });

@@ -1,6 +1,6 @@
 /** Titles, colours and available commands of job states. */
 
-import type { Job, JobCommand, JobState } from "../api/client";
+import type { Job, JobCommand, JobState, StationCommand } from "../api/client";
 
 export interface StateStyle {
   readonly title: string;
@@ -22,19 +22,23 @@ export const STATE_STYLES: Readonly<Record<JobState, StateStyle>> = {
   cancelled: { title: "Cancelled", tone: "grey" },
 };
 
-/** Commands offered as buttons, of those that the server allows in the present state. */
-export function commandsOf(job: Job): readonly JobCommand[] {
-  // The confirmation card has its own button, which also resumes the job.
-  const confirms = job.actions.includes("confirm");
-  // The verdict card has a form for accepting shortfalls, and the rest of a sheet has its own.
-  const commands = job.actions.filter((word) => word !== "accept" && word !== "rest");
+/** Commands that are also given from other places than the machine. */
+export type OfficeCommand = Exclude<JobCommand, StationCommand>;
+
+/** Actions that have forms of their own, or belong to the page of the station. */
+const ELSEWHERE: ReadonlySet<string> = new Set(["accept", "rest", "confirm", "resume", "end"]);
+
+/**
+ * Commands offered as buttons outside of the station, of those that the server allows.
+ *
+ * What starts or continues a machine is not among them: that is done where the machine is seen.
+ */
+export function commandsOf(job: Job): readonly OfficeCommand[] {
+  const commands = job.actions.filter((word): word is OfficeCommand => !ELSEWHERE.has(word));
   // Out of date: the server refuses its start until it is compiled again.
-  if (job.waiting_for === "compile") {
-    return commands.filter((word) => word === "recompile" || word === "cancel");
-  }
-  return commands.filter(
-    (word) => word !== "confirm" && word !== "recompile" && !(confirms && word === "resume"),
-  );
+  return job.waiting_for === "compile"
+    ? commands.filter((word) => word === "recompile" || word === "cancel")
+    : commands.filter((word) => word !== "recompile");
 }
 
 /** The job waits for the operator to check the table and confirm. */
@@ -44,6 +48,10 @@ export const needsOperator = (job: Job): boolean =>
 /** The machine reports nothing: a person at it confirms that it has finished. */
 export const awaitsEnd = (job: Job): boolean =>
   job.state === "held" && job.message?.code === "waiting.for-end";
+
+/** The job goes on only if the person at the machine does something. */
+export const waitsAtMachine = (job: Job): boolean =>
+  needsOperator(job) || (job.state === "held" && job.requested_action === "");
 
 /** Title and colour of the state of a job. */
 export function stateStyleOf(job: Job): StateStyle {

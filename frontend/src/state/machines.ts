@@ -15,8 +15,9 @@ export function proposedMachine(machines: readonly Connection[]): string | null 
 export function machineWord(
   machine: Pick<Machine, "gateway" | "job">,
   occupant: Job | undefined,
-): "offline" | "free" | "waiting" | "busy" {
+): "offline" | "free" | "waiting" | "interrupted" | "busy" {
   if (machine.gateway !== "connected") return "offline";
   if (occupant !== undefined && needsOperator(occupant)) return "waiting";
+  if (occupant?.state === "interrupted") return "interrupted";
   return machine.job === null && occupant === undefined ? "free" : "busy";
 }

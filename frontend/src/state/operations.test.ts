@@ -93,13 +93,13 @@ test("a stop that the machine does not execute points to the emergency stop", as
 test("a job is resumed in the phase that the person has seen", async () => {
   queryClient.setQueryData(queries.job("j").queryKey, job({ state: "held", phase: 3 }));
   const resume = vi
-    .spyOn(service, "resumeNow")
+    .spyOn(service, "goOnNow")
     .mockResolvedValue(job({ updated: "2030-01-01T00:00:02.000Z" }));
   const result = commandJob("j", "Resume", "resume");
   // What is reported after the press does not count.
   upsertJob(job({ state: "held", phase: 4, updated: "2030-01-01T00:00:03.000Z" }));
   await vi.advanceTimersByTimeAsync(100);
-  expect(resume).toHaveBeenCalledWith("j", 3);
+  expect(resume).toHaveBeenCalledWith("j", "resume", 3);
   upsertJob(job({ state: "running", requested_action: "", updated: "2030-01-01T00:00:04.000Z" }));
   await vi.advanceTimersByTimeAsync(500);
   await result;

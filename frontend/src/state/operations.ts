@@ -13,6 +13,7 @@ import {
   service,
 } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
+import { endWithMotion } from "./handsStatement";
 import { phaseOf, queries, queryClient, upsertJob } from "./queries";
 import { type Outcome, outcomeOf } from "./station";
 import type { ToolDecision } from "./wornTools";
@@ -24,6 +25,8 @@ interface Outcomes {
   readonly count: number;
   begin(label: string): number;
   report(number: number, outcome: Outcome): void;
+  /** Remove the report of an action that is over; what is refused stays to be read. */
+  leave(): void;
 }
 
 export const useOutcomes = create<Outcomes>()((set, get) => ({
@@ -36,6 +39,9 @@ export const useOutcomes = create<Outcomes>()((set, get) => ({
   },
   report: (number, last) => {
     if (number === get().count) set({ last });
+  },
+  leave: () => {
+    if (get().last?.state === "done") set({ last: null });
   },
 }));
 
@@ -62,6 +68,7 @@ export async function operate(
   machine: string,
   label: string,
   request: OperationRequest,
+  onTaken: (id: string) => void = () => {},
 ): Promise<Outcome> {
   const { begin, report } = useOutcomes.getState();
   const number = begin(label);
@@ -69,6 +76,7 @@ export async function operate(
   let outcome: Outcome;
   try {
     let operation = await service.operate(machine, request);
+    onTaken(operation.id);
     outcome = outcomeOf(label, operation);
     report(number, outcome);
     while (outcome.state === "taken") {
@@ -76,11 +84,44 @@ export async function operate(
       operation = await service.operation(machine, operation.id);
       outcome = outcomeOf(label, operation);
     }
+    if (outcome.state === "done") endWithMotion(request.operation);
   } catch (cause) {
     outcome = failureOf(label, cause);
   }
   report(number, outcome);
   return outcome;
+}
+
+/** Begin a jog, and return its id as soon as the server has it; null if it was refused. */
+export const beginJog = (
+  machine: string,
+  label: string,
+  request: OperationRequest,
+): Promise<string | null> =>
+  new Promise((resolve) => {
+    void operate(machine, label, request, resolve).finally(() => resolve(null));
+  });
+
+/** State that the button of a jog is still held; false: the jog has ended. */
+export async function renewJog(machine: string, id: string): Promise<boolean> {
+  try {
+    await service.renewJog(machine, id);
+    return true;
+  } catch (cause) {
+    if (!(cause instanceof ServiceError)) throw cause;
+    // Without an answer the next statement may arrive; the machine stops if none does.
+    return cause.problem.status !== 409;
+  }
+}
+
+/** Run an action whose success is seen otherwise, and report its failure. */
+export async function reportFailure(label: string, action: () => Promise<void>): Promise<void> {
+  try {
+    await action();
+  } catch (cause) {
+    const { begin, report } = useOutcomes.getState();
+    report(begin(label), failureOf(label, cause));
+  }
 }
 
 /** Run an action that is no operation of the machine, and report its outcome. */
@@ -96,44 +137,47 @@ export async function reportAction(label: string, action: () => Promise<void>): 
 }
 
 /** Whether the machine has executed a command of a job. */
-export function isCarriedOut(word: JobCommand, job: Job): boolean {
+export function isCarriedOut(word: JobCommand | "confirm", job: Job): boolean {
   if (job.requested_action !== "") return false;
   if (word === "hold") return job.state !== "running";
-  if (word === "resume") return job.state !== "held";
+  if (word === "resume" || word === "end") return job.state !== "held";
   if (word === "confirm") return job.waiting_for === "" && job.state !== "queued";
   return job.state !== "running" && job.state !== "held";
 }
 
 /** Commands that start motion: they are sent once and given up rather than sent late. */
-const STARTS: ReadonlySet<JobCommand> = new Set(["confirm", "resume"]);
+const STARTS: ReadonlySet<JobCommand | "confirm"> = new Set(["confirm", "resume"]);
 
-/** Board and tools that the operator has checked at the machine. */
+/** What the operator has checked at the machine. */
 export interface Checked {
-  readonly board: string;
-  /** Numbers of the stations whose tools were checked; null if none was. */
-  readonly stations: number[] | null;
+  /** Ids of the checks that were ticked. */
+  readonly ids: string[];
   /** What was decided about tools at the end of their lives. */
   readonly tools: ToolDecision;
 }
 
 /** Start a job or its next copy, and follow it until the machine runs. */
-export const startJob = (job: string, { board, stations, tools }: Checked): Promise<void> =>
+export const startJob = (job: string, { ids, tools }: Checked): Promise<void> =>
   followCommand(job, "Start", "confirm", () =>
-    service.confirmNow(job, { board, stations, changed: tools.changed, worn_reason: tools.reason }),
+    service
+      .confirmNow(job, { checked: ids, changed: tools.changed, worn_reason: tools.reason })
+      .finally(() => endWithMotion("start")),
   );
 
 /** Send a command of a job, and follow it until the machine has carried it out. */
 export function commandJob(job: string, label: string, word: JobCommand): Promise<void> {
   const phase = phaseOf(job);
   return followCommand(job, label, word, () =>
-    word === "resume" ? service.resumeNow(job, phase) : service.command(job, word, phase),
+    word === "resume" || word === "end"
+      ? service.goOnNow(job, word, phase).finally(() => endWithMotion(word))
+      : service.command(job, word),
   );
 }
 
 async function followCommand(
   job: string,
   label: string,
-  word: JobCommand,
+  word: JobCommand | "confirm",
   send: () => Promise<Job>,
 ): Promise<void> {
   const { begin, report } = useOutcomes.getState();

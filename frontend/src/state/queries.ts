@@ -14,6 +14,7 @@ import {
   type HistoryFilter,
   type ImportReportRow,
   type Job,
+  type LastJobWanted,
   type Shelf,
   type Station,
   service,
@@ -96,6 +97,12 @@ export const queries = {
       queryFn: ({ signal, pageParam }) => service.jobs(signal, pageParam),
       initialPageParam: null as number | null,
       getNextPageParam,
+    }),
+  lastJob: (wanted: LastJobWanted) =>
+    queryOptions({
+      queryKey: ["lastJob", wanted],
+      queryFn: ({ signal }) => service.lastJob(wanted, signal),
+      staleTime: 0,
     }),
   job: (id: string) =>
     queryOptions({ queryKey: ["job", id], queryFn: ({ signal }) => service.job(id, signal) }),
@@ -271,6 +278,20 @@ export const useKnownStation = (machine: string): Station | undefined =>
 export const useServiceStatus = () => useQuery(queries.status());
 export const useFormats = () => useQuery(queries.formats());
 export const useBoards = () => useQuery(queries.boards());
+/** Function that returns the title of a board, or its name while the boards are not known. */
+export function useBoardTitles(): (name: string) => string {
+  const { data: boards } = useBoards();
+  return (name) => boards?.find((board) => board.name === name)?.title || name;
+}
+export const useBoardTitle = (name: string): string => useBoardTitles()(name);
+/** Caliper of a board (mm); 0 for no board, and while the boards are not known. */
+export function useBoardCaliper(name: string | undefined): number {
+  const { data: boards } = useBoards();
+  return boards?.find((board) => board.name === name)?.caliper ?? 0;
+}
+/** The newest job that meets all conditions, fetched if `wanted`; null if there is none. */
+export const useLastJob = (conditions: LastJobWanted, wanted: boolean) =>
+  useQuery({ ...queries.lastJob(conditions), enabled: wanted });
 export const useProfiles = () => useQuery(queries.profiles());
 
 export function useDrawing() {

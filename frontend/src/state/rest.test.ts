@@ -3,12 +3,16 @@ import type { Job, Track } from "../api/client";
 import type { Toolpath } from "../geometry/records";
 import {
   chosenTracks,
+  madeTracks,
+  openTracks,
   proposedTrack,
   remainingText,
   restChoice,
+  statedChoice,
   trackNumbers,
   trackOfLine,
   trackOutlines,
+  tracksLeft,
   unconfirmedTracks,
   workBox,
 } from "./rest";
@@ -31,6 +35,17 @@ const TRACKS = [
   track(5, 2, "uncut"),
 ];
 const numbers = (tracks: readonly Track[]) => tracks.map(({ number }) => number);
+
+describe("the tracks that are left", () => {
+  it("are counted, those that were begun too", () => {
+    expect(tracksLeft(TRACKS)).toBe("3 tracks");
+    expect(tracksLeft(TRACKS.slice(0, 3))).toBe("1 track");
+  });
+  it("are a range while it is not known what was cut", () => {
+    const unknown = [track(1, 1, "cut"), track(2, 1, "unknown"), track(3, 1, "unknown")];
+    expect(tracksLeft([...unknown, track(4, 1, "uncut")])).toBe("1 to 3 tracks");
+  });
+});
 
 describe("the copies after a stopped sheet", () => {
   it("are named, and ordered after the sheet is continued or scrapped", () => {
@@ -123,5 +138,22 @@ describe("the picture", () => {
 
   it("shows all work", () => {
     expect(workBox(TRACKS, PATH)).toEqual({ x: 10, y: 0, width: 50, height: 50 });
+  });
+});
+
+describe("a sheet of which nobody saw how far the machine went", () => {
+  const sheet = [track(1, 2, "cut"), track(2, 2, "unknown"), track(3, 1, "unknown")];
+
+  it("needs an answer for each track that is not known", () => {
+    expect(openTracks(sheet, {})).toEqual([2, 3]);
+    expect(openTracks(sheet, { 2: false })).toEqual([3]);
+    expect(openTracks(sheet, { 2: false, 3: true })).toEqual([]);
+  });
+
+  it("is continued with all tracks but those that are made", () => {
+    const made = madeTracks(sheet, { 2: false, 3: true });
+    expect(made).toEqual([1, 3]);
+    expect(statedChoice(made)).toMatchObject({ made: [1, 3], release: true });
+    expect(madeTracks(sheet, {})).toEqual([1]);
   });
 });

@@ -65,6 +65,39 @@ export function restChoice(
   return { ...rest, from_track: first, station: mode === "tool" ? station : null };
 }
 
+/** What the person has found of tracks that are not known: made or not, by number. */
+export type Statement = Readonly<Record<number, boolean>>;
+
+/** Numbers of the tracks for which an answer is missing. */
+export const openTracks = (tracks: readonly Track[], stated: Statement): readonly number[] =>
+  tracks
+    .filter(({ state, number }) => state === "unknown" && stated[number] === undefined)
+    .map(({ number }) => number);
+
+/** Numbers of the tracks that are made: those cut for certain, and those that the person found. */
+export const madeTracks = (tracks: readonly Track[], stated: Statement): readonly number[] =>
+  tracks
+    .filter(({ state, number }) => state === "cut" || stated[number] === true)
+    .map(({ number }) => number);
+
+/** How many tracks of a sheet are left; a range while it is not known of all whether they are cut. */
+export function tracksLeft(tracks: readonly Track[]): string {
+  const unknown = tracks.filter(({ state }) => state === "unknown").length;
+  const most = tracks.filter(({ state }) => state !== "cut").length;
+  const counted = pluralize(most, "track", "tracks");
+  return unknown === 0 ? counted : `${most - unknown} to ${counted}`;
+}
+
+/** The request for a rest that makes all tracks but those that are made. */
+export const statedChoice = (made: readonly number[]): RestChoice => ({
+  whole: false,
+  remaining: false,
+  made: [...made],
+  uncut: false,
+  copies: 1,
+  release: true,
+});
+
 /** The request for the copies of a stopped batch that no job makes. */
 export const REMAINING_COPIES: RestChoice = {
   whole: false,

@@ -1,6 +1,16 @@
 import { describe, expect, test } from "vitest";
 import type { Job, Machine, Station } from "../api/client";
-import { jogDistance, jogFeed, moves, reasonAgainst, stopOf, titleOf } from "./station";
+import {
+  ageText,
+  jogDistance,
+  jogFeed,
+  moves,
+  overrideSteps,
+  reasonAgainst,
+  stopOf,
+  titleOf,
+  turnsTools,
+} from "./station";
 
 const axis = (low: number, high: number, velocity: number) => ({ low, high, velocity });
 const MACHINE = {
@@ -11,6 +21,7 @@ const MACHINE = {
     z: axis(-5, 60, 100),
     c: axis(-360, 360, 90),
   },
+  carriages: [{ number: 1, letters: "XYZC", park: 0 }],
 } as unknown as Machine;
 
 const station = (part: Partial<Station>): Station => ({
@@ -19,11 +30,15 @@ const station = (part: Partial<Station>): Station => ({
   connected: true,
   state: "idle",
   alarm: null,
+  obstacle: null,
   position: [10, 10, 20, 0],
   outputs: [],
+  outputs_known: true,
   operations: ["unlock", "home", "jog", "stop_jog", "zero", "park", "switch"],
   spindle: null,
+  override: null,
   activity: null,
+  notices: [],
   job: "",
   seen_seconds_ago: 0.1,
   ...part,
@@ -61,6 +76,30 @@ describe("title", () => {
     expect(titleOf(station({ gateway: "", state: "" }), undefined).title).toBe(
       "Machine not connected",
     );
+  });
+});
+
+describe("a machine that is held without a job", () => {
+  const obstacle = { ...ALARM, code: "obstacle.door-closed" } as Station["obstacle"];
+  const held = (part: Partial<Station>) =>
+    station({ state: "hold", operations: ["release", "jog", "home"], obstacle, ...part });
+  test("is released, also between two copies", () => {
+    expect(reasonAgainst("release", held({}), MACHINE, undefined)).toBeNull();
+    const sheet = job({ state: "held", waiting_for: "sheet" });
+    expect(reasonAgainst("release", held({}), MACHINE, sheet)).toBeNull();
+    expect(reasonAgainst("release", held({}), MACHINE, job({ state: "held" }))).toContain("held");
+    expect(reasonAgainst("jog", held({}), MACHINE, undefined, "Z")).toContain("Release it first");
+  });
+  test("is not released before its door is closed", () => {
+    expect(reasonAgainst("release", held({ state: "door" }), MACHINE, undefined)).toContain("door");
+  });
+  test("holds nothing at rest", () => {
+    const free = held({ state: "idle", obstacle: null });
+    expect(reasonAgainst("release", free, MACHINE, undefined)).toBe("Nothing is held.");
+  });
+  test("names the age of an old report", () => {
+    expect(ageText(station({}))).toBe("");
+    expect(ageText(station({ seen_seconds_ago: 4.2 }))).toBe("4 s ago");
   });
 });
 
@@ -181,6 +220,18 @@ describe("jog", () => {
     expect(jogDistance(MACHINE, [1000, 0, 0, 0], "X", -10)).toBe(-10);
     expect(jogDistance(MACHINE, [0, 0, 0, 0], "Y", -10)).toBe(-5);
   });
+  test("of the heading is limited by its axis, whatever its letter", () => {
+    const { c, ...linear } = MACHINE.axes;
+    const lettered = {
+      ...MACHINE,
+      axes: { ...linear, a: c },
+      carriages: [{ number: 1, letters: "XYZA", park: 0 }],
+    } as unknown as Machine;
+    expect(jogDistance(lettered, [0, 0, 0, 355], "C", 10)).toBe(5);
+    expect(turnsTools(lettered)).toBe(true);
+    const without = { ...lettered, axes: linear, carriages: [{ number: 1, letters: "XYZ" }] };
+    expect(turnsTools(without as unknown as Machine)).toBe(false);
+  });
   test("from beyond the travel only leads back", () => {
     expect(jogDistance(MACHINE, [1010, 0, 0, 0], "X", 5)).toBe(0);
     expect(jogDistance(MACHINE, [1010, 0, 0, 0], "X", -5)).toBe(-10);
@@ -188,5 +239,28 @@ describe("jog", () => {
   test("is not faster than its axis", () => {
     expect(jogFeed(MACHINE, "X")).toBe(3000);
     expect(jogFeed(MACHINE, "Y")).toBe(1200);
+  });
+});
+
+describe("the feed override", () => {
+  const limited = { ...MACHINE, feed_override: [50, 110] } as Machine;
+  const able = { operations: ["feed_override"] as Station["operations"], override: 100 };
+  const percents = (part: Partial<Station>, on: Partial<Job> = {}) =>
+    overrideSteps(limited, station(part), job(on))?.map(({ percent, enabled }) =>
+      enabled ? percent : null,
+    ) ?? null;
+
+  test("steps by 10 % within the limits of the machine", () => {
+    expect(percents({ ...able })).toEqual([90, null, 110]);
+    expect(percents({ ...able, override: 105 })).toEqual([95, 100, 110]);
+    expect(percents({ ...able, override: 110 })).toEqual([100, 100, null]);
+    expect(percents({ ...able, override: 50 })).toEqual([null, 100, 60]);
+  });
+
+  test("is shown only while a job runs, on a controller that has one", () => {
+    expect(percents({ ...able }, { state: "done" })).toBeNull();
+    expect(percents({ ...able, override: null })).toBeNull();
+    expect(percents({ ...able, operations: [] })).toBeNull();
+    expect(percents({ ...able, connected: false })).toBeNull();
   });
 });

@@ -22,10 +22,12 @@ const STATES: Readonly<Record<Station["state"], StationTitle>> = {
   hold: { title: "Held", tone: "amber" },
   jog: { title: "Moving by hand", tone: "blue" },
   home: { title: "Homing", tone: "blue" },
-  check: { title: "Checking a program", tone: "blue" },
+  check: { title: "Check mode", tone: "blue" },
   door: { title: "Safety door open", tone: "red" },
   alarm: { title: "Alarm", tone: "red" },
-  busy: { title: "Busy", tone: "blue" },
+  sleep: { title: "Asleep", tone: "amber" },
+  tool: { title: "Waits for a tool", tone: "amber" },
+  busy: { title: "Busy", tone: "amber" },
   unreported: { title: "Connected", tone: "green" },
 };
 
@@ -53,6 +55,7 @@ export function titleOf(station: Station | undefined, job: Job | undefined): Sta
   if (!station.connected) return { title: "Controller not connected", tone: "red" };
   // Its job does not move, although it counts as running.
   if (station.state === "door") return STATES.door;
+  if (station.obstacle !== null && station.state !== "idle") return STATES[station.state];
   const run = runAboveBoard(station);
   if (run !== null) {
     const title = RUN_TITLES[run.kind];
@@ -68,6 +71,10 @@ export function titleOf(station: Station | undefined, job: Job | undefined): Sta
 }
 
 const MOVING: ReadonlySet<Station["state"]> = new Set(["run", "jog", "home"]);
+
+/** Whether the machine moves now, by its own report. */
+export const isMoving = (station: Station | undefined): boolean =>
+  MOVING.has(station?.state ?? "") || runAboveBoard(station)?.state === "running";
 
 /** Whether the machine moves, or may move at any moment. */
 export function moves(station: Station | undefined, job: Job | undefined): boolean {
@@ -98,6 +105,24 @@ export function stopOf(station: Station | undefined, job: Job | undefined): Stop
   return null;
 }
 
+/** Operations that free the controller while a job waits for its next sheet. */
+const BETWEEN_COPIES: ReadonlySet<OperationName> = new Set([
+  "unlock",
+  "home",
+  "release",
+  "lift",
+  "stop_jog",
+]);
+
+/** Age (s) from which a report of the machine is named old. */
+const OLD = 2;
+
+/** How old the report of a machine is, if a person should know; "" while it is new. */
+export function ageText(station: Station | undefined): string {
+  const age = station?.seen_seconds_ago ?? null;
+  return age === null || age < OLD ? "" : `${Math.round(age)} s ago`;
+}
+
 /** Heights may be this much below the lift (mm): rounding of reports. */
 const ROUNDING = 0.01;
 
@@ -123,7 +148,9 @@ export function reasonAgainst(
   if (station === undefined) return "The state of the machine is not known yet.";
   if (station.gateway === "") return "The machine is not connected.";
   if (!station.connected) return "The controller of the machine is not connected.";
-  if (job !== undefined && isOnTable(job)) {
+  // Between two copies the controller is freed, and the job keeps waiting for its sheet.
+  const free = BETWEEN_COPIES.has(operation) && job?.waiting_for === "sheet";
+  if (job !== undefined && isOnTable(job) && !free) {
     if (station.alarm !== null) return "A job is on this machine. Stop it first.";
     return job.state === "held"
       ? "A job is held on this machine. Resume or stop it first."
@@ -137,9 +164,15 @@ export function reasonAgainst(
   if (run !== null && operation !== "stop_jog")
     return "The machine runs above the board. Wait until it has ended, or stop it.";
   if (operation === "unlock") return station.alarm === null ? "There is no alarm." : null;
+  if (operation === "release") {
+    if (station.state === "door") return "Close the safety door first.";
+    return station.obstacle !== null && station.state !== "idle" ? null : "Nothing is held.";
+  }
   if (operation === "home") return null;
   if (station.alarm !== null) return "An alarm locks the machine. Home it, or unlock it, first.";
   if (operation === "stop_jog") return null;
+  if (station.obstacle !== null && station.state !== "idle")
+    return "The machine is not free. Release it first.";
   if (station.state !== "idle") return "The machine moves. Wait until it is at rest.";
   const acrossBoard =
     operation === "switch" || operation === "spindle" || (operation === "jog" && axis !== "Z");
@@ -148,9 +181,19 @@ export function reasonAgainst(
   return null;
 }
 
+/** Limits of an axis; undefined if the machine does not state them or has no such axis. */
+function limitsOf(machine: Machine, axis: Axis) {
+  // The heading is C for a person, whatever its letter in programs.
+  const letter = axis === "C" ? machine.carriages[0]?.letters[3] : axis;
+  return letter === undefined ? undefined : machine.axes[letter.toLowerCase()];
+}
+
+/** Whether an axis of the machine turns the tools. */
+export const turnsTools = (machine: Machine): boolean => limitsOf(machine, "C") !== undefined;
+
 /** Lowest and highest position of an axis; null if the machine does not state them. */
 export function travelOf(machine: Machine, axis: Axis): readonly [number, number] | null {
-  const { low, high } = machine.axes[axis.toLowerCase()] ?? {};
+  const { low, high } = limitsOf(machine, axis) ?? {};
   return low === undefined || high === undefined ? null : [low, high];
 }
 
@@ -174,8 +217,36 @@ export function jogDistance(
 const JOG_FEED: Readonly<Record<Axis, number>> = { X: 3000, Y: 3000, Z: 600, C: 3600 };
 
 export function jogFeed(machine: Machine, axis: Axis): number {
-  const fastest = machine.axes[axis.toLowerCase()]?.velocity;
+  const fastest = limitsOf(machine, axis)?.velocity;
   return fastest === undefined ? JOG_FEED[axis] : Math.min(JOG_FEED[axis], fastest * 60);
+}
+
+/** One step of the feed override, such as -10 %. */
+export interface OverrideStep {
+  readonly name: "slower" | "nominal" | "faster";
+  readonly label: string;
+  readonly percent: number;
+  readonly enabled: boolean;
+}
+
+/** Steps of the feed override while a job runs; null if the feed cannot be changed. */
+export function overrideSteps(
+  machine: Machine,
+  station: Station | undefined,
+  job: Job | undefined,
+): readonly OverrideStep[] | null {
+  const now = station?.override ?? null;
+  if (now === null || station?.connected !== true || job === undefined || !isOnTable(job))
+    return null;
+  if (!station.operations.includes("feed_override")) return null;
+  const [least, greatest] = machine.feed_override;
+  const within = (percent: number) => Math.min(Math.max(percent, least), greatest);
+  const steps = [
+    { name: "slower", label: "−10 %", percent: within(now - 10) },
+    { name: "nominal", label: "100 %", percent: 100 },
+    { name: "faster", label: "+10 %", percent: within(now + 10) },
+  ] as const;
+  return steps.map((step) => ({ ...step, enabled: step.percent !== now }));
 }
 
 /** Outputs of the machine that a person may switch, with the station that each lowers. */

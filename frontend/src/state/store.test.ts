@@ -1,9 +1,10 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Job } from "../api/client";
+import type { Job, Sheet } from "../api/client";
 import { formatDeviation, formatDuration, formatLength, formatSize } from "./format";
 import { queries, queryClient, upsertJob } from "./queries";
 import { useUiStore } from "./store";
 
+const SHEET = { width: 400, height: 300, margin: 10 } as Sheet;
 const page = () => useUiStore.getState();
 const job = (id: string, part: Partial<Job> = {}): Job =>
   ({ id, state: "running", updated: "2030-01-01T00:00:10.000Z", progress: 0, ...part }) as Job;
@@ -39,6 +40,35 @@ describe("the selection", () => {
     page().selectEdges([1]);
     page().open("d2");
     expect(page().selection.size).toBe(0);
+  });
+});
+
+describe("the choices for a job", () => {
+  const start = { board: null, copies: 1, sheet: null, lift: "clearance" };
+  const chosen = () => {
+    const { board, copies, sheet, lift } = page();
+    return { board, copies, sheet, lift };
+  };
+
+  test("belong to one drawing: another one starts without a board", () => {
+    page().open("d1");
+    page().set({ board: "b-flute", copies: 7, lift: "least", sheet: SHEET });
+    page().open("d2");
+    expect(chosen()).toEqual(start);
+    page().set({ board: "greyboard" });
+    page().open("d1");
+    expect(chosen()).toEqual({ board: "b-flute", copies: 7, lift: "least", sheet: SHEET });
+    page().open("d2", "job");
+    expect(chosen()).toEqual({ ...start, board: "greyboard" });
+  });
+
+  test("are not taken over from a page without a drawing", () => {
+    page().open("d3");
+    page().set({ board: "b-flute" });
+    page().open(null);
+    expect(page().board).toBeNull();
+    page().open("d4");
+    expect(page().board).toBeNull();
   });
 });
 

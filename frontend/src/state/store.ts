@@ -61,6 +61,9 @@ export interface Route {
   readonly history: boolean;
 }
 
+/** What is chosen for the next job of a drawing, and for no other drawing. */
+export type Choices = Pick<UiState, "board" | "copies" | "corners" | "sheet" | "lift">;
+
 export interface UiState extends Route {
   readonly selection: ReadonlySet<number>;
   readonly hover: Hover | null;
@@ -82,6 +85,7 @@ export interface UiState extends Route {
   /** Program time (s) at which the preview shows the head; null while it follows the machine. */
   readonly previewTime: number | null;
   readonly machine: string | null;
+  /** Board of the next job; null until it is chosen for the open drawing. */
   readonly board: string | null;
   readonly copies: number;
   /** How a router goes round corners; unused on other machines. */
@@ -90,6 +94,8 @@ export interface UiState extends Route {
   readonly sheet: Sheet | null;
   /** Height of the tool in turns; unused on machines without a turn clearance. */
   readonly lift: Lift;
+  /** Choices for drawings that were open before, by their id. */
+  readonly choices: ReadonlyMap<string, Choices>;
   /** Details of the next order. */
   readonly details: OrderDetails;
   /** A click on the canvas selects a corner instead of an edge. */
@@ -161,6 +167,23 @@ const withToggled = (set: ReadonlySet<string>, word: string): ReadonlySet<string
 const equalRows = (a: readonly number[], b: readonly number[]): boolean =>
   a.length === b.length && a.every((row, at) => row === b[at]);
 
+/** The choices for a drawing that is opened; a board that was chosen for another one is none. */
+const choicesFor = (page: UiState, drawing: string | null): Choices =>
+  (drawing === null ? undefined : page.choices.get(drawing)) ?? {
+    board: null,
+    copies: 1,
+    // Single corners belong to the drawing that was open.
+    corners: { ...page.corners, at: [] },
+    sheet: null,
+    lift: "clearance",
+  };
+
+const withChoices = (page: UiState): ReadonlyMap<string, Choices> => {
+  const { drawing, choices, board, copies, corners, sheet, lift } = page;
+  if (drawing === null) return choices;
+  return new Map(choices).set(drawing, { board, copies, corners, sheet, lift });
+};
+
 /** What changes when a drawing and a job of it are opened. */
 const withDrawing = (
   page: UiState,
@@ -182,12 +205,10 @@ const withDrawing = (
     compileQuestions: [],
     retypePreviews: [],
     pickingCorners: false,
-    // The sheet belongs to the drawing that was open, too.
-    sheet: null,
-    // So do the details of an order.
+    ...choicesFor(page, drawing),
+    choices: withChoices(page),
+    // The details of an order belong to the drawing that was open.
     details: NO_DETAILS,
-    // Single corners belong to the drawing that was open.
-    corners: { ...page.corners, at: [] },
   };
 };
 
@@ -234,6 +255,7 @@ export const useUiStore = create<UiState>()((set) => ({
   pickingCorners: false,
   sheet: null,
   lift: "clearance",
+  choices: new Map<string, Choices>(),
   details: NO_DETAILS,
   compileQuestions: [],
   retypePreviews: [],

@@ -57,8 +57,11 @@ export function deliveryText(delivery: Delivery | undefined): string {
 }
 
 /** State of an endpoint in one line. */
-export function healthText({ active, failures, last_delivery: last }: Webhook): string {
+export function healthText(webhook: Webhook): string {
+  const { active, failures, last_delivery: last, paused_until: paused } = webhook;
   if (!active) return "Switched off";
+  if (paused !== null)
+    return `Paused until ${dateTimeText(paused)} after ${failures} failed attempts`;
   if (failures > 0)
     return failures === 1 ? "The last attempt failed" : `${failures} failed attempts`;
   return last === null ? "Nothing sent yet" : "Working";

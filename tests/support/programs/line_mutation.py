@@ -232,9 +232,10 @@ def _path_distance(points: F64, paths: list[F64]) -> F64:
 
 
 def chords(start: F64, end: F64, bulge: float) -> F64:
-    """Return points along an edge about every half millimetre, (n, 2)."""
+    """Return points along an edge about every half millimetre, on arcs every 5°, (n, 2)."""
     size = float(np.hypot(*(end - start)))
-    fraction = np.linspace(0.0, 1.0, 2 + int(2.0 * size))[:, None]
+    count = max(int(2.0 * size), int(math.degrees(4.0 * abs(math.atan(bulge))) / 5.0))
+    fraction = np.linspace(0.0, 1.0, 2 + count)[:, None]
     path: F64 = start + (end - start) * fraction
     if bulge == 0.0:
         return path

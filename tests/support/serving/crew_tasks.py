@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import numpy as np
 
 from knifetip.errors import CurvedGroove
+from knifetip.jobs import tasks
 from knifetip.model.stage import Progress, Stage
 from knifetip.warming import Part
 
@@ -48,6 +50,41 @@ def hang(progress: Progress, note: str = "") -> None:
     time.sleep(60.0)
 
 
+def wait_for(progress: Progress, gate: str) -> int:
+    """Wait until the file ``gate`` exists, and return the number of the process."""
+    progress(Stage.PLAN, 0.25)
+    while not Path(gate).exists():
+        time.sleep(0.01)
+    return os.getpid()
+
+
+@dataclass(frozen=True)
+class GatedReading:
+    """The task ``tasks.read``, which begins when the file ``gate`` exists."""
+
+    gate: str
+    begun: str  #: file that gets a line for each call
+
+    __name__ = "read"
+
+    def __call__(self, progress: Progress, *arguments: Any) -> tasks.Reading:
+        with Path(self.begun).open("a") as file:
+            file.write(f"{os.getpid()}\n")
+        wait_for(progress, self.gate)
+        return tasks.read(progress, *arguments)
+
+
+@dataclass(frozen=True)
+class GatedPreparation:
+    """Preparation of a worker process that lasts until the file ``gate`` exists."""
+
+    gate: str
+
+    def __call__(self) -> None:
+        while not Path(self.gate).exists():
+            time.sleep(0.01)
+
+
 def hang_in_verify(progress: Progress, *_: object) -> None:
     progress(Stage.VERIFY, 0.7)
     time.sleep(60.0)
@@ -59,3 +96,7 @@ def eat(progress: Progress, gigabytes: int) -> int:
 
 def die(progress: Progress, *_: object) -> NoReturn:
     os._exit(3)
+
+
+def fail_to_start() -> NoReturn:
+    os._exit(4)

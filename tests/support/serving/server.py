@@ -101,6 +101,13 @@ def order_job(client: httpx.Client, drawing: str, **fields: object) -> dict[str,
     return body
 
 
+def confirm_job(client: httpx.Client, job: str, **fields: object) -> httpx.Response:
+    """Confirm a job with all its checks and further JSON fields; return the response."""
+    asked = client.get(f"/api/jobs/{job}/confirmation").json()
+    checked = [check["id"] for check in asked["checks"]]
+    return client.post(f"/api/jobs/{job}/confirm", json={"checked": checked, **fields})
+
+
 def wait_for_state(
     client: httpx.Client, job: str, *states: str, seconds: float = 60.0, confirm: bool = False
 ) -> dict[str, Any]:
@@ -115,7 +122,7 @@ def wait_for_state(
             return status
         assert status["state"] not in ENDS, status
         if confirm and status["waiting_for"] == "confirmation":
-            client.post(f"/api/jobs/{job}/confirm")
+            confirm_job(client, job)
         time.sleep(0.02)
     raise AssertionError(f"job {job} is not {' or '.join(states)} after {seconds} s: {status}")
 

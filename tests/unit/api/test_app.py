@@ -15,7 +15,7 @@ import pytest
 import sqlalchemy.exc
 
 from knifetip import errors
-from knifetip.api.app import status_of
+from knifetip.api.error_status import status_of
 from knifetip.jobs.job_store import JobStore
 from knifetip.jobs.warm_up import WarmUp, WarmUpProgress
 from tests.support.serving.server import square, upload_drawing
@@ -137,7 +137,7 @@ def test_responses_cannot_be_framed_executed_or_sniffed(client: httpx.Client, pa
         ("GET", "/api/nothing", 404),
         ("POST", "/api/nothing", 404),
         ("GET", "/api/jobs/nothing", 404),
-        ("GET", "/api/drawings/%00", 404),
+        ("GET", "/api/drawings/%00", 422),
         ("GET", "/api/drawings/" + "x" * 3000, 404),
         ("GET", "/api/drawings/..%2f..%2fetc%2fpasswd", 404),
         ("GET", "/api/machines/nothing", 404),
@@ -198,7 +198,7 @@ BODIES: dict[str, dict[str, Any]] = {
         "overrides": [],
         "release": False,
     },
-    "/api/jobs/nothing/confirm": {"board": "e-flute", "by": "Kim"},
+    "/api/jobs/nothing/confirm": {"checked": ["board"], "by": "Kim"},
     "/api/gateway/claim": {"gateway": "g", "machine": "demo-table", "wait": 0.0},
     "/api/gateway/heartbeat": {
         "job": "nothing",
@@ -292,7 +292,7 @@ def test_a_form_without_a_file_is_a_problem(
 ) -> None:
     answer = client.post("/api/drawings", content=content, headers={"Content-Type": kind})
     # Requests that any page can send as a plain form are refused before they are read.
-    assert answer.status_code in ((415,) if kind.endswith("urlencoded") else (400, 422))
+    assert answer.status_code in ((400, 422) if kind.startswith("multipart") else (415,))
     problem(answer, answer.status_code)
 
 
@@ -338,7 +338,7 @@ def test_every_fault_of_a_request_has_a_code(
 def test_a_request_that_is_not_json_has_a_code(client: httpx.Client) -> None:
     headers = {"Content-Type": "application/json"}
     data = problem(client.post("/api/jobs", content=b"{", headers=headers), 422)
-    assert [fault["code"] for fault in data["arguments"]["faults"]] == ["field.not-json"]
+    assert [fault["code"] for fault in data["arguments"]["faults"]] == ["field.bad-json"]
 
 
 def test_every_error_has_a_status_and_none_is_an_internal_error() -> None:
@@ -355,6 +355,7 @@ def test_every_error_has_a_status_and_none_is_an_internal_error() -> None:
         409,
         412,
         413,
+        415,
         422,
         429,
         502,
@@ -479,9 +480,9 @@ def test_a_server_without_a_free_connection_to_its_database_answers_503(
 @pytest.mark.parametrize(
     ("path", "allowed"),
     [
-        ("/api/webhooks", "GET, POST"),
-        ("/api/v1/jobs", "GET, POST"),
-        ("/api/drawings/some", "DELETE, GET, PATCH"),
+        ("/api/webhooks", "GET, HEAD, POST"),
+        ("/api/v1/jobs", "GET, HEAD, POST"),
+        ("/api/drawings/some", "DELETE, GET, HEAD, PATCH"),
         ("/index.html", "GET, HEAD"),
     ],
 )

@@ -14,7 +14,13 @@ import pytest
 from knifetip.jobs.event_store import EventStore
 from knifetip.jobs.job_store import JobStore
 from knifetip.jobs.tables import Event, Job
-from tests.support.serving.server import order_job, square, upload_drawing, wait_for_state
+from tests.support.serving.server import (
+    confirm_job,
+    order_job,
+    square,
+    upload_drawing,
+    wait_for_state,
+)
 
 pytestmark = pytest.mark.xdist_group("server")
 
@@ -163,7 +169,7 @@ def test_events_of_progress_have_no_number(client: httpx.Client) -> None:
         epoch = client.post("/api/gateway/claim", json=claim).json()["epoch"]
         while wait_for_event(heard, job, "queued").data["waiting_for"] != "confirmation":
             pass
-        client.post(f"/api/jobs/{job}/confirm")
+        confirm_job(client, job)
         waits = {"job": job, "epoch": epoch, "line": 0, "waiting": True}
         client.post("/api/gateway/heartbeat", json=waits)
         wait_for_event(heard, job, "running")

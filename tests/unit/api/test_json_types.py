@@ -102,7 +102,9 @@ def test_all_bodies_of_the_api_are_strict() -> None:
         if media == "application/json" and "$ref" in content["schema"]
     }
     assert len(bodies) > 20
-    assert bodies - set(models()) == set()
+    # The library checks these, as it checks its files.
+    files = {"MachineDefinition", "BoardDefinition", "ToolDefinition"}
+    assert bodies - set(models()) == files
 
 
 def test_points_and_poses_are_lists_in_json() -> None:

@@ -114,7 +114,7 @@ def test_a_user_signs_in_and_is_created_with_the_mapped_role(
     assert browser.get("/").text == "the page"
     me = browser.get("/api/me").json()
     assert (me["kind"], me["name"], me["sign_in"]) == ("user", "anna-example", "oidc")
-    assert me["scopes"] == ["viewer", "designer", "operator"]
+    assert me["scopes"] == ["viewer", "designer", "operator", "station"]
     (row,) = [row for row in server.service.store.users.all() if row.kind == "oidc"]
     assert (row.role, row.created_by) == ("operator", provider.issuer)
     assert server.service.store.users.with_password("anna-example", "") is None

@@ -18,6 +18,7 @@ pytestmark = pytest.mark.xdist_group("server")
 
 #: Fields of REST that belong to the stored drawing, not to its content.
 STORED = {
+    *("updated", "owner", "shared"),
     *("id", "revision", "created", "sha256"),
     *("unit_given", "profile", "profile_state", "rules"),
     *("external_id", "customer", "due", "notes", "metadata"),

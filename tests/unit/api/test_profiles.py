@@ -385,4 +385,4 @@ def test_a_given_unit_can_be_removed(client: httpx.Client) -> None:
 def test_the_file_of_a_profile_is_only_read(client: httpx.Client, method: str) -> None:
     answer = client.request(method, "/api/profiles/default.toml", content=OURS, headers=TOML)
     assert answer.status_code == 405
-    assert answer.headers["Allow"] == "GET"
+    assert answer.headers["Allow"] == "GET, HEAD"

@@ -9,20 +9,22 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import httpx
 import pytest
 
 from knifetip.api import queue
-from knifetip.api.queue import Client, WorkQueue, is_client_gone
+from knifetip.api.queue import Client, RequestIdentity, WorkQueue
 from knifetip.errors import ServerBusy
 from knifetip.jobs import tasks
 from knifetip.jobs.accounts.acting import Acting, acting_as, acting_principal
 from knifetip.jobs.process_pool import TaskCancelled
-from knifetip.model.stage import Stage
+from tests.support.serving.crew_tasks import GatedReading
 from tests.support.serving.server import (
     LocalClient,
+    confirm_job,
     order_job,
     square,
     upload_drawing,
@@ -175,42 +177,161 @@ async def test_a_waiting_call_is_dropped_when_its_client_has_gone() -> None:
     work.close()
 
 
-async def test_a_running_call_learns_that_its_client_has_gone() -> None:
+def identity(key: str | None, content: str = "") -> RequestIdentity:
+    return RequestIdentity.of("upload", key, content.encode())
+
+
+async def test_a_request_repeated_a_hundred_times_is_one_call_and_needs_one_place() -> None:
+    work = WorkQueue(1, 2)
+    gate, made = threading.Event(), []
+
+    def call() -> str:
+        made.append(1)
+        gate.wait(10.0)
+        return "drawing"
+
+    def ask(key: str | None) -> asyncio.Task[str]:
+        return asyncio.create_task(work.run(call, Client("erp"), identity(key)))
+
+    running = [ask("a") for _ in range(100)]
+    waiting = [ask("b") for _ in range(100)]
+    await asyncio.sleep(0)
+    assert work.waiting == 1
+    gate.set()
+    assert set(await asyncio.gather(*running, *waiting)) == {"drawing"}
+    assert len(made) == 2
+    # What has ended is not repeated here: its result is stored under its key.
+    assert await ask("a") == "drawing"
+    assert len(made) == 3
+    work.close()
+
+
+async def test_requests_of_the_same_content_without_key_are_one_if_the_first_client_has_gone() -> (
+    None
+):
     work = WorkQueue(1, 8)
+    gate, left, made = threading.Event(), asyncio.Event(), []
+
+    async def has_left() -> bool:
+        return left.is_set()
+
+    def call(number: int) -> int:
+        gate.wait(10.0)
+        made.append(number)
+        return number
+
+    def ask(number: int, *client: Any) -> asyncio.Task[int]:
+        work_call = partial(call, number)
+        return asyncio.create_task(work.run(work_call, Client("erp", *client), identity(None)))
+
+    first = ask(1, has_left)
+    second = ask(2)  # another client that is still there: a drawing of its own
+    await asyncio.sleep(0)
+    left.set()
+    repetition = ask(3)
+    other = asyncio.create_task(work.run(partial(call, 4), Client("erp"), identity(None, "x")))
+    await asyncio.sleep(0)
+    gate.set()
+    found = [await one for one in (first, second, repetition, other)]
+    assert found == [1, 2, 1, 4]
+    assert made == [1, 2, 4]
+    work.close()
+
+
+async def test_a_waiting_call_with_a_key_keeps_its_place_for_the_repetition() -> None:
+    work = WorkQueue(1, 8)
+    gate, made = threading.Event(), []
 
     async def has_gone() -> bool:
         return True
 
-    def call() -> float:
-        began = time.monotonic()
-        while not is_client_gone() and time.monotonic() - began < 10.0:
-            time.sleep(0.01)
-        return time.monotonic() - began
-
-    assert await work.run(call, Client("gone", has_gone)) < 5.0
-    assert not await work.run(is_client_gone, Client("stays"))
+    first = asyncio.create_task(work.run(lambda: gate.wait(10.0)))
+    await asyncio.sleep(0)
+    kept = asyncio.create_task(
+        work.run(lambda: made.append(1), Client("erp", has_gone), identity("key"))
+    )
+    dropped = asyncio.create_task(
+        work.run(lambda: made.append(2), Client("erp", has_gone), identity(None))
+    )
+    with pytest.raises(TaskCancelled):
+        await dropped
+    assert work.waiting == 1
+    gate.set()
+    await asyncio.gather(first, kept)
+    assert made == [1]
     work.close()
 
 
-def _endless(progress: Callable[[Stage, float], None], *_arguments: object) -> None:
-    """Run in a worker process until it is killed."""
-    while True:
-        progress(Stage.READ, 0.0)
-        time.sleep(0.05)
+async def test_a_repetition_survives_the_end_of_the_first_request() -> None:
+    work = WorkQueue(1, 8)
+    gate = threading.Event()
+
+    def call() -> str:
+        gate.wait(10.0)
+        raise ServerBusy(1, 1)
+
+    first = asyncio.create_task(work.run(call, Client("erp"), identity("key")))
+    await asyncio.sleep(0)
+    second = asyncio.create_task(work.run(call, Client("erp"), identity("key")))
+    await asyncio.sleep(0)
+    first.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await first
+    gate.set()
+    with pytest.raises(ServerBusy):
+        await second
+    work.close()
 
 
-def test_a_worker_is_free_again_when_its_client_has_gone(
-    client: LocalClient, monkeypatch: pytest.MonkeyPatch
+def _begun(file: Path) -> list[str]:
+    return file.read_text().split() if file.exists() else []
+
+
+@pytest.mark.parametrize("headers", [{"Idempotency-Key": "patient"}, {}], ids=["key", "no key"])
+def test_a_repeated_upload_gets_the_drawing_of_the_upload_that_its_client_gave_up(
+    client: LocalClient,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    headers: dict[str, str],
 ) -> None:
-    busy = client.service.pool._busy
-    monkeypatch.setattr(tasks, "read", _endless)
-    with pytest.raises(httpx.ReadTimeout):
-        client.post("/api/drawings", files={"file": ("large.dxf", square())}, timeout=3.0)
-    assert busy
-    began = time.monotonic()
-    while busy and time.monotonic() - began < 20.0:
-        time.sleep(0.05)
-    assert not busy
+    gate, begun = tmp_path / "gate", tmp_path / "begun"
+    content = square(side=61.0 + len(headers))
+
+    def upload(timeout: float) -> httpx.Response:
+        files = {"file": ("slow.dxf", content)}
+        return client.post("/api/drawings", files=files, headers=headers, timeout=timeout)
+
+    upload_drawing(client, square(side=63.0))
+    spawned = client.service.pool.processes_started
+    before = _latest_drawings(client)
+    monkeypatch.setattr(tasks, "read", GatedReading(str(gate), str(begun)))
+    for _ in range(8):
+        with pytest.raises(httpx.ReadTimeout):
+            upload(0.3)
+    (reading,) = _begun(begun)
+    while _clients_waiting(client):
+        time.sleep(0.01)
+    with ThreadPoolExecutor(1) as pool:
+        patient = pool.submit(upload, 60.0)
+        while not _clients_waiting(client) and not patient.done():
+            time.sleep(0.01)
+        gate.touch()
+        answer = patient.result()
+    assert answer.status_code == 201
+    assert answer.headers["Location"] == f"/api/drawings/{answer.json()['id']}"
+    assert answer.headers["ETag"]
+    assert _latest_drawings(client) - before == {answer.json()["id"]}
+    assert _begun(begun) == [reading]
+    assert client.service.pool.processes_started == spawned
+    if headers:
+        # The result is also there for a repetition that comes later.
+        assert upload(60.0).json()["id"] == answer.json()["id"]
+        assert _begun(begun) == [reading]
+
+
+def _clients_waiting(client: LocalClient) -> int:
+    repeatable = list(client.service.work._repeatable.values())
+    return sum(len(ticket.present) for tickets in repeatable for ticket in tickets)
 
 
 @contextmanager
@@ -248,7 +369,7 @@ def test_a_full_queue_refuses_uploads_and_accepts_heartbeats(
     wait_for_state(client, job["id"], "queued")
     claim = {"gateway": "g", "machine": "demo-table", "wait": 20.0}
     epoch = client.post("/api/gateway/claim", json=claim).json()["epoch"]
-    assert client.post(f"/api/jobs/{job['id']}/confirm").status_code == 200
+    assert confirm_job(client, job["id"]).status_code == 200
     before = _latest_drawings(client)
     gate.clear()
     # More calls than threads in the common pool, which would all wait.

@@ -8,6 +8,7 @@ import sqlite3
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -23,9 +24,10 @@ from knifetip.errors import StoreError
 from knifetip.jobs.compile_service import CompileService
 from knifetip.jobs.content_store import ContentStore
 from knifetip.jobs.database import Database
+from knifetip.jobs.database_damage import is_disk_full
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import WriteProbe
-from knifetip.jobs.write_probe import is_disk_full, write_probe
+from knifetip.jobs.write_probe import write_probe
 from tests.support.serving.server import order_job, run_server, square, upload_drawing
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -156,6 +158,34 @@ def test_a_database_that_cannot_be_written_is_not_ready(
         assert ready.status_code == 503
         assert ready.json()["checks"]["database"] == "OperationalError"
         assert ready.json()["status"] == "failing"
+
+
+def readiness(client: httpx.Client, status: int) -> httpx.Response:
+    """Return the answer of /readyz as soon as it has a status; fail after 10 s without it."""
+    end = time.monotonic() + 10.0
+    while (ready := client.get("/readyz")).status_code != status:
+        assert time.monotonic() < end, ready.text
+        time.sleep(0.01)
+    return ready
+
+
+def test_a_damaged_database_is_not_ready_until_a_check_finds_it_good(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(readiness_module, "_KEEP_DAMAGE", 0.0)
+    faults = [""]
+    monkeypatch.setattr(Database, "damage", lambda _: faults[-1])
+    settings = Settings(database=f"sqlite:///{tmp_path}/shop.sqlite", name="test")
+    with run_server(settings) as client:
+        assert client.get("/readyz").status_code == 200
+        faults.append("Page 7 is never used.")
+        ready = readiness(client, 503)
+        assert ready.json()["status"] == "failing"
+        checks = ready.json()["checks"]
+        assert checks.pop("database") == "damaged"
+        assert set(checks.values()) == {"ok"}
+        faults.append("")
+        assert readiness(client, 200).json()["checks"]["database"] == "ok"
 
 
 @contextmanager

@@ -104,6 +104,7 @@ def test_refused_requests_have_an_id_and_a_record_without_the_key(
         client.get("/api/jobs", headers={"X-Request-ID": f"key={KEY}"}),
     ):
         assert record_of(stream, answer)
+    client.cookies.clear()  # the address with the key has signed this client in
     assert KEY not in stream.getvalue()
 
 
@@ -113,10 +114,15 @@ def test_a_hostile_name_is_harmless_in_answers_headers_and_the_log(
 ) -> None:
     sent = name.encode("utf-8", "replace").decode()
     uploaded = client.post("/api/drawings", files={"file": (sent, square())})
-    assert uploaded.status_code == 201, uploaded.text
-    drawing = uploaded.json()
-    assert acting(drawing["name"]) == set()
-    answer = client.get(f"/api/drawings/{drawing['id']}/file")
+    answer = uploaded
+    if uploaded.status_code == 422:
+        assert uploaded.json()["source"] == ["body.file.filename"]
+        assert acting(uploaded.text) == set()
+    else:
+        assert uploaded.status_code == 201, uploaded.text
+        drawing = uploaded.json()
+        assert acting(drawing["name"]) == set()
+        answer = client.get(f"/api/drawings/{drawing['id']}/file")
     for value in answer.headers.values():
         assert acting(value) == set()
         assert value.isascii()
@@ -128,7 +134,7 @@ def test_a_hostile_name_is_harmless_in_answers_headers_and_the_log(
 
 def test_hostile_names_are_harmless_in_the_terminal(client: LocalClient, knifetip: Command) -> None:
     # Each compile takes a while; the names are stored alike.
-    for name in islice(HOSTILE_NAMES.values(), 0, None, 6):
+    for name in islice(filter(str.isprintable, HOSTILE_NAMES.values()), 0, None, 3):
         sent = name.encode("utf-8", "replace").decode()
         id = client.post("/api/drawings", files={"file": (sent, square())}).json()["id"]
         job = order_job(client, id)["id"]

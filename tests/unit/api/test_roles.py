@@ -44,26 +44,49 @@ LEAST = {
         learn_from_corrections order_by_xjdf answer_xjmf place_order_with_file place_orders
     """,
     "operator": """
-        release_job confirm_job hold_job resume_job finish_job requeue_job scrap_job move_job
-        change_job transfer_job continue_job ask_for_operation record_tool_change set_tool_life
+        release_job recheck_job confirm_job hold_job resume_job confirm_end finish_job requeue_job
+        scrap_job move_job change_job transfer_job continue_job ask_for_operation record_tool_change
+        set_tool_life state_hands_clear renew_jog
     """,
     "admin": """
         save_machine delete_machine save_board delete_board save_tool delete_tool
         add_webhook list_webhooks get_webhook change_webhook delete_webhook rotate_webhook_secret
         test_webhook list_webhook_deliveries get_webhook_delivery replay_dead_letters
         replay_webhook_delivery
-        list_users create_user change_user list_keys create_key revoke_key list_audit
+        list_users create_user change_user list_keys create_key rotate_key_secret revoke_key
+        list_audit create_pairing_code list_devices
     """,
     "nobody": "claim get_gateway_program heartbeat finish report_station",
     "everybody": "sign_in sign_out health ready",
 }
 #: What programs at a machine may do.
 GATEWAY = {
-    *("claim", "get_gateway_program", "heartbeat", "finish", "report_station", "get_program"),
+    *("claim", "get_gateway_program", "heartbeat", "finish", "report_station"),
     *("get_machine_definition", "export_machine", "get_board_definition", "export_board"),
     *("get_tool_definition", "export_tool", "get_me", "status"),
 }
+#: What only people with the role and keys with the scope ``station`` may do.
+AT_MACHINE = {
+    *("confirm_job", "resume_job", "confirm_end"),
+    *("ask_for_operation", "state_hands_clear", "renew_jog"),
+}
+#: What a key with the scope ``station`` may do beside that.
+STOPPING = {"hold_job", "cancel_job"}
 LEAST_OF = {name: least for least, names in LEAST.items() for name in names.split()}
+#: Role whose requests a key with another scope may send, and what it may send beyond these.
+ROLE_OF_SCOPE = {"station": "viewer", "read": "viewer", "order": "viewer", "webhooks": "everybody"}
+BEYOND = {
+    "order": """
+        upload_drawing change_drawing delete_drawing override_edges order_job accept_shortfalls
+        release_job recompile_job cancel_job change_job place_order_with_file place_orders
+        order_by_xjdf answer_xjmf
+    """,
+    "webhooks": """
+        add_webhook list_webhooks get_webhook change_webhook delete_webhook rotate_webhook_secret
+        test_webhook list_webhook_deliveries get_webhook_delivery replay_dead_letters
+        replay_webhook_delivery get_me
+    """,
+}
 RANK = ["everybody", "viewer", "designer", "operator", "admin", "nobody"]
 #: Statuses of the access control; others show that a request has passed it.
 REFUSALS = {401, 403}
@@ -82,7 +105,15 @@ def expected(sender: str, operation: str) -> int | None:
         return 401
     if sender == "gateway":
         return None if operation in GATEWAY else 403
-    return None if RANK.index(sender.split()[0]) >= RANK.index(least) else 403
+    if sender.endswith(" key") and operation in AT_MACHINE:
+        return None if sender == "station key" else 403
+    if sender == "station key" and operation in STOPPING:
+        return None
+    name = sender.split()[0]
+    role = ROLE_OF_SCOPE.get(name, name)
+    if operation in BEYOND.get(name, "").split():
+        return None
+    return None if RANK.index(role) >= RANK.index(least) else 403
 
 
 @pytest.fixture(scope="module")

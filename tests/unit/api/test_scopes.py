@@ -6,12 +6,19 @@ import pytest
 from fastapi import APIRouter
 
 from knifetip.api import app as application
-from knifetip.api.principal import LOCAL, Principal, PrincipalKind, demand, missing_scope
+from knifetip.api.principal import (
+    LOCAL,
+    SERVER_KEY,
+    Principal,
+    PrincipalKind,
+    demand,
+    missing_scope,
+)
 from knifetip.api.routing import ScopedRouter, public, requires
 from knifetip.errors import AccessDenied
-from knifetip.jobs.accounts.scopes import AccessScope, scopes_of
+from knifetip.jobs.accounts.scopes import AccessScope, least_role, scopes_of, scopes_of_role
 
-VIEWER, DESIGNER, OPERATOR, ADMIN, GATEWAY = AccessScope
+VIEWER, DESIGNER, OPERATOR, ADMIN, GATEWAY, READ, ORDER, WEBHOOKS, STATION = AccessScope
 
 
 def principal(*scopes: AccessScope) -> Principal:
@@ -25,6 +32,19 @@ def test_a_role_contains_the_lesser_ones_and_never_the_gateway() -> None:
     assert scopes_of([GATEWAY]) == {GATEWAY}
     assert scopes_of([GATEWAY, DESIGNER]) == {GATEWAY, VIEWER, DESIGNER}
     assert scopes_of([]) == set()
+
+
+def test_a_person_who_operates_may_start_machines_and_a_key_only_if_it_is_named() -> None:
+    assert scopes_of_role(DESIGNER) == {VIEWER, DESIGNER}
+    assert scopes_of_role(OPERATOR) == {VIEWER, DESIGNER, OPERATOR, STATION}
+    assert scopes_of_role(ADMIN) == {VIEWER, DESIGNER, OPERATOR, ADMIN, STATION}
+    assert scopes_of([ADMIN]) == {VIEWER, DESIGNER, OPERATOR, ADMIN}
+    assert scopes_of([STATION]) == {VIEWER, STATION}
+    assert scopes_of([READ]) == {VIEWER, READ}
+    assert scopes_of([ORDER, WEBHOOKS]) == {VIEWER, ORDER, WEBHOOKS}
+    assert [least_role(scope) for scope in (VIEWER, STATION, GATEWAY)] == [VIEWER, OPERATOR, None]
+    assert missing_scope(principal(ADMIN), [STATION]) == STATION
+    assert missing_scope(SERVER_KEY, [STATION]) is None
 
 
 def test_the_least_scope_that_is_missing_is_named() -> None:
@@ -66,6 +86,11 @@ def test_the_schema_names_the_scope_of_each_operation() -> None:
     paths = described["paths"]
     assert set(described["components"]["securitySchemes"]) == {"key", "session"}
     release = paths["/api/v1/jobs/{id}/release"]["post"]
-    assert release["security"] == [{"key": ["operator"]}, {"session": ["operator"]}]
-    assert "Needs the scope `operator`." in release["description"]
+    assert release["security"] == [
+        {"key": ["operator"]},
+        {"session": ["operator"]},
+        {"key": ["order"]},
+        {"session": ["order"]},
+    ]
+    assert "Needs the scope `operator` or `order`." in release["description"]
     assert paths["/healthz"]["get"]["security"] == []

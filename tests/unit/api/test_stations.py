@@ -10,9 +10,8 @@ from typing import Any
 
 import httpx
 import pytest
-from fastapi.sse import ServerSentEvent
 
-from knifetip.api.events import Stream
+from knifetip.api.events import Change, Stream
 from tests.unit.api.test_events import Heard, event_queue
 
 pytestmark = pytest.mark.xdist_group("server")
@@ -27,6 +26,16 @@ REPORT: dict[str, Any] = {
     "position": [1.0, 2.0, 20.0, 0.0],
     "outputs": [1],
     "operations": ["unlock", "home", "jog", "stop_jog"],
+}
+NOTICE: dict[str, Any] = {
+    "code": "setting.difference",
+    "arguments": {
+        "setting": "$20",
+        "found": "0",
+        "expected": "1",
+        "assignment": "$20=1",
+        "reason": {"code": "setting.no-soft-limits", "arguments": {}},
+    },
 }
 
 
@@ -46,13 +55,27 @@ def state_of(client: httpx.Client, id: str) -> dict[str, Any]:
     return found
 
 
+def test_a_feed_override_reaches_the_gateway_with_its_value(client: httpx.Client) -> None:
+    able = [*REPORT["operations"], "feed_override"]
+    report(client, operations=able, override=90)
+    assert client.get(f"/api/machines/{MACHINE}/station").json()["override"] == 90
+    asked = ask(client, operation="feed_override", percent=80)
+    assert asked.status_code == 202, asked.text
+    (handed,) = report(client, operations=able, override=90)["operations"]
+    assert (handed["operation"], handed["percent"]) == ("feed_override", 80)
+
+
 def test_the_station_shows_the_report_of_the_gateway(client: httpx.Client) -> None:
     alarm = {"code": "controller.alarm-of-unknown-cause", "arguments": {"name": "grbl"}}
-    report(client, state="alarm", alarm=alarm)
+    report(client, state="alarm", alarm=alarm, notices=[NOTICE], outputs_known=False)
     station = client.get(f"/api/machines/{MACHINE}/station").json()
     assert station["seen_seconds_ago"] < 5.0
     assert station["alarm"]["hint"].startswith("Check the table")
-    del station["seen_seconds_ago"], station["alarm"]
+    (notice,) = station["notices"]
+    assert notice["text"].startswith("$20 is 0, expected 1: ")
+    assert notice["hint"].startswith("Set $20=1 at the controller")
+    assert station["obstacle"] is None
+    del station["seen_seconds_ago"], station["alarm"], station["notices"], station["obstacle"]
     assert station == {
         "machine": MACHINE,
         "gateway": "gw",
@@ -60,30 +83,42 @@ def test_the_station_shows_the_report_of_the_gateway(client: httpx.Client) -> No
         "state": "alarm",
         "position": [1.0, 2.0, 20.0, 0.0],
         "outputs": [1],
+        "outputs_known": False,
+        "override": None,
         "operations": ["unlock", "home", "jog", "stop_jog"],
         "spindle": None,
         "activity": None,
         "job": "",
     }
     assert report(client)["watched"]
+    assert client.get(f"/api/machines/{MACHINE}/station").json()["outputs_known"]
     assert client.get("/api/machines/no-such/station").status_code == 404
+
+
+def _append_report(replies: list[dict[str, Any]], client: httpx.Client) -> None:
+    """Append the answer to a report that waits for an operation."""
+    replies.append(report(client, wait=10.0))
 
 
 def test_an_operation_reaches_the_gateway_at_once_and_its_result_the_person(
     client: httpx.Client,
 ) -> None:
     report(client)
-    replies: list[dict[str, Any]] = []
-    waiting = threading.Thread(target=lambda: replies.append(report(client, wait=8.0)))
-    waiting.start()
-    time.sleep(0.3)
-    began = time.monotonic()
-    asked = ask(client, **JOG)
-    assert asked.status_code == 202
-    id = asked.json()["id"]
-    waiting.join(10.0)
-    assert time.monotonic() - began < 3.0
-    (handed,) = replies[0]["operations"]
+    handed_over: list[dict[str, Any]] = []
+    # An operation that is older than 3 s is not sent, so a busy computer gets further tries.
+    for _ in range(5):
+        replies: list[dict[str, Any]] = []
+        waiting = threading.Thread(target=_append_report, args=(replies, client))
+        waiting.start()
+        time.sleep(0.3)
+        asked = ask(client, **JOG)
+        assert asked.status_code == 202
+        id = asked.json()["id"]
+        waiting.join(60.0)
+        handed_over = replies[0]["operations"]
+        if handed_over:
+            break
+    (handed,) = handed_over
     assert {name: handed[name] for name in JOG} == JOG
     assert handed["id"] == id
     assert 0.0 <= handed["age"] < 3.0
@@ -99,14 +134,14 @@ def test_a_waiting_report_is_answered_when_a_person_looks_at_the_machine(
     assert not report(client, machine=machine)["watched"]
     replies: list[dict[str, Any]] = []
     waiting = threading.Thread(
-        target=lambda: replies.append(report(client, machine=machine, wait=8.0))
+        target=lambda: replies.append(report(client, machine=machine, wait=10.0))
     )
     waiting.start()
     time.sleep(0.3)
     client.get(f"/api/machines/{machine}/station").raise_for_status()
-    waiting.join(10.0)
+    waiting.join(60.0)
     assert replies[0]["watched"]
-    assert replies[0]["waited"] < 4.0
+    assert replies[0]["waited"] < 10.0  # before the end of its wait
     assert replies[0]["operations"] == []
 
 
@@ -118,6 +153,33 @@ def test_a_late_operation_expires(client: httpx.Client) -> None:
     expired = state_of(client, id)
     assert expired["state"] == "expired"
     assert expired["message"]["code"] == "operation.expired"
+
+
+def test_an_operation_that_moves_needs_hands_clear(client: httpx.Client) -> None:
+    machine = "router-table"  # no other test states anything there
+    report(client, machine=machine)
+    route = f"/api/machines/{machine}/operations"
+    refused = client.post(route, json={"operation": "home"})
+    assert (refused.status_code, refused.json()["code"]) == (409, "operation.hands-not-clear")
+    stated = client.post(f"/api/machines/{machine}/hands-clear")
+    assert stated.status_code == 200
+    assert stated.json()["seconds"] == 60.0
+    assert stated.json()["until"] > "2000"
+    assert client.post(route, json={"operation": "home"}).status_code == 202
+    assert client.post("/api/machines/no-such/hands-clear").status_code == 404
+
+
+def test_the_gateway_learns_which_jog_is_held(client: httpx.Client) -> None:
+    report(client)
+    id = ask(client, **JOG).json()["id"]
+    renewed = client.post(f"/api/machines/{MACHINE}/operations/{id}/renew")
+    assert renewed.status_code == 200
+    held = report(client)["jog"]
+    assert held["id"] == id
+    assert 0.0 <= held["age"] < 1.0
+    other = ask(client, operation="unlock").json()["id"]
+    refused = client.post(f"/api/machines/{MACHINE}/operations/{other}/renew")
+    assert (refused.status_code, refused.json()["code"]) == (409, "operation.jog-ended")
 
 
 @pytest.mark.parametrize(
@@ -136,6 +198,9 @@ def test_a_late_operation_expires(client: httpx.Client) -> None:
         {"operation": "unlock", "force": True},
         {"operation": "dry_run", "share": 0.01},
         {"operation": "dry_run", "share": 1.5},
+        {"operation": "feed_override"},
+        {"operation": "feed_override", "percent": 201},
+        {"operation": "feed_override", "percent": 55.5},
     ],
 )
 def test_a_wrong_operation_is_refused_with_a_hint(
@@ -189,9 +254,11 @@ def test_an_error_in_the_stream_of_events_loses_no_change(
     failed = threading.Event()
     stations = Stream._stations
 
-    def fail_once(stream: Stream) -> list[ServerSentEvent]:
+    def fail_once(stream: Stream) -> list[Change]:
         messages = stations(stream)
-        if not failed.is_set() and any('"state":"jog"' in (one.raw_data or "") for one in messages):
+        if not failed.is_set() and any(
+            '"state":"jog"' in (one.sent.raw_data or "") for one in messages
+        ):
             failed.set()
             raise OSError("database is locked")
         return messages
@@ -229,7 +296,7 @@ def test_a_run_above_the_board_is_shown_and_needs_a_job_that_waits(client: httpx
     del failed["message"]
     assert shown == failed
     for name in ("dry_run", "frame"):
-        answer = ask(client, operation=name)
+        answer = ask(client, operation=name, hands_clear=True)
         assert answer.status_code == 409
         assert answer.json()["code"] == "dry-run.no-job"
     report(client, state="unreported", operations=[])

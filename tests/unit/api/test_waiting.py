@@ -11,7 +11,6 @@ import pytest
 from knifetip.api.waiting import ABSENT, Waiting, waiting_of
 from knifetip.jobs.compile_result import CompileResult
 from knifetip.jobs.heartbeats import GatewayReport
-from knifetip.jobs.station_store import StationReport
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
@@ -19,6 +18,7 @@ from knifetip.messages import hint
 from knifetip.model.choices import Choices
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.sheet import Sheet
+from tests.support.job_states import confirm
 from tests.support.stored import Clock, add_job, migrated_store
 
 TITLE = "Demo table 1600 × 1200"
@@ -82,7 +82,7 @@ def test_a_job_that_waits_for_the_operator_lists_board_tools_and_stations(store:
         "Oscillating knife (station 1), Crease wheel (station 2).",
         "Check the table, then confirm the job to start it.",
     )
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     assert shown(store, job) == (
         "machine",
         f"The operator confirmed the job, and {TITLE} is starting.",
@@ -137,7 +137,7 @@ def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their
         "Confirm or cancel that job.",
     )
     assert waits(store, jobs[2]).waiting_for == "turn"
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1))
     assert str(waits(store, jobs[1]).message).endswith("which is running.")
     clock.now += LEASE + 1.0
@@ -149,7 +149,7 @@ def test_the_first_in_the_queue_waits_for_the_job_ahead_and_the_others_for_their
 def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
     job = queued(store, copies=2)
     held = claimed(store)
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=0, waiting=True))
     assert waits(store, job) == Waiting()
     store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=90, copies_done=1, held=True))
@@ -159,7 +159,7 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
         "Put a new sheet of Corrugated, E-flute 1.6 mm on the table, "
         "then confirm the new sheet. The machine then starts the next copy.",
     )
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     assert waits(store, job) == Waiting()
 
 
@@ -193,19 +193,16 @@ def test_a_machine_whose_language_is_not_streamed_has_its_program_downloaded(sto
     assert hint_of(waiting).startswith("Download the program")
 
 
-@pytest.mark.parametrize(
-    ("state", "code"), [("unreported", "waiting.for-end"), ("hold", None), (None, None)]
-)
+@pytest.mark.parametrize(("awaits_end", "code"), [(True, "waiting.for-end"), (False, None)])
 @pytest.mark.parametrize("machine", ["demo-table", "flat-cutter-hpgl"])
-def test_the_end_is_confirmed_where_the_gateway_reports_no_state(
-    store: Store, machine: str, state: str | None, code: str | None
+def test_the_end_is_confirmed_where_the_gateway_reports_that_it_waits_for_it(
+    store: Store, machine: str, awaits_end: bool, code: str | None
 ) -> None:
     """A hot folder takes programs of every language; what the gateway reports decides."""
     row = queued(store, machine=machine)
-    if state is not None:
-        store.stations.report(machine, StationReport("gateway", True, state))
     job = store.gateways.claim(machine, "gateway", manual=False)
     assert job is not None
-    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=0, held=True))
+    report = GatewayReport(line=0, held=True, awaits_end=awaits_end)
+    store.gateways.heartbeat(job.id, job.epoch, report)
     found = waits(store, row)
     assert (found.message.code if found.message else None) == code

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import socket
 import threading
 from collections.abc import Iterator
@@ -14,6 +15,7 @@ from standardwebhooks import WebhookVerificationError
 
 from knifetip.api import webhook_sender
 from knifetip.api.service import Settings
+from knifetip.jobs.webhook_queue import PAUSE_AFTER
 from tests.support.serving.server import (
     LocalClient,
     order_job,
@@ -220,13 +222,33 @@ def test_an_endpoint_that_is_down_gets_everything_later(
     receiver.answer = lambda _call: (503, {})
     webhook = add(shop, receiver.url, event_types=["drawing.read"])["id"]
     drawings = [upload_drawing(shop, square(side=50.0 + i))["id"] for i in range(3)]
-    receiver.wait(lambda calls: len(calls) == 1)
+    receiver.wait(lambda calls: len({call.id for call in calls}) == 3)
+    receiver.wait(lambda calls: len(calls) >= PAUSE_AFTER)
+    # Once it answers, all are sent again.
     receiver.answer = lambda _call: (204, {})
-    # The second attempt is due after 5 s.
-    receiver.wait(lambda calls: len({call.id for call in calls}) == 3 and len(calls) == 4)
     wait_until_delivered(shop, webhook)
+    state = shop.get(f"/api/webhooks/{webhook}").json()
+    assert (state["failures"], state["paused_until"]) == (0, None)
     subjects = {call.payload["data"]["drawing"]["id"] for call in receiver.calls}
     assert subjects == set(drawings)
+
+
+def test_one_job_that_is_refused_does_not_hold_back_the_others(
+    shop: LocalClient, receiver: Receiver
+) -> None:
+    refused = upload_drawing(shop, square(side=40.0))["id"]
+    receiver.answer = lambda call: (500 if refused in json.dumps(call.payload) else 204, {})
+    add(shop, receiver.url, event_types=["drawing.changed"])
+    others = [upload_drawing(shop, square(side=50.0 + i))["id"] for i in range(3)]
+    for drawing in (refused, *others):
+        assert shop.patch(f"/api/drawings/{drawing}", json={"unit": "mm"}).status_code == 200
+    # The one that is refused was sent first, and is tried again when all the others have arrived.
+    arrived = [call.payload["data"]["drawing"]["id"] for call in receiver.wait(_has_repeated)]
+    assert set(arrived) == {refused, *others}
+
+
+def _has_repeated(calls: list[Call]) -> bool:
+    return len({call.id for call in calls}) == 4 and len(calls) >= 5
 
 
 def test_an_endless_answer_ends(

@@ -12,6 +12,7 @@ import pytest
 from knifetip.api.service import Settings
 from tests.support.serving.server import (
     LocalClient,
+    confirm_job,
     order_job,
     run_server,
     square,
@@ -144,7 +145,7 @@ def test_a_running_job_is_suspended_and_aborted(shop: LocalClient) -> None:
     claim = {"machine": "demo-table", "gateway": "g", "wait": 0.0}
     claimed = shop.post("/api/gateway/claim", json=claim).json()
     assert claimed["job"] == job
-    assert shop.post(f"/api/jobs/{job}/confirm").status_code == 200
+    assert confirm_job(shop, job).status_code == 200
     lease = {"job": job, "epoch": claimed["epoch"], "line": 0, "waiting": True}
     assert shop.post("/api/gateway/heartbeat", json=lease).json()["command"] == "start"
     (answer,) = ask(shop, xjmf(status(job)))
@@ -160,6 +161,37 @@ def test_a_running_job_is_suspended_and_aborted(shop: LocalClient) -> None:
         assert code(response) == expected, (operation, ElementTree.tostring(response))
         if action:
             assert shop.get(f"/api/jobs/{job}").json()["requested_action"] == action
+    end = {"job": job, "epoch": claimed["epoch"], "outcome": "cancelled"}
+    assert shop.post("/api/gateway/finish", json=end).status_code == 200
+
+
+def test_a_job_that_waits_for_a_new_sheet_is_not_resumed_by_any_way(shop: LocalClient) -> None:
+    job = ready_job(shop, copies=2)
+    shop.post(f"/api/jobs/{job}/release")
+    claim = {"machine": "demo-table", "gateway": "g", "wait": 0.0}
+    claimed = shop.post("/api/gateway/claim", json=claim).json()
+    assert claimed["job"] == job
+    assert confirm_job(shop, job).status_code == 200
+    lease = {"job": job, "epoch": claimed["epoch"], "line": 0, "waiting": True}
+    assert shop.post("/api/gateway/heartbeat", json=lease).json()["command"] == "start"
+    lines = shop.get(f"/api/jobs/{job}").json()["lines"]
+    between = {**lease, "line": lines, "waiting": False, "copies_done": 1, "held": True}
+    assert shop.post("/api/gateway/heartbeat", json=between).json()["command"] == "continue"
+    (answer,) = ask(shop, xjmf(modify("Resume", job)))
+    assert code(answer) != 0
+    assert "waits for a new sheet" in str(answer.findtext(f"{NS}Notification/{NS}Comment"))
+    phase = shop.get(f"/api/jobs/{job}").json()["phase"]
+    for body in (None, {}, {"phase": None}, {"phase": phase}):
+        refused = shop.post(f"/api/jobs/{job}/resume", json=body)
+        assert (refused.status_code, refused.json()["code"]) == (409, "job.needs-sheet")
+        assert "confirm the job" in refused.json()["hint"]
+    assert shop.post("/api/gateway/heartbeat", json=between).json()["command"] == "continue"
+    assert confirm_job(shop, job).status_code == 200
+    assert shop.post("/api/gateway/heartbeat", json=between).json()["command"] == "resume"
+    shop.post(f"/api/jobs/{job}/cancel")
+    assert shop.post("/api/gateway/heartbeat", json=between).json()["command"] == "cancel"
+    end = {"job": job, "epoch": claimed["epoch"], "outcome": "cancelled"}
+    assert shop.post("/api/gateway/finish", json=end).status_code == 200
 
 
 def test_the_queue_is_queried(shop: LocalClient) -> None:

@@ -121,9 +121,10 @@ def test_an_unclassified_edge_remains_unclassified() -> None:
     assert made.dieline.line_type.tolist() == [UNCLASSIFIED, CUT]
 
 
-def test_lines_0_01_mm_apart_are_merged_and_lines_0_02_mm_apart_are_not() -> None:
+def test_lines_0_04_mm_apart_are_merged_and_lines_0_06_mm_apart_are_not() -> None:
     assert len(worked(clean(lines((CUT, 0, 0, 100, 0), (CUT, 10, 0.009, 90, 0.009))))) == 1
-    assert len(worked(clean(lines((CUT, 0, 0, 100, 0), (CUT, 10, 0.02, 90, 0.02))))) == 2
+    assert len(worked(clean(lines((CUT, 0, 0, 100, 0), (CUT, 10, 0.04, 90, 0.04))))) == 1
+    assert len(worked(clean(lines((CUT, 0, 0, 100, 0), (CUT, 10, 0.06, 90, 0.06))))) == 2
 
 
 def test_lines_that_cross_at_a_small_angle_are_two() -> None:
@@ -222,7 +223,7 @@ def test_an_end_on_the_inside_of_an_edge_does_not_go_to_the_corner_beside_it() -
 
 
 def test_lines_that_end_side_by_side_stay_two() -> None:
-    line = lines((CUT, 0, 0, 100, 0), (CUT, 0, 0.03, 100, 0.03))
+    line = lines((CUT, 0, 0, 100, 0), (CUT, 0, 0.03, 100, 5))
     np.testing.assert_array_equal(clean(line).dieline.ends, line.ends)
 
 

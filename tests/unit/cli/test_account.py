@@ -196,3 +196,30 @@ def test_each_change_is_in_the_audit_log(account: Account, store: Store) -> None
         ("create_key", "key", key.id),
         ("revoke_key", "key", key.id),
     ]
+
+
+def test_a_key_has_limits_and_a_new_secret_under_the_same_id(
+    account: Account, store: Store, tmp_path: Path
+) -> None:
+    create = ("key", "create", "ERP", "--scope", "order", "--customer", "ACME")
+    file = tmp_path / "key"
+    assert account(*create, "--machine", "demo-table", "--file", file)[0] == 0
+    (row,) = store.keys.all()
+    assert (row.customer, row.machines, row.any_machine) == ("ACME", ["demo-table"], False)
+    assert "customer ACME, machines demo-table" in account("key", "list")[1]
+    # A key with other limits is not the wanted one.
+    account(*create, "--machine", "demo-table", "--file", file)
+    assert len(store.keys.all()) == 1
+    account(*create, "--machine", "router-table", "--file", file)
+    assert len(store.keys.all()) == 2
+    former = file.read_text().strip()
+    id = next(one.id for one in store.keys.all() if one.machines == ["router-table"])
+    code, out, _ = account("key", "rotate", id)
+    assert code == 0
+    assert store.keys.find(former) is None
+    found = store.keys.find(out.strip())
+    assert found is not None
+    assert found.id == id
+    code, _, err = account(*create, "--machine", "none")
+    assert code != 0
+    assert "none" in err

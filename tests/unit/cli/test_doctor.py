@@ -15,9 +15,12 @@ from threading import Thread
 from typing import Any
 
 import pytest
+import sqlalchemy as sa
 
 from knifetip.cli.checks import computer, machine, server, storage
 from knifetip.cli.checks.check_result import CheckResult, Grade, run
+from knifetip.jobs.accounts.account_tables import ApiKey
+from knifetip.jobs.accounts.key_limits import KeyLimits
 from knifetip.jobs.accounts.scopes import AccessScope
 from knifetip.jobs.job_store import JobOrder
 from knifetip.jobs.store import Store
@@ -196,6 +199,30 @@ def test_without_an_administrator(tmp_path: Path, host: str, key: bool, grade: G
     assert (
         grades(storage.check_database(server_options(url, host=host, key=key)))["accounts"] is grade
     )
+
+
+def test_keys_of_gateways_that_are_for_any_machine(database_url: str) -> None:
+    with migrated_store(database_url) as store:
+        gateway = [AccessScope.GATEWAY]
+        bound, _ = store.keys.add("bound", gateway, limits=KeyLimits(machines=frozenset({"a"})))
+        new, _ = store.keys.add("new", gateway)
+        old, _ = store.keys.add("old table", gateway)
+        gone, _ = store.keys.add("gone", gateway)
+        store.keys.revoke(gone.id)
+        reader, _ = store.keys.add("reader", [AccessScope.READ])
+        with store.database.writing() as session:
+            for row in (old, gone, reader):
+                session.execute(
+                    sa.update(ApiKey).where(ApiKey.id == row.id).values(any_machine=True)
+                )
+    found = [
+        one for one in storage.check_database(server_options(database_url)) if one.subject == "keys"
+    ]
+    assert [one.grade for one in found] == [Grade.WARNING]
+    (shown,) = found
+    assert "old table" in shown.text
+    assert f"knifetip key revoke {old.id}" in shown.advice
+    assert all(row.id not in f"{shown.text} {shown.advice}" for row in (bound, new, gone, reader))
 
 
 def test_jobs_that_wait_for_a_gateway_that_is_not_connected(tmp_path: Path) -> None:

@@ -106,26 +106,88 @@ def test_show_prints_reason_hint_and_tools(knifetip: Command, fake_server: FakeS
     assert json.loads(out) == JOB
 
 
-@pytest.mark.parametrize("command", ["confirm", "hold", "resume", "finish", "requeue"])
+@pytest.mark.parametrize("command", ["hold", "end", "finish", "requeue"])
 def test_a_command_is_sent_to_its_route(
     knifetip: Command, fake_server: FakeServer, command: str
 ) -> None:
     code, out, _ = knifetip("job", command, "abc", "--server", fake_server.url)
     assert code == 0
     assert "tray.dxf" in out
-    body: dict[str, Any] | None = {} if command == "confirm" else None
-    assert fake_server.requests == [("POST", f"/api/v1/jobs/abc/{command}", body)]
+    assert fake_server.requests == [("POST", f"/api/v1/jobs/abc/{command}", None)]
     assert fake_server.headers[0]["X-Knifetip"] == "cli"
     assert "Authorization" not in fake_server.headers[0]
 
 
-def test_confirm_sends_board_and_name_of_the_operator(
+def test_resume_states_that_hands_are_clear(
+    knifetip: Command, fake_server: FakeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO(""))
+    code, _, err = knifetip("job", "resume", "abc", "--server", fake_server.url)
+    assert code != 0  # nobody answers the question
+    assert "Are all hands clear of the machine?" in err
+    assert fake_server.requests == []
+    command = ("job", "resume", "abc", "--server", fake_server.url, "--hands-clear")
+    assert knifetip(*command)[0] == 0
+    assert fake_server.requests == [("POST", "/api/v1/jobs/abc/resume", {"hands_clear": True})]
+
+
+CHECKS = [
+    {"id": "board", "text": "The board on the table is E-flute."},
+    {"id": "hands-clear", "text": "Hands and people are clear of the machine."},
+]
+
+
+class Terminal(io.StringIO):
+    """Standard input of a person at a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def test_confirm_sends_what_was_checked_and_the_name_of_the_operator(
     knifetip: Command, fake_server: FakeServer
 ) -> None:
-    knifetip(
-        "job", "confirm", "abc", "--server", fake_server.url, "--board", "e-flute", "--by", "Kim"
-    )
-    assert fake_server.requests[0][2] == {"board": "e-flute", "by": "Kim"}
+    options = ("--checked", "board,hands-clear", "--changed", "2", "--by", "Kim")
+    code, _, _ = knifetip("job", "confirm", "abc", "--server", fake_server.url, *options)
+    assert code == 0
+    body = {"checked": ["board", "hands-clear"], "changed": [2], "by": "Kim"}
+    assert fake_server.requests == [("POST", "/api/v1/jobs/abc/confirm", body)]
+
+
+def test_confirm_does_not_know_a_word_for_all_checks(
+    knifetip: Command, fake_server: FakeServer
+) -> None:
+    knifetip("job", "confirm", "abc", "--server", fake_server.url, "--checked", "all")
+    assert fake_server.requests[0][2] == {"checked": ["all"]}
+
+
+def test_confirm_without_a_terminal_prints_the_checks_and_sends_nothing(
+    knifetip: Command, fake_server: FakeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO("y\ny\n"))
+    fake_server.answer = (200, {**JOB, "checks": CHECKS})
+    code, _, err = knifetip("job", "confirm", "abc", "--server", fake_server.url)
+    assert code == 2
+    assert "The board on the table is E-flute." in err
+    assert "knifetip job confirm abc --checked board,hands-clear" in err
+    assert [method for method, _, _ in fake_server.requests] == ["GET"]
+
+
+@pytest.mark.parametrize(("answers", "sent"), [("y\ny\n", True), ("y\nn\n", False)])
+def test_confirm_asks_each_check_at_a_terminal(
+    knifetip: Command,
+    fake_server: FakeServer,
+    monkeypatch: pytest.MonkeyPatch,
+    answers: str,
+    sent: bool,
+) -> None:
+    monkeypatch.setattr("sys.stdin", Terminal(answers))
+    fake_server.answer = (200, {**JOB, "checks": CHECKS})
+    code, out, err = knifetip("job", "confirm", "abc", "--server", fake_server.url)
+    assert "2 of 2: Hands and people are clear of the machine." in out + err
+    assert code == (0 if sent else 1)
+    bodies = [body for method, _, body in fake_server.requests if method == "POST"]
+    assert bodies == ([{"checked": ["board", "hands-clear"]}] if sent else [])
 
 
 @pytest.mark.parametrize("how", ["option", "environment"])
@@ -168,7 +230,8 @@ def test_the_message_of_a_refusing_server_is_printed(
     knifetip: Command, fake_server: FakeServer
 ) -> None:
     fake_server.answer = (409, {"detail": "Job abc is done.", "hint": "Order the job again."})
-    code, out, err = knifetip("job", "confirm", "abc", "--server", fake_server.url)
+    options = ("--server", fake_server.url, "--checked", "board")
+    code, out, err = knifetip("job", "confirm", "abc", *options)
     assert (code, out) == (3, "")
     assert "Job abc is done." in err
     assert "Order the job again." in err

@@ -46,10 +46,14 @@ def test_an_axis_that_the_controller_does_not_have_is_zero() -> None:
         ("Run", State.RUN, False),
         ("Hold:0", State.HOLD, True),
         ("Hold:1", State.HOLD, False),
+        ("Door:0", State.DOOR, True),
+        ("Door:1", State.DOOR, True),
         ("Door:2", State.DOOR, False),
+        ("Door:3", State.DOOR, False),
         ("Alarm", State.ALARM, True),
         ("Check", State.CHECK, True),
-        ("Tool", State.BUSY, False),
+        ("Tool", State.TOOL, True),
+        ("Sleep", State.SLEEP, True),
     ],
 )
 def test_states_are_known_and_whether_anything_moves(word: str, state: State, still: bool) -> None:

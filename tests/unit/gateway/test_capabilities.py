@@ -67,6 +67,29 @@ def test_the_rotary_axis_is_c_or_the_only_other_axis_or_a(
     assert (found.rotary_letter, found.rotary_axis) == (letter, index)
 
 
+@pytest.mark.parametrize(
+    ("axes", "program", "letter", "index"),
+    [
+        ("XYZABC", "A", "A", 3),
+        ("XYZABC", "B", "B", 4),
+        ("XYZC", "A", "C", 3),
+        ("XYZBC", "A", "", 3),
+        ("", "B", "B", 3),
+    ],
+)
+def test_the_letter_of_the_machine_file_comes_first(
+    axes: str, program: str, letter: str, index: int
+) -> None:
+    found = Capabilities(axes, program_letter=program)
+    assert (found.rotary_letter, found.rotary_axis) == (letter, index)
+    line = b"G1 X1 %s90" % program.encode()
+    assert (found.obstacle(line) is None) == bool(letter)
+    if letter:
+        assert found.to_wire(line) == b"G1 X1 %s90" % letter.encode()
+        assert found.from_wire(found.to_wire(line)) == line
+        assert found.operation_to_wire(b"$J=G91 C5") == b"$J=G91 %s5" % letter.encode()
+
+
 def test_the_letter_is_replaced_in_words_and_not_in_comments() -> None:
     found = Capabilities("XYZA")
     line = b"G1 X1 C-90.5 c4 (Crease C1) F100 ; C2"

@@ -44,6 +44,8 @@ M30
 """
 
 
+#: Lines with which the gateway brings the table into its safe state when it connects.
+TAKEOVER = 1 + len(MACHINE.outputs)
 #: JSON of a heartbeat or of its response.
 Beat = dict[str, Any]
 
@@ -143,6 +145,19 @@ async def gateway(office: Office, server: simulator.Server, **options: Any) -> N
             await run_gateway(settings, connect, client=client, jobs=1)
 
 
+async def test_the_time_left_begins_with_the_stated_time_also_between_two_copies() -> None:
+    office = Office(copies=2)
+    office.claim["seconds"] = 12.0
+    office.command = lambda beat: "resume" if beat["held"] else "continue"
+    async with table() as server:
+        await gateway(office, server)
+    assert office.beats[0]["seconds_left"] == 12.0
+    between = [beat for beat in office.beats if beat["copies_done"] == 1 and beat["held"]]
+    # The simulated table is 20 times as fast as the real one: the second copy is expected sooner.
+    assert between
+    assert all(0.0 < beat["seconds_left"] <= 12.0 for beat in between)
+
+
 async def test_a_job_is_claimed_run_and_finished() -> None:
     office = Office()
     async with table() as server:
@@ -156,6 +171,7 @@ async def test_a_job_is_claimed_run_and_finished() -> None:
             "outcome": "done",
             "why": "",
             "line": 11,
+            "line_at_most": 11,
             "copies_done": 1,
             "position": None,
             "station": None,
@@ -168,7 +184,7 @@ async def test_a_job_is_claimed_run_and_finished() -> None:
     assert all(headers["X-Knifetip"] == "gateway" for headers in office.headers)
 
 
-@pytest.mark.parametrize(("sha256", "outcome"), [(None, "done"), ("0" * 64, "interrupted")])
+@pytest.mark.parametrize(("sha256", "outcome"), [(None, "done"), ("0" * 64, "refused")])
 async def test_the_end_of_a_run_is_counted_once(sha256: str | None, outcome: str) -> None:
     runs: list[tuple[str, float]] = []
     office = Office(sha256=sha256)
@@ -196,7 +212,8 @@ async def test_another_program_than_the_verified_one_never_reaches_the_machine()
     async with table() as server:
         await gateway(office, server)
         assert server.table.time == 0.0
-    assert office.finished[0]["outcome"] == "interrupted"
+    assert office.finished[0]["outcome"] == "refused"
+    assert (office.finished[0]["line"], office.finished[0]["line_at_most"]) == (0, 0)
     assert "SHA-256" in office.finished[0]["why"]["text"]
 
 
@@ -597,6 +614,122 @@ async def test_a_gateway_that_is_switched_off_while_it_waits_gives_its_claim_bac
     assert office.finished[0]["outcome"] == "returned"
 
 
+async def test_a_program_that_the_check_run_refuses_is_returned_with_the_reason() -> None:
+    office = Office(PROGRAM.replace(b"G4 P0.15", b"G5 P0.15"))
+    async with table() as server:
+        await gateway(office, server)
+        assert server.table.position[:2] == (0.0, 0.0)
+    (end,) = office.finished
+    assert (end["outcome"], end["line"], end["line_at_most"]) == ("refused", 0, 0)
+    assert end["why"]["code"] == "controller.rejected-in-check"
+
+
+async def test_a_program_that_leaves_the_travel_is_refused_and_unlocks_the_machine() -> None:
+    office = Office(PROGRAM.replace(b"X560.0000", b"X9560.0000"))
+    async with table() as server:
+        await gateway(office, server)
+        assert server.table.state == "Idle"
+    assert [end["outcome"] for end in office.finished] == ["refused"]
+
+
+class CheckRun:
+    """Connects to a simulated table, whose check run does what a test says."""
+
+    def __init__(
+        self, server: simulator.Server, act: Callable[[driver.Grbl], Awaitable[None]]
+    ) -> None:
+        self._server = server
+        self._act = act
+
+    async def __call__(self, safe: SafeState, stop_motion: bool) -> Controller:
+        controller = await driver.dial(
+            self._server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
+        )
+        act = self._act
+
+        async def check(lines: object) -> None:
+            await act(controller)
+
+        controller.check = check  # type: ignore[method-assign]
+        return controller
+
+
+@pytest.mark.parametrize(
+    ("failure", "code"), [("reset", "controller.reset"), ("lost", "controller.lost")]
+)
+async def test_a_failure_before_the_first_line_returns_the_job_with_the_reason(
+    failure: str, code: str
+) -> None:
+    office = Office()
+    async with table() as server:
+
+        async def fail(controller: driver.Grbl) -> None:
+            if failure == "reset":
+                server.table.receive(b"\x18")
+            else:
+                await controller._connection._transport.close()
+            await asyncio.sleep(5.0)
+
+        await gateway(office, server, connect=CheckRun(server, fail))
+        assert server.table.time == 0.0
+    (end,) = office.finished
+    assert (end["outcome"], end["line"], end["line_at_most"]) == ("refused", 0, 0)
+    assert end["why"]["arguments"]["error"]["code"] == code
+
+
+async def test_a_controller_that_is_gone_before_the_program_starts_returns_the_job() -> None:
+    class Resetting(Office):
+        async def __call__(self, request: httpx.Request) -> httpx.Response:
+            if request.url.path == self.claim["program"]:
+                server.table.receive(b"\x18")
+                await asyncio.sleep(0.1)
+            return await super().__call__(request)
+
+    office, dials = Resetting(), 0
+
+    async def connect(safe: SafeState, stop_motion: bool) -> Controller:
+        nonlocal dials
+        dials += 1
+        if dials == 2:
+            raise ControllerError("controller.unreachable", address="wire", reason="off")
+        return await driver.dial(server.address, safe, silence=0.5, poll=0.02)
+
+    async with table() as server:
+        await gateway(office, server, connect=connect)
+        assert server.table.time == 0.0
+    (end,) = office.finished
+    assert (end["outcome"], end["line"]) == ("refused", 0)
+    assert end["why"]["code"] == "controller.unreachable"
+
+
+async def test_a_gateway_that_is_switched_off_in_the_check_run_gives_the_job_back() -> None:
+    office = Office()
+    async with table() as server:
+        checks = asyncio.Event()
+
+        async def wait(_: driver.Grbl) -> None:
+            checks.set()
+            await asyncio.sleep(5.0)
+
+        working = asyncio.create_task(gateway(office, server, connect=CheckRun(server, wait)))
+        async with asyncio.timeout(10.0):
+            await checks.wait()
+        working.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await working
+        assert server.table.time == 0.0
+    (end,) = office.finished
+    assert (end["outcome"], end["why"]["code"]) == ("returned", "gateway.switched-off")
+
+
+async def test_a_failure_after_the_first_line_was_sent_interrupts_the_job() -> None:
+    office = Office()
+    async with table(faults=Faults(errors={TAKEOVER + 1: 20})) as server:
+        await gateway(office, server)
+    (end,) = office.finished
+    assert (end["outcome"], end["line"]) == ("interrupted", 0)
+
+
 # Reports from the journal
 
 
@@ -658,7 +791,7 @@ async def test_the_journal_records_each_copy_and_the_outcome_before_the_report(
         await gateway(office, server, journal=path)
     rows = [json.loads(row) for row in path.read_text().splitlines()]
     steps = [row["event"] for row in rows if row["event"] != "line"]
-    assert steps == ["begin", "copy", "copy", "outcome", "end"]
+    assert steps == ["begin", *["copy-begin", "copy"] * 2, "outcome", "end"]
     assert rows[0]["copies"] == 2
 
 
@@ -677,7 +810,7 @@ async def test_a_withdrawal_after_the_last_line_does_not_make_a_finished_cut_int
         await asyncio.sleep(0.05)
         yield Progress(11, 11, 11, at, State.IDLE, -1, 0.0)
 
-    monkeypatch.setattr("knifetip.gateway.claim.stream", stream)
+    monkeypatch.setattr("knifetip.gateway.copy_runner.stream", stream)
     async with table() as server:
         await gateway(office, server)
     assert office.beats[-1]["line"] == 5

@@ -199,23 +199,6 @@ async def test_a_machine_in_alarm_is_not_unlocked_from_here() -> None:
     assert "$X" not in wire.lines
 
 
-@pytest.mark.parametrize(("mode", "taken"), [("$32=1", True), ("$32=0", False), ("$30=1", False)])
-async def test_a_machine_with_a_beam_is_taken_over_in_laser_mode_only(
-    mode: str, taken: bool
-) -> None:
-    wire = Wire({"$$": f"$10=511\n{mode}\nok"})
-    safe = SafeState((5,), 0.0, beam=True)
-    if taken:
-        async with opened(wire, safe=safe):
-            assert wire.lines[-2:] == ["M5", "M65 P5"]
-        return
-    with pytest.raises(ControllerError, match="not in laser mode") as refused:
-        async with opened(wire, safe=safe):
-            pass
-    assert "$32=1" in refused.value.hint
-    assert "M5" not in wire.lines
-
-
 async def test_a_wire_without_a_controller_is_silent(monkeypatch: pytest.MonkeyPatch) -> None:
     wire = Wire()
     wire.mute = True
@@ -316,6 +299,79 @@ async def test_the_banner_ends_the_check_also_if_the_reset_has_cleared_the_answe
         assert controller.fault is None
         assert controller.acknowledged == 1
         assert wire.lines == ["$I", "$C", "G21", "M30", "$C", "G21"]
+
+
+class SlowLine(Wire):
+    """A controller that reads its line slowly, so that a request waits behind the lines before it.
+
+    Each line is answered after ``pace`` seconds.  Requests that arrive while lines wait have one
+    report, at the end.
+    """
+
+    pace = 0.1
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._waiting: list[bytes] = []
+        self._reads: asyncio.Task[None] | None = None
+
+    async def write(self, data: bytes) -> None:
+        if self._reads is None and data not in (b"$C\n", b"G21\n"):
+            await super().write(data)
+            return
+        self._waiting.append(data)
+        if self._reads is None:
+            self._reads = asyncio.create_task(self._read_slowly())
+
+    async def _read_slowly(self) -> None:
+        asked = False
+        while self._waiting:
+            data = self._waiting.pop(0)
+            if data == b"?":
+                asked = True
+                continue
+            await asyncio.sleep(self.pace)
+            await super().write(data)
+            if data == b"$C\n" and self.lines.count("$C") == 2:
+                self.say(BANNER)
+        self._reads = None
+        if asked:
+            await super().write(b"?")
+
+
+async def test_a_controller_that_answers_lines_of_the_check_slowly_is_not_silent() -> None:
+    wire = SlowLine()
+    async with opened(wire, silence=1.0) as controller:
+        await controller.check([b"G21"] * 20)  # 2 s, in which it reports nothing
+        assert controller.fault is None
+        assert wire.lines.count("G21") == 20
+
+
+async def test_an_old_report_in_the_check_is_no_lost_answer() -> None:
+    wire = Wire()
+    async with opened(wire, silence=20.0) as controller:
+        lines = [b"G1 X%d" % number for number in range(5)]
+        checking = asyncio.create_task(controller.check(lines))
+        wire.obliging = False
+        while wire.lines[-1:] != ["G1 X4"]:
+            await asyncio.sleep(0.01)
+        wire._due = 0  # as if none of the lines had been received
+        before = wire.asked
+        while wire.asked < before + 10:
+            await asyncio.sleep(0.01)
+        wire.answers["$C"] = BANNER
+        for _ in lines:
+            wire.say("ok")
+        await checking
+        assert controller.fault is None
+
+
+async def test_a_controller_that_stops_in_the_check_is_silent() -> None:
+    wire = Wire()
+    async with opened(wire, silence=0.2) as controller:
+        wire.mute, wire.obliging = True, False
+        with pytest.raises(ControllerSilent, match="has not responded"):
+            await controller.check([b"G21", b"G1 X5"])
 
 
 async def test_outputs_are_not_switched_by_the_check(monkeypatch: pytest.MonkeyPatch) -> None:

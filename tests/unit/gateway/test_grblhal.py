@@ -72,7 +72,7 @@ def test_the_options_of_four_builds(axes: str, letter: str, index: int) -> None:
         (
             "<Door:1|MPos:99.350,0.000,0.000,0.000,0.000,29.600|Bf:100,1023|FS:0,0|Pn:D|A:>",
             State.DOOR,
-            False,
+            True,
             (99.35, 0.0, 0.0, 29.6),
             1023,
         ),

@@ -147,7 +147,7 @@ async def test_a_job_is_done_only_when_a_person_has_confirmed_its_end(far_end: F
             if not beat["held"]:
                 return "continue"
             asked.append(plotter.received)
-            return "resume" if len(asked) == 20 else "continue"
+            return "end" if len(asked) == 20 else "continue"
 
         office.command = command
         await run_job(office, MACHINE, address)
@@ -160,6 +160,25 @@ async def test_a_job_is_done_only_when_a_person_has_confirmed_its_end(far_end: F
     assert {beat["line"] for beat in office.beats} <= {0, PROGRAM.count(b"\n")}
     assert all(beat["position"] is None for beat in office.beats)
     assert {beat["seconds_left"] for beat in office.beats} <= {None, 0.0}
+
+
+async def test_a_resume_does_not_confirm_the_end() -> None:
+    office = Office(PROGRAM)
+    held: list[Beat] = []
+
+    async with network_plotter() as (_, address):
+
+        def command(beat: Beat) -> str:
+            if not beat["held"]:
+                return "continue"
+            held.append(beat)
+            return "resume" if len(held) < 20 else "cancel"
+
+        office.command = command
+        await run_job(office, MACHINE, address)
+    assert len(held) >= 20
+    assert all(beat["awaits_end"] for beat in held)
+    assert office.finished[0]["outcome"] != "done"
 
 
 async def test_each_end_and_each_sheet_is_a_phase_of_its_own() -> None:
@@ -177,7 +196,7 @@ async def test_each_end_and_each_sheet_is_a_phase_of_its_own() -> None:
             second = len(plotter.received) > len(PROGRAM)
             wait = "first end" if not beat["copies_done"] else "second end" if second else "sheet"
             phases[wait].add(beat["phase"])
-            return "resume"
+            return "end" if beat["awaits_end"] else "resume"
 
         office.command = command
         await run_job(office, MACHINE, address)
@@ -314,6 +333,8 @@ async def test_a_folder_takes_programs_of_every_language(
     def command(beat: Beat) -> str:
         if beat["held"]:
             seen.append(sorted(file.name for file in tmp_path.glob(f"*{suffix}")))
+        if beat["awaits_end"]:
+            return "end"
         return "resume" if beat["held"] else "continue"
 
     office.command = command

@@ -11,12 +11,21 @@ from pathlib import Path
 
 import pytest
 
-from knifetip.errors import ControllerAlarm, ControllerError, ControllerSilent
+from knifetip.errors import (
+    CheckRefused,
+    ControllerAlarm,
+    ControllerError,
+    ControllerOccupied,
+    ControllerRejected,
+    ControllerSilent,
+)
 from knifetip.gateway.controller import SafeState, State, Status
 from knifetip.gateway.interpreter import Interpreter, LineRefused
 from knifetip.gateway.linuxcnc.address import LinuxcncAddress
 from knifetip.gateway.linuxcnc.connection import RunningProgram
 from knifetip.gateway.linuxcnc.driver import Linuxcnc, dial
+from knifetip.gateway.stream import stream
+from knifetip.library import load
 
 SAFE = SafeState((0, 2), 20.0)
 
@@ -35,9 +44,11 @@ class Shell:
             "error": "OK",
             "mode": "MANUAL",
             "optional_stop": "0",
+            "feed_override": "100",
         }
         self.commands: list[str] = []
         self.deaf = False
+        self.keeps_feed = False  # the feed override is not changed
         self.stops_after = ""  # an emergency stop follows the next request for this variable
         self.server: asyncio.Server | None = None
 
@@ -58,6 +69,8 @@ class Shell:
             return reply
         self.commands.append(rest)
         name = rest.split()[0]
+        if name == "feed_override" and not self.keeps_feed:
+            self.values[name] = rest.split()[1]
         if name == "echo":
             return line
         if name == "mdi" and " Z" in rest:
@@ -76,9 +89,11 @@ async def served(shell: Shell) -> AsyncIterator[str]:
 
 
 @asynccontextmanager
-async def dialled(shell: Shell) -> AsyncIterator[Linuxcnc]:
+async def dialled(
+    shell: Shell, safe: SafeState = SAFE, silence: float = 0.3
+) -> AsyncIterator[Linuxcnc]:
     async with served(shell) as address:
-        controller = await dial(address, SAFE, silence=0.3, poll=0.01)
+        controller = await dial(address, safe, silence=silence, poll=0.01)
         try:
             yield controller
         finally:
@@ -154,9 +169,10 @@ async def test_unlock_switches_the_machine_on_then_lifts_and_releases() -> None:
 async def test_a_busy_machine_is_left_as_it_is() -> None:
     shell = Shell()
     shell.values["program_status"] = "RUNNING"
-    with pytest.raises(ControllerError, match="busy"):
-        async with dialled(shell):
-            pass
+    async with dialled(shell) as controller:
+        assert isinstance(controller.fault, ControllerOccupied)
+        with pytest.raises(ControllerOccupied, match="busy"):
+            await controller.status()
     assert "abort" not in shell.commands
 
 
@@ -324,3 +340,161 @@ def test_a_tool_without_offset_is_refused_and_grblhal_has_no_tools() -> None:
         Interpreter(tools={2: (0.0, 0.0, 0.0, 0.0)}).read(b"T3 M6 G43")
     with pytest.raises(LineRefused):
         Interpreter().read(b"T2 M6 G43")
+
+
+async def test_a_piece_of_a_jog_begins_where_the_piece_before_it_ends() -> None:
+    shell = Shell()
+    async with dialled(shell) as controller:
+        shell.values |= {"mode": "MDI", "rel_act_pos": "1.0 2.0 20.0 0.0 0.0 45.0"}
+        shell.commands.clear()
+        await controller.jog("X", 5.0, 600.0)
+        shell.values |= {"program_status": "RUNNING", "rel_act_pos": "3.0 2.0 20.0 0.0 0.0 45.0"}
+        await controller.jog("X", 5.0, 600.0)
+        await controller.jog("Y", 5.0, 600.0)
+        shell.values["program_status"] = "IDLE"
+        await controller.stop_jog()
+        await controller.jog("X", 5.0, 600.0)
+    moves = [command for command in shell.commands if command.startswith("mdi G1")]
+    assert moves == [
+        "mdi G1 X6.0000 F600",
+        "mdi G1 X11.0000 F600",
+        "mdi G1 Y7.0000 F600",
+        "mdi G1 X8.0000 F600",
+    ]
+
+
+async def test_the_feed_override_is_set_and_reported() -> None:
+    shell = Shell()
+    async with dialled(shell) as controller:
+        assert (await controller.status()).override == 100
+        await controller.override_feed(70)
+        assert "feed_override 70" in shell.commands
+        assert (await controller.status()).override == 70
+        shell.keeps_feed = True
+        with pytest.raises(ControllerError, match=r"feed override of 70 % instead of 90 %"):
+            await controller.override_feed(90)
+
+
+class Stopping(Shell):
+    """A LinuxCNC that another client stops in the second line of every program."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.values |= {"program": "", "joint_units": "MM MM MM DEGREE", "inifile": ""}
+        self.values["rel_act_pos"] = "1.0 2.0 20.0 0.0 0.0 45.0"
+        self._looks = 0
+
+    def reply(self, line: str) -> str:
+        if line.startswith("set open "):
+            self.values["program"] = line.removeprefix("set open ")
+        elif line == "set run":
+            self.values |= {"program_status": "RUNNING", "mode": "AUTO"}
+            self._looks = 0
+        elif line == "get program_status" and self.values["program_status"] == "RUNNING":
+            self._looks += 1
+            if self._looks == 5:
+                self.values |= {"program_line": "2", "rel_act_pos": "5.0 2.0 20.0 0.0 0.0 45.0"}
+            elif self._looks == 30:
+                self.values["program_status"] = "IDLE"
+        return super().reply(line)
+
+
+async def executed_lines(text: bytes, controller: Linuxcnc, seen: list[int]) -> None:
+    async for progress in stream(text, controller, check=False, interval=0.01):
+        seen.append(progress.executed)
+
+
+async def test_a_program_that_another_client_stops_is_not_executed_to_its_end() -> None:
+    text = b"G21 G90\nG1 X10 F600\nG1 X20\nG1 X30\n"
+    async with dialled(Stopping()) as controller:
+        for _ in range(2):  # the lines of the first program do not count for the second one
+            seen: list[int] = []
+            with pytest.raises(ControllerError, match=r"[01] of 4 .* Up to [34] more") as stopped:
+                await executed_lines(text, controller, seen)
+            assert "25.0 mm away" in stopped.value.text
+            assert max(seen) < 2
+
+
+class Refusing(Shell):
+    """A LinuxCNC that reports an error as soon as it has begun a program."""
+
+    def __init__(self, rest: str = "1.0 2.0 20.0 0.0 0.0 45.0", delay: float = 0.0) -> None:
+        super().__init__()
+        self.values |= {"program": "", "rel_act_pos": "1.0 2.0 20.0 0.0 0.0 45.0"}
+        self._rest = rest  # position when it has stopped
+        self._delay = delay  # time without an answer before the error (s)
+
+    def reply(self, line: str) -> str:
+        if line.startswith("set open "):
+            self.values["program"] = line.removeprefix("set open ")
+        elif line == "set run":
+            self.values |= {"program_status": "RUNNING", "mode": "AUTO", "error": "Out of range."}
+        elif line == "get error" and self.values["error"] != "OK":
+            time.sleep(self._delay)
+            self.values["rel_act_pos"] = self._rest
+            error, self.values["error"] = self.values["error"], "OK"
+            return f"ERROR {error}"
+        elif line == "set abort":
+            self.values["program_status"] = "IDLE"
+        return Shell.reply(self, line)
+
+
+@pytest.mark.parametrize(
+    ("shell", "begun"),
+    [
+        (Refusing(), False),
+        (Refusing(rest="1.0 2.1 20.0 0.0 0.0 45.0"), True),
+        # The machine may have left its place and come back to it meanwhile.
+        (Refusing(delay=0.7), True),
+    ],
+    ids=["at its place", "moved", "not watched"],
+)
+async def test_a_program_that_ends_at_its_start_before_its_first_line_was_not_begun(
+    shell: Refusing, begun: bool
+) -> None:
+    text = b"G21 G90\nG1 X10 F600\nG1 X20\nG1 X30\n"
+    async with dialled(shell, silence=3.0) as controller:
+        before = controller.sent
+        with pytest.raises(ControllerRejected, match=r"Out of range\.") as stopped:
+            await executed_lines(text, controller, [])
+        assert controller.sent - before == (4 if begun else 0)
+        assert ("No program line was executed" in stopped.value.text) is not begun
+
+
+INI = """[TRAJ]
+COORDINATES = X Y Z C
+[KINS]
+KINEMATICS = trivkins coordinates=XYZC
+[AXIS_X]
+MIN_LIMIT = 0
+MAX_LIMIT = 1000
+[JOINT_0]
+MIN_LIMIT = 0
+MAX_LIMIT = 900
+"""
+
+
+@pytest.mark.parametrize(
+    ("target", "limit"), [(b"X800.5", 900.0), (b"X-100.5", 0.0), (b"X799.5", None)]
+)
+async def test_a_program_beyond_the_travel_is_refused_before_it_starts(
+    tmp_path: Path, target: bytes, limit: float | None
+) -> None:
+    shell = Stopping()
+    ini = tmp_path / "machine.ini"
+    ini.write_text(INI)
+    # The zero of programs lies at X 100 of the machine.
+    shell.values |= {"inifile": str(ini), "abs_act_pos": "101.0 2.0 20.0 0.0 0.0 45.0"}
+    text = b"G21 G90\nG1 X10 F600\nG1 %b\nG1 X30\n" % target
+    async with dialled(shell, SafeState.of(load.machine("demo-table"))) as controller:
+        with pytest.raises(ControllerError) as refused:
+            await executed_lines(text, controller, [])
+    if limit is None:
+        assert "run" in shell.commands
+        return
+    assert isinstance(refused.value, CheckRefused)
+    message = refused.value.message
+    assert message.code == "linuxcnc.beyond-travel"
+    assert (message.arguments["line"], message.arguments["axis"]) == (3, "X")
+    assert message.arguments["limit"] == limit
+    assert not any(command.startswith(("run", "open")) for command in shell.commands)

@@ -13,6 +13,7 @@ import pytest
 from knifetip.errors import (
     ControllerAlarm,
     ControllerError,
+    ControllerOccupied,
     ControllerRejected,
     ControllerReset,
     ControllerSilent,
@@ -286,8 +287,10 @@ async def test_a_machine_that_still_runs_is_taken_over_only_on_request() -> None
         updates = stream(strips(4), first, limits=Limits.of(TABLE), interval=0.01)
         await until_cutting(updates, 0.02)
         await first.close()
-        with pytest.raises(ControllerError, match="is busy"):
-            await dial(server.address, SAFE)
+        busy = await dial(server.address, SAFE)
+        with pytest.raises(ControllerOccupied, match="is busy"):
+            await busy.status()
+        await busy.close()
         assert server.board.outputs == {0}
         second = await dial(server.address, SAFE, stop_motion=True)
         assert_safe(server)
@@ -486,6 +489,23 @@ async def test_a_jog_can_be_stopped() -> None:
         await operate(controller, OperationName.STOP_JOG)
         x, *_ = await wait_until_still(controller)
         assert 10.0 < x < 500.0
+        assert server.board.refusals == []
+
+
+async def test_the_board_stops_a_jog_whose_gateway_is_dead() -> None:
+    """At 100 mm/s; with a gateway the jog of 1000 mm takes 10 s."""
+    async with connected(speed=1.0) as (server, controller):
+        await operate(controller, OperationName.JOG, axis="X", distance=1000.0, feed=6000.0)
+        while server.board.position[0] < 150.0:  # longer than the board waits
+            await asyncio.sleep(0.01)
+        at = server.board.position[0]
+        await controller.close()
+        before = -1.0
+        while server.board.position[0] != before:
+            before = server.board.position[0]
+            await asyncio.sleep(0.1)
+        assert 0.0 < before - at < 160.0
+        assert server.board.position[2] == 20.0
         assert server.board.refusals == []
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
@@ -13,7 +14,7 @@ from knifetip.gateway import simulator
 from knifetip.gateway.controller import SafeState, State
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.linuxcnc.driver import Linuxcnc
-from knifetip.gateway.operations import Operable, Operation, OperationName, perform
+from knifetip.gateway.operations import Operable, Operation, OperationName, jog_piece, perform
 from knifetip.gateway.table import Table
 from knifetip.library import load
 from knifetip.messages import hint
@@ -126,7 +127,7 @@ async def test_a_running_jog_can_be_stopped_and_permits_nothing_else() -> None:
 
 async def test_zero_moves_the_work_zero_and_the_limits_with_it() -> None:
     async with machine() as (table, controller):
-        await ask(controller, OperationName.JOG, axis="X", distance=300.0, feed=30000.0)
+        await controller.jog("X", 300.0, 30000.0)
         await until_idle(controller)
         await ask(controller, OperationName.ZERO, axes="XY")
         assert (await controller.status()).position == pytest.approx((0.0, 0.0, 20.0, 0.0))
@@ -160,7 +161,11 @@ async def test_an_output_that_the_machine_does_not_have_is_refused() -> None:
         assert 7 not in table.outputs
 
 
-@pytest.mark.parametrize("name", sorted({*OperationName} - {OperationName.UNLOCK}))
+#: They are refused at rest.
+_OF_OBSTACLES = {OperationName.UNLOCK, OperationName.RELEASE}
+
+
+@pytest.mark.parametrize("name", sorted({*OperationName} - _OF_OBSTACLES))
 async def test_a_late_operation_is_dropped(name: OperationName) -> None:
     async with machine() as (table, controller):
         late = Operation(name, "X", 10.0, 600.0, "X", 0, True)
@@ -266,3 +271,19 @@ async def test_a_controller_in_alarm_is_returned_and_can_be_unlocked() -> None:
         # The options of the controller were read, too.
         assert controller.capacity == 15
         await controller.close()
+
+
+@pytest.mark.parametrize(
+    ("distance", "feed", "seconds", "piece"),
+    [
+        (1000.0, 6000.0, 0.5, 50.0),
+        (-1000.0, 6000.0, 0.5, -50.0),
+        (30.0, 6000.0, 0.5, 30.0),
+        (-30.0, 6000.0, math.inf, -30.0),
+        (1.0, 0.5, 0.5, 0.01),
+    ],
+)
+def test_a_piece_of_a_jog_is_what_the_machine_travels_in_a_time(
+    distance: float, feed: float, seconds: float, piece: float
+) -> None:
+    assert jog_piece(distance, feed, seconds) == piece

@@ -36,12 +36,16 @@ async def test_a_program_is_interpreted_once_unless_it_is_too_long(
     monkeypatch.setattr(program_blocks, "KEPT", kept)
     monkeypatch.setattr(Counting, "lines", 0)
     blocks = ProgramBlocks(PROGRAM, Counting)
-    lines, total = await blocks.measure(TYPICAL)
+    times = await blocks.measure(TYPICAL)
     expected = list(read_blocks(PROGRAM, Interpreter()))
-    assert lines == len(expected) == 7
-    # G0 X100 reaches no full speed, G4 waits, G1 takes 200 mm at 100 mm/s, and G53 takes 300 mm at
-    # 1000 mm/s with 0.2 s for speeding up and down together; all at 5000 mm/s².
-    assert total == pytest.approx(2.0 * math.sqrt(100.0 / 5000.0) + 2.0 + 2.0 + (0.3 + 0.2))
+    assert len(times) == len(expected) == 7
+    # All at 5000 mm/s².  G0 X100 reaches no full speed before the dwell.  G1 goes 200 mm at 100
+    # mm/s from rest to 5 mm/s, as X jumps by 10 mm/s at the turn.  G53 goes back 300 mm at 1000
+    # mm/s.
+    turned = 0.02 + 0.019 + (200.0 - 1.0 - 0.9975) / 100.0
+    back = 0.199 + 0.2 + (300.0 - 99.9975 - 100.0) / 1000.0
+    expected_times = [0.0, 2.0 * math.sqrt(100.0 / 5000.0), 0.0, 2.0, turned, back, 0.0]
+    assert list(times) == pytest.approx(expected_times, rel=1e-5)
     one, other = blocks.readers()
     ahead = [next(one) for _ in range(5)]
     behind = list(other)

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Sequence
 
 import pytest
 
 from knifetip.gateway.controller import State, Status
 from knifetip.gateway.interpreter import Interpreter
-from knifetip.gateway.motion import Limits
 from knifetip.gateway.program_blocks import read_blocks
 from knifetip.gateway.program_follower import ProgramFollower
-
-LIMITS = Limits((1000.0,) * 4, (1000.0,) * 4, (-math.inf,) * 4, (math.inf,) * 4)
 
 # Along X with C at 0, a half turn in place, and back over the same points with C at 180.
 GROOVE = b"""G21 G90 G94
@@ -39,8 +36,11 @@ def at(
     return Status(State.RUN, (x, y, z, c), 0, False, number, free)
 
 
-def followed(text: bytes = GROOVE) -> ProgramFollower:
-    return ProgramFollower(read_blocks(text, Interpreter()), LIMITS)
+def followed(
+    text: bytes = GROOVE, seconds: Sequence[float] | None = None, ahead: int = 1
+) -> ProgramFollower:
+    durations = [0.0] * text.count(b"\n") if seconds is None else seconds
+    return ProgramFollower(read_blocks(text, Interpreter()), durations, ahead)
 
 
 def test_nothing_is_executed_before_it_is_answered() -> None:
@@ -101,7 +101,7 @@ def test_moves_whose_steps_are_prepared_do_not_count_as_executed() -> None:
     # 21 moves, all answered; the planner holds 10 blocks, of which none is free.  The position is
     # no evidence, since it is off the path.
     text = b"G90\n" + b"".join(b"G1 X%d F900\n" % x for x in range(1, 22))
-    follower = ProgramFollower(read_blocks(text, Interpreter()), LIMITS, ahead=9)
+    follower = followed(text, ahead=9)
     assert follower.update(at(y=500.0, free=0), 22, 10) == 22 - 10 - 9
 
 
@@ -111,11 +111,9 @@ def test_a_line_number_that_is_reported_names_the_line() -> None:
 
 
 def test_seconds_count_the_part_of_the_current_line() -> None:
-    # 100 mm at 6,000 mm/min is 1 s; G4 0.15 s; the rapid is 1 mm from rest to rest.
-    follower = followed()
+    follower = followed(seconds=[0.0, 0.0, 0.15, 0.06, 1.0, 2.0, 3.0, 4.0, 0.0])
     follower.update(at(25.0, z=1.0), 8, None)
-    rapid = 2.0 * math.sqrt(1.0 / 1000.0)
-    assert follower.seconds_done == pytest.approx(0.15 + rapid + 0.25)
+    assert follower.seconds_done == pytest.approx(0.15 + 0.06 + 0.25)
 
 
 def test_at_the_end_everything_is_executed() -> None:

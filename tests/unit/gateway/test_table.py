@@ -42,7 +42,8 @@ async def test_the_status_report_has_four_axes_buffers_and_the_line_number() -> 
     bench = Bench()
     bench.send(b"N7 G1 X500 F30000\nN8 G1 X0\n", elapse=0.0625)
     assert bench.send(b"?") == [
-        "<Run|MPos:15.625,0.000,20.000,0.000|Bf:13,128|FS:30000,0|Ln:7|WCO:0.000,0.000,0.000,0.000>"
+        "<Run|MPos:15.625,0.000,20.000,0.000|Bf:13,128|FS:30000,0|Ln:7"
+        "|Ov:100,100,100|WCO:0.000,0.000,0.000,0.000>"
     ]
 
 

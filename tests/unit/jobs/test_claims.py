@@ -16,16 +16,17 @@ from knifetip.errors import (
     WrongState,
 )
 from knifetip.jobs.heartbeats import GatewayReport
-from knifetip.jobs.job_ends import StopPlace
+from knifetip.jobs.operator_actions import allowed_actions
+from knifetip.jobs.stop_place import StopPlace, executed_at_most
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
-from knifetip.jobs.tool_check import ToolCheck
 from knifetip.jobs.transitions import LEASE
 from tests.support.job_states import (
     LINES,
     REFUSED,
     RESULT,
     compiling,
+    confirm,
     course,
     execute,
     fed,
@@ -36,6 +37,9 @@ from tests.support.job_states import (
 )
 from tests.support.messages import stored
 from tests.support.stored import Clock
+
+#: The machine was observed until it stopped, at the reported line.
+EXACT = StopPlace(at_most=0)
 
 # States of a job
 
@@ -238,9 +242,9 @@ def test_a_silent_gateway_interrupts_its_job_and_never_queues_it(
     assert job.state == "interrupted"
     assert not store.leases.run()
     assert str(job.message) == (
-        "The job was interrupted at program line 199 of 231. The gateway "
-        "gateway stopped responding. The machine may have "
-        "executed more program lines than the gateway reported."
+        "The job was interrupted at program line 199 of 231 or later: nobody observed the machine "
+        "then, so it may have executed the program to its end. The gateway gateway stopped "
+        "responding."
     )
     assert store.machines.jobs_on_tables() == {"table": job.id}
 
@@ -256,8 +260,10 @@ def test_a_heartbeat_renews_the_lease(store: Store, clock: Clock) -> None:
 
 def test_a_repeated_finish_does_no_harm(store: Store) -> None:
     job = running(store)
-    store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
-    again = store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."))
+    store.gateways.finish(job.id, job.epoch, "interrupted", stored("A belt tore."), place=EXACT)
+    again = store.gateways.finish(
+        job.id, job.epoch, "interrupted", stored("A belt tore."), place=EXACT
+    )
     assert str(again.message) == "The job was interrupted at program line 0 of 231. A belt tore."
     assert course(store, job.id).count("interrupted") == 1
 
@@ -295,7 +301,7 @@ def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None
 def test_a_resume_starts_one_copy_and_not_the_one_after(store: Store) -> None:
     job = fed(store, copies=3)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True))
-    store.operators.resume(job.id)
+    confirm(store, job.id)
     assert (
         store.gateways.heartbeat(
             job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True)
@@ -316,25 +322,25 @@ def test_a_resume_counts_only_in_the_phase_in_which_it_was_asked(store: Store) -
     job = fed(store, copies=2)
     between = GatewayReport(line=LINES, copies_done=1, held=True, phase=1)
     store.gateways.heartbeat(job.id, job.epoch, between)
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     # The answer ``resume`` reached the gateway, and then the server was lost.  Its next report is
     # that the second copy is handed over, and that a person must confirm its end.
-    at_end = GatewayReport(line=0, copies_done=1, held=True, phase=3)
+    at_end = GatewayReport(line=0, copies_done=1, held=True, phase=3, awaits_end=True)
     assert store.gateways.heartbeat(job.id, job.epoch, at_end) == "continue"
     assert store.jobs.get(job.id).requested_action == ""
-    store.operators.resume(job.id)
-    assert store.gateways.heartbeat(job.id, job.epoch, at_end) == "resume"
+    store.operators.confirm_end(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, at_end) == "end"
 
 
 def test_a_resume_that_withdrew_a_hold_does_not_confirm_the_end(store: Store) -> None:
     job = fed(store)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2))
     store.operators.hold(job.id)
-    store.operators.resume(job.id)
+    store.operators.resume(job.id, hands_clear=True)
     # The machine was held as requested: that is the hold which the resume was for.
     held = GatewayReport(line=3, held=True)
     assert store.gateways.heartbeat(job.id, job.epoch, held) == "resume"
-    at_end = GatewayReport(line=3, held=True, phase=1)
+    at_end = GatewayReport(line=3, held=True, phase=1, awaits_end=True)
     assert store.gateways.heartbeat(job.id, job.epoch, at_end) == "continue"
 
 
@@ -343,9 +349,9 @@ def test_a_request_for_another_phase_is_refused(store: Store) -> None:
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True, phase=1))
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True, phase=2))
     with pytest.raises(WrongState, match="in the meantime"):
-        store.operators.resume(job.id, phase=1)
+        store.operators.resume(job.id, phase=1, hands_clear=True)
     assert store.jobs.get(job.id).requested_action == ""
-    assert store.operators.resume(job.id, phase=2).requested_action == "resume"
+    assert store.operators.resume(job.id, phase=2, hands_clear=True).requested_action == "resume"
 
 
 def test_a_new_claim_begins_with_the_first_phase(store: Store) -> None:
@@ -358,6 +364,71 @@ def test_a_new_claim_begins_with_the_first_phase(store: Store) -> None:
     assert again.phase == 0
 
 
+# Programs that the check run of the machine refuses
+
+
+def test_a_refused_program_leaves_the_table_and_waits_for_a_person(store: Store) -> None:
+    job = running(store)
+    reason = stored("Line 3 is not known.")
+    row = store.gateways.finish(job.id, job.epoch, "refused", reason, line=0)
+    assert (row.state, str(row.check_refusal), row.message) == ("queued", str(reason), None)
+    assert (row.lease, row.stopped_at, store.machines.jobs_on_tables()) == (0.0, None, {})
+    # It is not claimed again by itself, and other jobs go on.
+    assert store.gateways.claim("table", "gateway", manual=False) is None
+    other = queued(store)
+    claimed = store.gateways.claim("table", "gateway", manual=False)
+    assert claimed is not None
+    assert claimed.id == other.id
+    store.gateways.finish(claimed.id, claimed.epoch, "done")
+    assert "recheck" in allowed_actions(row, 0.0)
+    assert store.operators.recheck(job.id).check_refusal is None
+    again = store.gateways.claim("table", "gateway", manual=False)
+    assert again is not None
+    assert again.id == job.id
+
+
+def test_a_late_report_of_a_refused_program_states_that_nothing_was_executed(
+    store: Store, clock: Clock
+) -> None:
+    job = running(store)
+    clock.now += LEASE + 1.0
+    store.leases.run()
+    row = store.gateways.finish(job.id, job.epoch, "refused", stored("No."), line=0, place=EXACT)
+    assert (row.state, row.check_refusal, executed_at_most(row)) == ("interrupted", None, 0)
+
+
+def test_a_job_of_which_something_was_executed_is_not_returned(store: Store) -> None:
+    job = running(store)
+    row = store.gateways.finish(job.id, job.epoch, "refused", stored("No."), line=4)
+    assert (row.state, row.check_refusal) == ("interrupted", None)
+
+
+def test_a_returned_job_of_which_nothing_was_executed_is_claimed_again(store: Store) -> None:
+    job = running(store)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=0))
+    row = store.gateways.finish(job.id, job.epoch, "returned", stored("The door is open."), line=0)
+    assert (row.state, row.check_refusal, row.epoch) == ("queued", None, job.epoch + 1)
+    again = store.gateways.claim("table", "gateway", manual=False)
+    assert again is not None
+    assert again.id == job.id
+
+
+@pytest.mark.parametrize("outcome", ["returned", "refused"])
+def test_a_line_of_the_last_heartbeat_keeps_a_job_from_the_queue(
+    store: Store, outcome: str
+) -> None:
+    job = running(store)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=3))
+    row = store.gateways.finish(job.id, job.epoch, outcome, stored("No."))
+    assert (row.state, row.line) == ("interrupted", 3)
+
+
+def test_a_job_that_no_machine_has_refused_is_not_checked_again(store: Store) -> None:
+    job = queued(store)
+    with pytest.raises(WrongState):
+        store.operators.recheck(job.id)
+
+
 # Where a job stopped
 
 
@@ -366,7 +437,7 @@ def test_the_place_where_a_job_stopped_is_stored(store: Store, outcome: str) -> 
     job = running(store)
     place = StopPlace((10.0, 20.0, -0.3, 90.0), 2)
     store.gateways.finish(job.id, job.epoch, outcome, line=7, place=place)
-    stopped = {"line": 7, "position": [10.0, 20.0, -0.3, 90.0], "station": 2}
+    stopped = {"line": 7, "at_most": LINES, "position": [10.0, 20.0, -0.3, 90.0], "station": 2}
     row = store.jobs.get(job.id)
     assert row.stopped_at == stopped
     assert row.position == stopped["position"]
@@ -380,8 +451,30 @@ def test_a_silent_gateway_stops_its_job_at_the_last_heartbeat(store: Store, cloc
     store.gateways.heartbeat(job.id, job.epoch, report)
     clock.now += LEASE + 1.0
     store.leases.run()
-    stopped = {"line": 5, "position": [1.0, 2.0, 3.0, 4.0], "station": None}
+    stopped = {"line": 5, "at_most": LINES, "position": [1.0, 2.0, 3.0, 4.0], "station": None}
     assert store.jobs.get(job.id).stopped_at == stopped
+
+
+def test_lines_that_were_not_observed_are_an_upper_bound(store: Store) -> None:
+    job = running(store)
+    end = StopPlace(at_most=40)
+    row = store.gateways.finish(job.id, job.epoch, "interrupted", line=7, place=end)
+    assert row.stopped_at == {"line": 7, "at_most": 40, "position": None, "station": None}
+    assert executed_at_most(row) == 40
+    assert str(row.message).startswith(
+        "The job was interrupted at program line 7 of 231 or later: nobody observed the machine "
+        "then, so it may have executed lines up to line 40. "
+    )
+    assert executed_at_most(store.interrupted.declare_finished(job.id)) == LINES
+
+
+def test_a_stop_that_an_older_version_stored_is_a_lower_bound(store: Store) -> None:
+    job = running(store)
+    store.gateways.finish(job.id, job.epoch, "interrupted", line=7, place=EXACT)
+    row = store.jobs.get(job.id)
+    assert executed_at_most(row) == 7
+    row.stopped_at = {"line": 7, "position": None, "station": None}
+    assert executed_at_most(row) == LINES
 
 
 def test_a_job_that_is_done_stopped_nowhere(store: Store) -> None:
@@ -401,7 +494,7 @@ def fed_claim(store: Store) -> Job:
 
 def confirmed(store: Store, job: Job) -> Job:
     assert (job.state, job.confirmation) == ("queued", "awaited")
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(0, waiting=True)) == "start"
     return store.jobs.get(job.id)
 
@@ -459,7 +552,7 @@ def test_the_next_copy_with_a_worn_tool_is_confirmed(store: Store) -> None:
     done = GatewayReport(line=LINES, copies_done=1, held=True)
     assert store.gateways.heartbeat(job.id, job.epoch, done, lambda _: {1}) == "continue"
     assert store.jobs.get(job.id).confirmation == "sheet"
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, done, lambda _: {1}) == "resume"
 
 
@@ -474,9 +567,10 @@ def test_a_confirmation_names_the_stations_that_were_checked(store: Store) -> No
         tools='[{"station": 1, "name": "Knife", "kind": "knife"},'
         ' {"station": 2, "name": "Wheel", "kind": "crease-wheel"}]',
     )
+    checked = ["board", "sheet", "station-1", "table-clear", "hands-clear"]
     with pytest.raises(WrongState) as refused:
-        store.operators.confirm(job.id, tools=ToolCheck([1]))
-    assert refused.value.message.code == "job.tools-not-checked"
-    assert "2 (Wheel)" in str(refused.value)
+        store.operators.confirm(job.id, checked)
+    assert refused.value.message.code == "job.not-checked"
+    assert "station-2 (Station 2 holds Wheel, and it is whole.)" in str(refused.value)
     assert store.jobs.get(job.id).confirmation == "awaited"
-    assert store.operators.confirm(job.id, tools=ToolCheck([1, 2])).confirmation == "given"
+    assert store.operators.confirm(job.id, [*checked, "station-2"]).confirmation == "given"

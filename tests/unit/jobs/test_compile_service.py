@@ -7,6 +7,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -119,7 +120,7 @@ def test_a_refusal_keeps_reason_mend_and_source(
 
 @pytest.mark.parametrize(
     ("task", "words"),
-    [(crew_tasks.fail, "while compiling: ZeroDivisionError"), (crew_tasks.die, "exit code 3")],
+    [(crew_tasks.fail, "Internal error"), (crew_tasks.die, "exit code 3")],
 )
 def test_a_compile_that_breaks_down_refuses_the_job(
     store: Store,
@@ -200,13 +201,23 @@ def test_a_compile_keeps_its_lease_while_requests_occupy_all_processes(
     job: Job,
     compiles_by: Callable[[object], None],
     lease_passes: Callable[[str], None],
+    tmp_path: Path,
 ) -> None:
     compiles_by(crew_tasks.refuse)
+    gate = tmp_path / "gate"
+    occupying = (crew_tasks.wait_for, str(gate))
+    request = threading.Thread(
+        target=partial(service.pool.run, limit=100.0), args=occupying, daemon=True
+    )
+    request.start()
+    while not service.pool.busy:
+        time.sleep(0.01)
     thread = threading.Thread(target=service.compile, args=(begin(store, service),))
-    with service.pool._free:
-        thread.start()
-        lease_passes(job.id)
-        assert store.jobs.get(job.id).stage == "read"
+    thread.start()
+    lease_passes(job.id)
+    assert store.jobs.get(job.id).stage == "read"
+    gate.touch()
+    request.join(60.0)
     thread.join(60.0)
     assert store.jobs.get(job.id).state == "refused"
 

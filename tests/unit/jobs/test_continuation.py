@@ -13,7 +13,15 @@ from knifetip.jobs.request_key import RequestKey
 from knifetip.jobs.rest_record import ExecutedWork, RestRecord
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
-from tests.support.job_states import RESULT, WAITING, course, ordered, queued, running
+from tests.support.job_states import (
+    RESULT,
+    WAITING,
+    confirm,
+    course,
+    ordered,
+    queued,
+    running,
+)
 
 LINE = 40
 
@@ -67,7 +75,7 @@ def test_the_parent_blocks_the_table_until_its_rest_is_queued(store: Store) -> N
     assert claim is not None
     assert (claim.id, claim.confirmation) == (job.id, Confirmation.AWAITED)
     assert store.gateways.heartbeat(job.id, claim.epoch, WAITING) == "wait"
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     assert store.gateways.heartbeat(job.id, claim.epoch, WAITING) == "start"
     store.gateways.finish(job.id, claim.epoch, "done")
     following = store.gateways.claim("table", "gateway", manual=False)
@@ -96,7 +104,7 @@ def test_a_sheet_is_continued_by_one_job(store: Store) -> None:
     second = compiled(store, rest(store, parent))
     claim = store.gateways.claim("table", "gateway", manual=True)
     assert claim is not None
-    store.operators.confirm(second.id)
+    confirm(store, second.id)
     store.gateways.heartbeat(second.id, claim.epoch, WAITING)
     store.gateways.heartbeat(second.id, claim.epoch, GatewayReport(line=5))
     store.operators.cancel(second.id)
@@ -117,7 +125,7 @@ def test_an_unfinished_sheet_is_known_after_its_rest_was_cancelled(store: Store)
     assert claim is not None
     assert (claim.id, claim.confirmation) == (following.id, Confirmation.AWAITED)
     assert store.gateways.unfinished_sheet(claim) == parent.id
-    store.operators.confirm(claim.id)
+    confirm(store, claim.id)
     assert store.gateways.heartbeat(claim.id, claim.epoch, WAITING) == "start"
     store.gateways.finish(claim.id, claim.epoch, "done")
     assert store.gateways.unfinished_sheet(queued(store)) == ""
@@ -173,7 +181,7 @@ def run(store: Store, job: Job, outcome: str = "done", copies_done: int = 1) -> 
     claim = store.gateways.claim("table", "gateway", manual=True)
     assert claim is not None
     assert claim.id == job.id
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     store.gateways.heartbeat(job.id, claim.epoch, WAITING)
     store.gateways.finish(job.id, claim.epoch, outcome, line=LINE, copies_done=copies_done)
 
@@ -256,7 +264,7 @@ def test_an_interrupted_rest_cannot_be_queued_from_its_start(store: Store) -> No
     job = compiled(store, rest(store, interrupted(store)))
     claim = store.gateways.claim("table", "gateway", manual=True)
     assert claim is not None
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     store.gateways.heartbeat(job.id, claim.epoch, WAITING)
     store.gateways.finish(job.id, claim.epoch, "interrupted", line=3)
     with pytest.raises(WrongState, match="rest"):

@@ -49,7 +49,14 @@ def test_only_an_operator_returns_an_interrupted_job_to_the_queue() -> None:
 
 
 def test_a_job_that_ran_is_never_queued_again_except_through_interrupted() -> None:
-    assert State.QUEUED not in reachable(State.RUNNING, without=frozenset({State.INTERRUPTED}))
+    """The only other way is a program that its machine has refused before it executed a line."""
+    ways = [row for row in TRANSITIONS if row.target is State.QUEUED]
+    assert {row.action for row in ways} == {Action.RELEASE, Action.REQUEUE, Action.RETURN}
+    assert {row.source for row in ways if row.action is Action.RETURN} == {
+        State.RUNNING,
+        State.HELD,
+    }
+    assert {row.source for row in ways if row.action is Action.REQUEUE} == {State.INTERRUPTED}
 
 
 def test_nothing_runs_that_was_not_ready_and_queued() -> None:

@@ -11,6 +11,7 @@ from knifetip.errors import (
     WrongState,
 )
 from knifetip.jobs.heartbeats import GatewayReport
+from knifetip.jobs.stop_place import StopPlace
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import LEASE
@@ -25,6 +26,9 @@ from tests.support.job_states import (
 )
 from tests.support.messages import stored
 from tests.support.stored import Clock
+
+#: The machine was observed until it stopped, at the reported line.
+EXACT = StopPlace(at_most=0)
 
 
 def interrupted(store: Store, clock: Clock, line: int, **more: Any) -> Job:
@@ -56,11 +60,12 @@ def test_a_late_report_of_another_end_corrects_the_line(
     store: Store, clock: Clock, outcome: str
 ) -> None:
     job = interrupted(store, clock, 56)
-    row = store.gateways.finish(job.id, job.epoch, outcome, stored("A belt tore."), line=77)
+    torn = stored("A belt tore.")
+    row = store.gateways.finish(job.id, job.epoch, outcome, torn, line=77, place=EXACT)
     assert (row.state, row.line) == ("interrupted", 77)
     assert str(row.message) == "The job was interrupted at program line 77 of 231. A belt tore."
     events = len(course(store, job.id))
-    store.gateways.finish(job.id, job.epoch, outcome, stored("A belt tore."), line=77)
+    store.gateways.finish(job.id, job.epoch, outcome, torn, line=77, place=EXACT)
     assert len(course(store, job.id)) == events
 
 
@@ -109,8 +114,11 @@ def test_between_two_copies_the_remaining_ones_are_offered(store: Store, clock: 
     )
     assert "remaining copies" in hint_of(row)
     # The gateway reports that the second copy was cut to its end.
-    row = store.gateways.finish(job.id, job.epoch, "interrupted", line=0, copies_done=2)
+    row = store.gateways.finish(
+        job.id, job.epoch, "interrupted", line=0, copies_done=2, place=StopPlace(at_most=0)
+    )
     assert row.copies_done == 2
+    assert "remaining copies" in hint_of(row)
     assert str(row.message).startswith("The job was interrupted after copy 2 of 3")
 
 

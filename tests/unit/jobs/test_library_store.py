@@ -12,6 +12,7 @@ from knifetip.jobs.tables import Job
 from knifetip.library import load
 from knifetip.library.definition import Definition, Shelf
 from tests.support import job_states
+from tests.support.job_states import confirm
 from tests.support.stored import Clock
 
 MACHINE = load.library_text("machines", "demo-table")
@@ -154,7 +155,7 @@ def test_an_outdated_job_is_not_confirmed(shop: Store) -> None:
     assert claimed is not None
     save_board(shop, 1)
     with pytest.raises(WrongState, match="board own, whose newest version is 2") as refused:
-        shop.operators.confirm(job.id)
+        confirm(shop, job.id)
     assert "Compile the job again" in refused.value.hint
     heartbeat = shop.gateways.heartbeat(job.id, claimed.epoch, job_states.WAITING)
     assert heartbeat == "wait"
@@ -177,7 +178,7 @@ def test_a_recompiled_job_gets_the_newest_versions_and_returns_to_the_queue(shop
     shop.compiles.save_result(taken.id, taken.epoch, result)
     assert shop.jobs.get(job.id).state == "queued"
     assert shop.gateways.claim("table", "gateway", manual=True) is not None
-    shop.operators.confirm(job.id)
+    confirm(shop, job.id)
 
 
 def test_a_job_for_a_deleted_machine_is_outdated(shop: Store) -> None:

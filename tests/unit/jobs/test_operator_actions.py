@@ -15,6 +15,7 @@ from knifetip.jobs.operator_actions import OperatorAction, allowed_actions
 from knifetip.jobs.rest_record import ExecutedWork, RestRecord
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Job
+from tests.support.job_states import confirm
 from tests.support.messages import stored
 from tests.support.stored import add_job, migrated_store
 
@@ -95,6 +96,10 @@ def running(store: Store) -> str:
     return claimed(store, manual=False)
 
 
+def refused_in_check(store: Store) -> str:
+    return ended(store, running(store), "refused", 0)
+
+
 def running_unconfirmed(store: Store) -> str:
     id = claimed(store)
     report(store, id, GatewayReport(line=1))
@@ -112,14 +117,22 @@ def held(store: Store) -> str:
 
 
 def resume_requested(store: Store) -> str:
-    return store.operators.resume(held(store)).id
+    return store.operators.resume(held(store), hands_clear=True).id
 
 
 def needing_sheet(store: Store) -> str:
     id = claimed(store)
-    store.operators.confirm(id)
+    confirm(store, id)
     report(store, id, WAITING)
     report(store, id, GatewayReport(line=LINES, copies_done=1, held=True))
+    return id
+
+
+def awaiting_end(store: Store) -> str:
+    id = claimed(store)
+    confirm(store, id)
+    report(store, id, WAITING)
+    report(store, id, GatewayReport(line=0, held=True, phase=1, awaits_end=True))
     return id
 
 
@@ -152,7 +165,7 @@ def continued(store: Store) -> str:
 def interrupted_rest(store: Store) -> str:
     id = rest_of(store, interrupted(store))
     assert store.gateways.claim("table", "gateway", manual=False) is not None
-    store.operators.confirm(id)
+    confirm(store, id)
     report(store, id, WAITING)
     return ended(store, id, "interrupted")
 
@@ -181,13 +194,15 @@ EXPECTED: dict[Make, tuple[State, str]] = {
     refused: (State.REFUSED, ""),
     short: (State.REFUSED, "accept"),
     queued: (State.QUEUED, "recompile cancel"),
+    refused_in_check: (State.QUEUED, "recheck recompile cancel"),
     claimed: (State.QUEUED, "confirm recompile cancel"),
     running: (State.RUNNING, "hold cancel"),
     running_unconfirmed: (State.RUNNING, "confirm hold cancel"),
     hold_requested: (State.RUNNING, "hold resume cancel"),
     held: (State.HELD, "resume cancel"),
     resume_requested: (State.HELD, "hold resume cancel"),
-    needing_sheet: (State.HELD, "confirm resume cancel"),
+    needing_sheet: (State.HELD, "confirm cancel"),
+    awaiting_end: (State.HELD, "end cancel"),
     cancel_requested: (State.RUNNING, "cancel"),
     interrupted: (State.INTERRUPTED, "rest requeue finish scrap"),
     executed: (State.INTERRUPTED, "rest finish scrap"),
@@ -201,10 +216,12 @@ METHODS: dict[OperatorAction, Callable[[Store, str], Job]] = {
     OperatorAction.ACCEPT: accept,
     OperatorAction.RECOMPILE: lambda store, id: store.operators.recompile(id),
     OperatorAction.RELEASE: lambda store, id: store.operators.release(id),
-    OperatorAction.CONFIRM: lambda store, id: store.operators.confirm(id),
+    OperatorAction.CONFIRM: lambda store, id: confirm(store, id),
     OperatorAction.HOLD: lambda store, id: store.operators.hold(id),
-    OperatorAction.RESUME: lambda store, id: store.operators.resume(id),
+    OperatorAction.RESUME: lambda store, id: store.operators.resume(id, hands_clear=True),
+    OperatorAction.END: lambda store, id: store.operators.confirm_end(id),
     OperatorAction.REST: lambda store, id: store.jobs.add_continuation(id, Continuation(None)),
+    OperatorAction.RECHECK: lambda store, id: store.operators.recheck(id),
     OperatorAction.REQUEUE: lambda store, id: store.interrupted.requeue(id),
     OperatorAction.FINISH: lambda store, id: store.interrupted.declare_finished(id),
     OperatorAction.SCRAP: lambda store, id: store.interrupted.scrap(id),

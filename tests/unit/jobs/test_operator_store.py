@@ -7,15 +7,19 @@ import sqlalchemy as sa
 
 from knifetip.errors import (
     MachineBusy,
+    RequestError,
     StaleEpoch,
     WrongState,
 )
 from knifetip.jobs.heartbeats import GatewayReport
+from knifetip.jobs.stop_place import StopPlace
 from knifetip.jobs.store import Store
 from knifetip.jobs.transitions import LEASE
+from knifetip.messages import hint
 from tests.support.job_states import (
     LINES,
     WAITING,
+    confirm,
     course,
     execute,
     fed,
@@ -35,16 +39,16 @@ def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> No
     assert (job.state, job.owner, job.confirmation) == ("queued", "gateway", "awaited")
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
     assert store.machines.jobs_on_tables() == {}
-    confirmed = store.operators.confirm(job.id, board="e-flute", by="Kim")
+    confirmed = confirm(store, job.id, by="Kim")
     assert (confirmed.state, confirmed.confirmation) == ("queued", "given")
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     assert store.jobs.get(job.id).state == "running"
     # The response that starts the job may be lost: it is repeated, and recorded once.
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1)) == "continue"
-    assert course(store, job.id)[3:] == ["queued", "queued", "queued", "running"]
+    assert course(store, job.id)[3:] == ["queued"] * 4 + ["running"]
     who = [(event.who, str(event.message)) for event in store.events.of_job(job.id)][-2:]
-    assert who == [
+    assert who[-2:] == [
         (
             "operator Kim",
             "The operator confirmed that the table is clear and that the board on it is e-flute.",
@@ -55,47 +59,106 @@ def test_a_claim_by_hand_waits_and_runs_when_it_is_confirmed(store: Store) -> No
 
 def test_a_confirmation_that_is_repeated_changes_nothing(store: Store) -> None:
     job = waiting(store)
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     events = len(course(store, job.id))
-    assert store.operators.confirm(job.id).confirmation == "given"
+    assert confirm(store, job.id).confirmation == "given"
     assert len(course(store, job.id)) == events
     store.gateways.heartbeat(job.id, job.epoch, WAITING)
-    assert store.operators.confirm(job.id).state == "running"
+    assert confirm(store, job.id).state == "running"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "continue"
 
 
 def test_a_job_that_does_not_wait_cannot_be_confirmed(store: Store) -> None:
     job = queued(store)
     with pytest.raises(WrongState, match="has not claimed it yet"):
-        store.operators.confirm(job.id)
+        confirm(store, job.id)
     job = fed(store)
     store.operators.hold(job.id)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5, held=True))
     with pytest.raises(WrongState, match="does not wait for a new sheet") as caught:
-        store.operators.confirm(job.id)
+        confirm(store, job.id)
     assert caught.value.hint == "Resume the job."
     store.operators.cancel(job.id)
     with pytest.raises(WrongState, match="being cancelled"):
-        store.operators.confirm(job.id)
+        confirm(store, job.id)
     store.gateways.finish(job.id, job.epoch, "cancelled")
     with pytest.raises(WrongState, match="is cancelled"):
-        store.operators.confirm(job.id)
+        confirm(store, job.id)
 
 
 def test_a_job_on_a_machine_that_feeds_itself_has_nothing_to_confirm(store: Store) -> None:
     job = running(store)
     with pytest.raises(WrongState, match="is running"):
-        store.operators.confirm(job.id)
+        confirm(store, job.id)
 
 
-def test_another_board_on_the_table_is_refused(store: Store) -> None:
+def ids_of(store: Store, id: str) -> list[str]:
+    return [check.id for check in store.operators.checks(store.jobs.get(id))]
+
+
+def refuse_each_missing(store: Store, id: str) -> None:
+    """Leave out each of the checks of a job; every confirmation is refused and names it."""
+    ids = ids_of(store, id)
+    for left_out in ids:
+        with pytest.raises(WrongState) as refused:
+            store.operators.confirm(id, [one for one in ids if one != left_out])
+        assert refused.value.message.code == "job.not-checked"
+        (missing,) = refused.value.message.arguments["missing"]
+        assert missing.arguments["id"] == left_out
+
+
+def test_each_missing_check_refuses_the_first_start(store: Store) -> None:
     job = waiting(store)
-    with pytest.raises(
-        WrongState,
-        match=r"needs the board e-flute, but the confirmation names the board 'greyboard-2\.0'",
-    ):
-        store.operators.confirm(job.id, board="greyboard-2.0")
+    assert ids_of(store, job.id) == ["board", "sheet", "table-clear", "hands-clear"]
+    refuse_each_missing(store, job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
+
+
+def test_each_missing_check_refuses_the_next_copy(store: Store) -> None:
+    job = fed(store, copies=2)
+    between = GatewayReport(line=LINES, copies_done=1, held=True)
+    store.gateways.heartbeat(job.id, job.epoch, between)
+    assert ids_of(store, job.id) == ["board", "sheet", "table-clear", "hands-clear"]
+    refuse_each_missing(store, job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+
+
+def test_a_job_that_is_claimed_again_needs_all_checks_again(store: Store) -> None:
+    job = waiting(store)
+    confirm(store, job.id)
+    again = store.gateways.claim("table", "gateway", manual=True)
+    assert again is not None
+    refuse_each_missing(store, again.id)
+    assert store.gateways.heartbeat(again.id, again.epoch, WAITING) == "wait"
+
+
+def test_an_unknown_check_is_refused_with_the_known_ones(store: Store) -> None:
+    job = waiting(store)
+    with pytest.raises(RequestError, match=r"no check 'all'\. Its checks are board, sheet"):
+        store.operators.confirm(job.id, ["all"])
+
+
+def test_the_feed_states_its_checks_and_the_rest_is_left_to_a_person(store: Store) -> None:
+    queued(store, copies=2)
+    # The first sheet of a batch: a person confirms what the feed does not know.
+    job = store.gateways.claim("table", "gateway", manual=False, feeds=True)
+    assert job is not None
+    assert ids_of(store, job.id) == ["board", "hands-clear"]
+    refuse_each_missing(store, job.id)
+    confirm(store, job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    between = GatewayReport(line=LINES, copies_done=1, held=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "resume"
+    stated = [
+        (event.who, str(event.message))
+        for event in store.events.of_job(job.id)
+        if event.message is not None and event.message.code == "job.stated-by-feed"
+    ]
+    text = (
+        "Stated by the automatic feed: sheet (a sheet of the stack lies in its place); "
+        "table-clear (the sheet before it was removed)."
+    )
+    assert stated == [("operator", text), ("gateway gateway", text)]
 
 
 def test_a_machine_whose_job_waits_gives_no_other_job_to_another_gateway(store: Store) -> None:
@@ -122,7 +185,7 @@ def test_the_database_itself_refuses_a_second_claim_that_waits(store: Store) -> 
 
 def test_a_confirmation_counts_for_its_claim_only(store: Store) -> None:
     job = waiting(store)
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     again = store.gateways.claim("table", "gateway", manual=True)
     assert again is not None
     assert store.gateways.heartbeat(again.id, again.epoch, WAITING) == "wait"
@@ -132,7 +195,7 @@ def test_a_waiting_claim_whose_gateway_falls_silent_is_given_back(
     store: Store, clock: Clock
 ) -> None:
     job = waiting(store)
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     clock.now += LEASE + 0.1
     store.leases.run()
     with pytest.raises(StaleEpoch):
@@ -151,7 +214,7 @@ def test_a_confirmation_does_not_start_the_machine_after_the_lease(
     store: Store, clock: Clock
 ) -> None:
     job = waiting(store)
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     # The server was down; it takes no job back soon after its start.
     clock.now += LEASE + 0.1
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
@@ -159,7 +222,7 @@ def test_a_confirmation_does_not_start_the_machine_after_the_lease(
     assert (row.state, row.confirmation, row.epoch) == ("queued", "awaited", job.epoch)
     assert str(store.events.of_job(job.id)[-1].message).endswith("confirmation of the operator.")
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
 
 
@@ -167,16 +230,18 @@ def test_a_start_that_did_not_arrive_is_not_repeated_after_the_lease(
     store: Store, clock: Clock
 ) -> None:
     job = waiting(store)
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     clock.now += LEASE + 0.1
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
     assert store.jobs.get(job.id).state == "held"
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
-    store.operators.resume(job.id)
+    confirm(store, job.id)
     clock.now += LEASE + 0.1
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
-    store.operators.resume(job.id)
+    with pytest.raises(WrongState, match="has not confirmed"):
+        store.operators.resume(job.id, hands_clear=True)
+    confirm(store, job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     assert store.jobs.get(job.id).state == "running"
 
@@ -185,13 +250,65 @@ def test_a_resume_does_not_move_a_held_machine_after_the_lease(store: Store, clo
     job = running(store)
     held = GatewayReport(line=7, held=True)
     store.gateways.heartbeat(job.id, job.epoch, held)
-    store.operators.resume(job.id)
+    store.operators.resume(job.id, hands_clear=True)
     clock.now += LEASE + 0.1
     assert store.gateways.heartbeat(job.id, job.epoch, held) == "continue"
     row = store.jobs.get(job.id)
     assert (row.state, row.requested_action) == ("held", "")
-    store.operators.resume(job.id)
+    store.operators.resume(job.id, hands_clear=True)
     assert store.gateways.heartbeat(job.id, job.epoch, held) == "resume"
+
+
+def test_a_job_is_resumed_only_with_clear_hands(store: Store, clock: Clock) -> None:
+    job = running(store)
+    held = GatewayReport(line=7, held=True)
+    store.gateways.heartbeat(job.id, job.epoch, held)
+
+    def refusal() -> str:
+        with pytest.raises(WrongState) as refused:
+            store.operators.resume(job.id)
+        assert hint(refused.value.message)
+        assert store.jobs.get(job.id).requested_action == ""
+        return refused.value.message.code
+
+    assert refusal() == "operation.hands-not-clear"
+    store.stations.state_hands_clear(job.machine)
+    clock.now += 60.0
+    assert refusal() == "operation.hands-not-clear"
+    store.stations.state_hands_clear(job.machine)
+    clock.now += 59.0
+    store.gateways.heartbeat(job.id, job.epoch, held)
+    assert store.operators.resume(job.id).requested_action == "resume"
+    # A statement in the request itself counts, too.
+    store.operators.hold(job.id)
+    store.gateways.heartbeat(job.id, job.epoch, held)
+    clock.now += 60.0
+    store.gateways.heartbeat(job.id, job.epoch, held)
+    assert refusal() == "operation.hands-not-clear"
+    assert store.operators.resume(job.id, hands_clear=True).requested_action == "resume"
+
+
+def test_a_statement_of_clear_hands_ends_when_a_job_goes_on(store: Store) -> None:
+    job = running(store)
+    held = GatewayReport(line=7, held=True)
+    for stated in (True, False):
+        store.gateways.heartbeat(job.id, job.epoch, held)
+        store.stations.state_hands_clear(job.machine)
+        store.operators.resume(job.id, hands_clear=stated)
+        store.operators.hold(job.id)
+        store.gateways.heartbeat(job.id, job.epoch, held)
+        with pytest.raises(WrongState, match="hands are clear"):
+            store.operators.resume(job.id)
+
+
+def test_a_statement_of_clear_hands_ends_when_a_job_starts(store: Store) -> None:
+    job = waiting(store)
+    store.stations.state_hands_clear(job.machine)
+    confirm(store, job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=7, held=True))
+    with pytest.raises(WrongState, match="hands are clear"):
+        store.operators.resume(job.id)
 
 
 @pytest.mark.parametrize("command", ["hold", "cancel"])
@@ -209,7 +326,7 @@ def test_a_waiting_claim_that_has_run_out_is_not_confirmed_and_goes_to_another_g
     job = waiting(store)
     clock.now += LEASE + 0.1
     with pytest.raises(WrongState, match="does not respond"):
-        store.operators.confirm(job.id)
+        confirm(store, job.id)
     again = store.gateways.claim("table", "other", manual=True)
     assert again is not None
     assert (again.id, again.owner) == (job.id, "other")
@@ -249,13 +366,18 @@ def test_a_claim_that_its_gateway_returns_is_queued_and_never_interrupted(store:
         store.gateways.finish(job.id, job.epoch, "returned")
 
 
-def test_a_started_job_that_its_gateway_returns_waits_for_the_operator(store: Store) -> None:
-    job = fed(store)
-    row = store.gateways.finish(job.id, job.epoch, "returned", stored("Nothing was sent."))
-    assert (row.state, str(row.message)) == (
-        "interrupted",
-        "The job was interrupted at program line 0 of 231. Nothing was sent.",
-    )
+def test_a_started_job_of_which_nothing_was_sent_is_queued_and_confirmed_again(
+    store: Store,
+) -> None:
+    job = waiting(store)
+    confirm(store, job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    reason = stored("The controller is not idle.")
+    row = store.gateways.finish(job.id, job.epoch, "returned", reason, place=StopPlace(at_most=0))
+    assert (row.state, row.confirmation, row.message) == ("queued", "", None)
+    again = store.gateways.claim("table", "gateway", manual=True)
+    assert again is not None
+    assert (again.id, again.confirmation) == (job.id, "awaited")
 
 
 def test_a_gateway_that_runs_without_a_confirmation_is_held_until_an_operator_confirms(
@@ -270,8 +392,8 @@ def test_a_gateway_that_runs_without_a_confirmation_is_held_until_an_operator_co
     )
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "hold"
     with pytest.raises(WrongState, match="has not confirmed"):
-        store.operators.resume(job.id)
-    store.operators.confirm(job.id)
+        store.operators.resume(job.id, hands_clear=True)
+    confirm(store, job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, held=True)) == "resume"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=3)) == "continue"
 
@@ -282,26 +404,87 @@ def test_a_hold_between_confirmation_and_start_keeps_the_machine_waiting(store: 
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
     assert store.jobs.get(job.id).state == "held"
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "wait"
-    store.operators.resume(job.id)
+    with pytest.raises(WrongState, match="has not confirmed"):
+        store.operators.resume(job.id, hands_clear=True)
+    confirm(store, job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
     assert store.jobs.get(job.id).state == "running"
     store.operators.cancel(job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "cancel"
 
 
-@pytest.mark.parametrize("command", ["confirm", "resume"])
-def test_a_new_sheet_is_confirmed_by_either_command(store: Store, command: str) -> None:
+def test_between_two_copies_a_resume_is_refused_and_the_next_sheet_confirmed(store: Store) -> None:
     job = fed(store, copies=2)
     between = GatewayReport(line=LINES, copies_done=1, held=True)
     assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
     assert (store.jobs.get(job.id).state, store.jobs.get(job.id).confirmation) == ("held", "sheet")
-    getattr(store.operators, command)(job.id)
-    assert store.operators.confirm(job.id).requested_action == "resume"
+    for phase in (None, 0):
+        with pytest.raises(WrongState, match="waits for a new sheet") as refused:
+            store.operators.resume(job.id, phase, hands_clear=True)
+        assert "confirm the job" in refused.value.hint
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+    assert confirm(store, job.id).requested_action == "resume"
     assert store.gateways.heartbeat(job.id, job.epoch, between) == "resume"
     assert (
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=1, copies_done=1))
         == "continue"
     )
+
+
+def test_a_hold_in_the_last_second_of_a_copy_does_not_make_resume_start_the_next_one(
+    store: Store,
+) -> None:
+    job = fed(store, copies=2)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES - 1))
+    store.operators.hold(job.id)
+    # The copy has ended before the hold arrived.
+    between = GatewayReport(line=LINES, copies_done=1, held=True, phase=1)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+    with pytest.raises(WrongState, match="waits for a new sheet"):
+        store.operators.resume(job.id, hands_clear=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+
+
+def test_a_resume_on_its_way_when_the_copy_ends_does_not_start_the_next_one(store: Store) -> None:
+    job = fed(store, copies=2)
+    store.operators.hold(job.id)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES - 1, held=True))
+    store.operators.resume(job.id, hands_clear=True)
+    between = GatewayReport(line=LINES, copies_done=1, held=True, phase=1)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+    assert store.jobs.get(job.id).confirmation == "sheet"
+
+
+def test_a_hold_after_the_sheet_was_confirmed_needs_a_new_confirmation(store: Store) -> None:
+    job = fed(store, copies=2)
+    between = GatewayReport(line=LINES, copies_done=1, held=True, phase=1)
+    store.gateways.heartbeat(job.id, job.epoch, between)
+    confirm(store, job.id)
+    store.operators.hold(job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+    with pytest.raises(WrongState, match="waits for a new sheet"):
+        store.operators.resume(job.id, hands_clear=True)
+    confirm(store, job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "resume"
+
+
+def test_the_end_that_a_person_confirms_does_not_start_the_next_copy(store: Store) -> None:
+    job = fed(store, copies=2)
+    at_end = GatewayReport(line=0, held=True, phase=1, awaits_end=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, at_end) == "continue"
+    with pytest.raises(WrongState, match="nothing to resume"):
+        store.operators.resume(job.id, hands_clear=True)
+    with pytest.raises(WrongState, match="in the meantime"):
+        store.operators.confirm_end(job.id, phase=0)
+    assert store.operators.confirm_end(job.id, phase=1).requested_action == "end"
+    assert store.gateways.heartbeat(job.id, job.epoch, at_end) == "end"
+    between = GatewayReport(line=LINES, copies_done=1, held=True, phase=2)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+    for refused in (store.operators.resume, store.operators.confirm_end):
+        with pytest.raises(WrongState):
+            refused(job.id)
+    confirm(store, job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "resume"
 
 
 def test_a_copy_that_begins_without_its_sheet_confirmed_is_held(store: Store) -> None:
@@ -312,7 +495,7 @@ def test_a_copy_that_begins_without_its_sheet_confirmed_is_held(store: Store) ->
     assert (
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, copies_done=1)) == "hold"
     )
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     assert (
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=2, copies_done=1))
         == "continue"
@@ -360,7 +543,7 @@ def test_hold_and_resume_go_through_the_gateway(store: Store) -> None:
         store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=6, held=True)) == "continue"
     )
     assert store.jobs.get(job.id).state == "held"
-    assert store.operators.resume(job.id).requested_action == "resume"
+    assert store.operators.resume(job.id, hands_clear=True).requested_action == "resume"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=6, held=True)) == "resume"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=7)) == "continue"
     assert store.jobs.get(job.id).state == "running"
@@ -370,7 +553,7 @@ def test_a_running_job_is_cancelled_by_its_gateway(store: Store) -> None:
     job = running(store)
     assert store.operators.cancel(job.id).state == "running"
     with pytest.raises(WrongState, match="being cancelled"):
-        store.operators.resume(job.id)
+        store.operators.resume(job.id, hands_clear=True)
     assert store.operators.cancel(job.id).requested_action == "cancel"
     assert store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=5)) == "cancel"
     assert store.gateways.finish(job.id, job.epoch, "cancelled").state == "cancelled"
@@ -378,11 +561,11 @@ def test_a_running_job_is_cancelled_by_its_gateway(store: Store) -> None:
 
 def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store) -> None:
     job = running(store)
-    store.gateways.finish(job.id, job.epoch, "interrupted")
+    store.gateways.finish(job.id, job.epoch, "interrupted", place=StopPlace(at_most=0))
     with pytest.raises(WrongState) as caught:
         store.operators.cancel(job.id)
     assert caught.value.hint == hint_of(store.jobs.get(job.id))
     assert caught.value.hint.startswith(
         "Look for the cause in the log of the gateway. Check the "
-        "table. Then either queue the job again"
+        "table. If the sheet has not moved, continue it"
     )

@@ -13,7 +13,14 @@ from knifetip.jobs.job import Actor, ActorKind
 from knifetip.jobs.queue_store import Place, WaitingChange, order_version
 from knifetip.jobs.store import Store
 from knifetip.library.definition import Definition, Shelf
-from tests.support.job_states import RESULT, WAITING, queued, running, waiting
+from tests.support.job_states import (
+    RESULT,
+    WAITING,
+    confirm,
+    queued,
+    running,
+    waiting,
+)
 from tests.support.stored import Clock, add_job
 
 OTHER = Definition(Shelf.MACHINES, "other")
@@ -225,7 +232,7 @@ def test_a_claimed_job_on_hold_returns_to_the_queue_before_it_is_confirmed(store
 
 def test_a_confirmed_job_cannot_be_put_on_hold_in_the_queue(store: Store) -> None:
     job = waiting(store)
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     with pytest.raises(WrongState, match="has taken job"):
         store.queues.change(job.id, WaitingChange(on_hold=True), MIA)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"

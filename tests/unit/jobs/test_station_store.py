@@ -3,14 +3,24 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
 from knifetip.errors import NotFound, WrongState
+from knifetip.jobs.heartbeats import GatewayReport
 from knifetip.jobs.station_store import OperationResult, StationReport
 from knifetip.jobs.store import Store
 from knifetip.messages import Message, hint
-from tests.support.job_states import WAITING, running, waiting
+from tests.support.controller_states import STATES
+from tests.support.job_states import (
+    WAITING,
+    confirm,
+    fed,
+    queued,
+    running,
+    waiting,
+)
 from tests.support.stored import Clock
 
 MACHINE = "table"
@@ -35,6 +45,18 @@ def test_a_station_is_shown_as_its_gateway_reports_it(reported: Store, clock: Cl
     assert view.alive
     clock.now += 4.0
     assert not reported.stations.get(MACHINE).alive
+
+
+def test_the_feed_may_be_changed_while_a_job_runs(store: Store) -> None:
+    can = (*IDLE.operations, "feed_override")
+    store.stations.report(MACHINE, replace(IDLE, operations=can, override=90))
+    assert store.stations.get(MACHINE).row.override == 90
+    running(store)
+    asked = store.stations.ask(MACHINE, {"operation": "feed_override", "percent": 80})
+    assert [one.id for one in store.stations.hand_out(MACHINE)] == [asked.id]
+    with pytest.raises(WrongState) as refused:
+        store.stations.ask(MACHINE, JOG)
+    assert refused.value.message.code == "operation.job-running"
 
 
 def test_a_machine_without_reports_is_not_connected(store: Store) -> None:
@@ -148,11 +170,11 @@ ABLE = replace(IDLE, operations=("dry_run", "frame", "hold", "resume", "stop_jog
 def test_a_run_above_the_board_needs_a_job_that_waits(store: Store) -> None:
     store.stations.report(MACHINE, ABLE)
     with pytest.raises(WrongState) as refused:
-        store.stations.ask(MACHINE, DRY)
+        store.stations.ask(MACHINE, DRY, hands_clear=True)
     assert refused.value.message.code == "dry-run.no-job"
     job = waiting(store)
     assert store.stations.waiting_job(MACHINE) is not None
-    store.stations.ask(MACHINE, DRY)
+    store.stations.ask(MACHINE, DRY, hands_clear=True)
     assert [one.request for one in store.stations.hand_out(MACHINE)] == [DRY]
     store.operators.cancel(job.id)
     assert store.stations.waiting_job(MACHINE) is None
@@ -165,17 +187,17 @@ def test_a_job_is_not_started_while_its_machine_runs_above_the_board(
     store.stations.report(MACHINE, ABLE)
     job = waiting(store)
     if state == "asked":
-        store.stations.ask(MACHINE, DRY)
+        store.stations.ask(MACHINE, DRY, hands_clear=True)
     else:
         activity = {"kind": "dry_run", "job": job.id, "state": state}
         store.stations.report(MACHINE, replace(ABLE, activity=activity))
     with pytest.raises(WrongState) as refused:
-        store.operators.confirm(job.id)
+        confirm(store, job.id)
     assert refused.value.message.code == "dry-run.in-progress"
     assert store.jobs.get(job.id).confirmation == "awaited"
     clock.now += 7.0  # the gateway is silent, so the run has stopped
     store.gateways.heartbeat(job.id, job.epoch, WAITING)
-    assert store.operators.confirm(job.id).confirmation == "given"
+    assert confirm(store, job.id).confirmation == "given"
 
 
 @pytest.mark.parametrize("state", ["done", "stopped", "failed"])
@@ -186,12 +208,167 @@ def test_a_run_above_the_board_that_has_ended_does_not_hinder_the_start(
     activity = {"kind": "frame", "job": job.id, "state": state}
     store.stations.report(MACHINE, replace(ABLE, activity=activity))
     assert store.stations.get(MACHINE).row.activity == activity
-    assert store.operators.confirm(job.id).confirmation == "given"
+    assert confirm(store, job.id).confirmation == "given"
+
+
+#: Arguments of the messages besides the name of the controller.
+ARGUMENTS: dict[str, dict[str, Any]] = {
+    "controller.in-alarm": {"code": 1, "alarm": Message("grbl.alarm-1")},
+    "linuxcnc.not-homed": {"joints": ["1"]},
+    "obstacle.limit-pressed": {"axes": ["X"]},
+}
+OBSTACLES = sorted({one.free.code for one in STATES} - {""})
+
+
+@pytest.mark.parametrize("code", OBSTACLES)
+@pytest.mark.parametrize("following", [False, True])
+def test_no_copy_is_started_while_an_alarm_or_obstacle_is_in_the_way(
+    store: Store, clock: Clock, code: str, *, following: bool
+) -> None:
+    message = Message(code, name="grbl", **ARGUMENTS.get(code, {}))
+    if following:
+        job = fed(store, copies=2)
+        between = GatewayReport(line=job.lines, copies_done=1, held=True)
+        store.gateways.heartbeat(job.id, job.epoch, between)
+        assert store.jobs.get(job.id).confirmation == "sheet"
+    else:
+        job = waiting(store)
+    is_obstacle = code.startswith("obstacle.")
+    blocked = replace(
+        IDLE,
+        obstacle=message if is_obstacle else None,
+        alarm=None if is_obstacle else message,
+    )
+    store.stations.report(MACHINE, blocked)
+    with pytest.raises(WrongState) as refused:
+        confirm(store, job.id)
+    assert refused.value.message.code == "job.machine-not-free"
+    assert str(message) in str(refused.value.message)
+    assert hint(refused.value.message) == hint(message)
+    assert store.jobs.get(job.id).confirmation == ("sheet" if following else "awaited")
+    clock.now += 1.5  # the machine is freed
+    store.stations.report(MACHINE, IDLE)
+    assert confirm(store, job.id).confirmation == "given"
+
+
+def test_a_job_that_went_back_to_the_queue_is_refused_with_the_obstacle(store: Store) -> None:
+    job = queued(store)
+    store.stations.report(MACHINE, replace(IDLE, obstacle=Message("obstacle.held", name="grbl")))
+    with pytest.raises(WrongState) as refused:
+        confirm(store, job.id)
+    assert refused.value.message.code == "job.machine-not-free"
+
+
+def test_a_machine_that_feeds_its_sheets_waits_for_a_person_if_something_is_in_the_way(
+    store: Store,
+) -> None:
+    queued(store, copies=3)
+    job = store.gateways.claim(MACHINE, "gateway", manual=False, feeds=True)
+    assert job is not None
+    confirm(store, job.id)
+    assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    store.stations.report(MACHINE, replace(IDLE, obstacle=Message("obstacle.held", name="grbl")))
+    between = GatewayReport(line=job.lines, copies_done=1, held=True)
+    assert store.gateways.heartbeat(job.id, job.epoch, between) == "continue"
+    assert store.jobs.get(job.id).confirmation == "sheet"
 
 
 def test_a_controller_that_reports_nothing_refuses_with_a_hint(store: Store) -> None:
     store.stations.report(MACHINE, StationReport("gw", True, "unreported"))
     with pytest.raises(WrongState) as refused:
-        store.stations.ask(MACHINE, DRY)
+        store.stations.ask(MACHINE, DRY, hands_clear=True)
     assert refused.value.message.code == "operation.unreported"
     assert hint(refused.value.message)
+
+
+MOVES: list[dict[str, Any]] = [
+    {"operation": "home"},
+    {"operation": "zero", "axes": "XY"},
+    {"operation": "park"},
+    {"operation": "frame"},
+    {"operation": "dry_run", "share": 0.5},
+    {"operation": "tool_check", "station": 1, "point": [0.0, 0.0]},
+    {"operation": "resume"},
+    {"operation": "switch", "output": 1, "on": True},
+    {"operation": "spindle", "station": 1, "on": True},
+]
+STAYS: list[dict[str, Any]] = [
+    {"operation": "unlock"},
+    {"operation": "stop_jog"},
+    {"operation": "lift"},
+    {"operation": "hold"},
+    {"operation": "switch", "output": 1, "on": False},
+    {"operation": "spindle", "station": 1, "on": False},
+    JOG,
+]
+
+
+def report_able(store: Store) -> None:
+    """Report a controller that can do everything."""
+    names = sorted({one["operation"] for one in MOVES + STAYS})
+    store.stations.report(MACHINE, StationReport("gw", True, "idle", operations=names))
+
+
+@pytest.mark.parametrize("request_", MOVES, ids=lambda one: str(one["operation"]))
+def test_what_moves_the_machine_needs_hands_clear_of_the_last_minute(
+    store: Store, clock: Clock, request_: dict[str, Any]
+) -> None:
+    report_able(store)
+    waiting(store)
+    with pytest.raises(WrongState) as refused:
+        store.stations.ask(MACHINE, request_)
+    assert refused.value.message.code == "operation.hands-not-clear"
+    assert "state hands clear" in refused.value.hint
+    assert store.stations.hand_out(MACHINE) == []
+    assert store.stations.state_hands_clear(MACHINE) == 60.0
+    clock.now += 59.0
+    report_able(store)
+    store.stations.ask(MACHINE, request_)
+    clock.now += 1.5
+    report_able(store)
+    with pytest.raises(WrongState, match="hands are clear"):
+        store.stations.ask(MACHINE, request_)
+    store.stations.ask(MACHINE, request_, hands_clear=True)
+    # The statement in a request counts for no other one.
+    with pytest.raises(WrongState, match="hands are clear"):
+        store.stations.ask(MACHINE, request_)
+
+
+@pytest.mark.parametrize(
+    "request_", STAYS, ids=lambda one: f"{one['operation']} {one.get('on', '')}".strip()
+)
+def test_what_stops_or_is_held_by_hand_needs_no_statement(
+    store: Store, request_: dict[str, Any]
+) -> None:
+    report_able(store)
+    waiting(store)
+    assert store.stations.ask(MACHINE, request_).state == "waiting"
+
+
+def test_a_jog_is_renewed_while_its_button_is_held(reported: Store, clock: Clock) -> None:
+    stations = reported.stations
+    id = stations.ask(MACHINE, JOG).id
+    clock.now += 0.25
+    held = stations.held_jog(MACHINE)
+    assert held is not None
+    assert held.id == id
+    assert held.age == pytest.approx(0.25)
+    clock.now += 0.5
+    assert stations.renew(MACHINE, id).id == id
+    held = stations.held_jog(MACHINE)
+    assert held is not None
+    assert held.age == 0.0
+    # Nobody held it for a second: it does not begin again.
+    clock.now += 1.25
+    assert stations.held_jog(MACHINE) is None
+    with pytest.raises(WrongState) as refused:
+        stations.renew(MACHINE, id)
+    assert refused.value.message.code == "operation.jog-ended"
+
+
+def test_only_a_jog_is_renewed(reported: Store) -> None:
+    id = reported.stations.ask(MACHINE, {"operation": "unlock"}).id
+    with pytest.raises(WrongState):
+        reported.stations.renew(MACHINE, id)
+    with pytest.raises(NotFound):
+        reported.stations.renew(MACHINE, "nothing")

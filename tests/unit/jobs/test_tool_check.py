@@ -14,7 +14,13 @@ from knifetip.jobs.tables import Job
 from knifetip.jobs.tool_check import ToolCheck
 from knifetip.library import load
 from knifetip.model.machine import Machine
-from tests.support.job_states import LINES, RESULT, WAITING, compiling
+from tests.support.job_states import (
+    LINES,
+    RESULT,
+    WAITING,
+    compiling,
+    confirm,
+)
 from tests.support.stored import Clock
 from tests.unit.jobs.test_runs import table
 
@@ -46,7 +52,7 @@ def waiting(store: Store, copies: int = 1, *, feeds: bool = False) -> Job:
 def wear(store: Store, machine: Machine) -> None:
     """Give the tool of station 1 a life that is used up."""
     job = waiting(store)
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     store.gateways.heartbeat(job.id, job.epoch, WAITING)
     store.gateways.finish(job.id, job.epoch, "done")
     store.tools.set_life(machine, 1, 400.0, MIA)
@@ -60,9 +66,9 @@ def codes(store: Store, id: str) -> list[str]:
 def test_a_worn_tool_refuses_the_confirmation(store: Store, machine: Machine) -> None:
     wear(store, machine)
     job = waiting(store)
-    for stated in (ToolCheck(), ToolCheck([1]), ToolCheck([1], changed=[2])):
+    for stated in (ToolCheck(), ToolCheck(changed=[2])):
         with pytest.raises(WrongState) as refused:
-            store.operators.confirm(job.id, tools=stated)
+            confirm(store, job.id, tools=stated)
         assert refused.value.message.code == "job.worn-tools"
         assert "Oscillating knife" in str(refused.value)
     assert store.jobs.get(job.id).confirmation == "awaited"
@@ -77,12 +83,12 @@ def test_a_new_tool_is_recorded_with_the_confirmation(
     wear(store, machine)
     clock.now += 1.0
     job = waiting(store)
-    confirmed = store.operators.confirm(job.id, by="Kim", tools=ToolCheck([1], changed=[1]))
+    confirmed = confirm(store, job.id, by="Kim", tools=ToolCheck(changed=[1]))
     assert confirmed.confirmation == "given"
     use = store.tools.uses(machine)[0]
     assert (use.used, use.changed, use.changed_by) == (0.0, clock.now, "operator Kim")
     # A repeated confirmation changes nothing.
-    store.operators.confirm(job.id, by="Kim", tools=ToolCheck([1], changed=[1]))
+    confirm(store, job.id, by="Kim", tools=ToolCheck(changed=[1]))
     assert len([one for one in store.tools.events(NAME) if one.kind == "changed"]) == 1
     assert codes(store, job.id)[-2:] == ["job.tool-changed", "job.confirmed-table"]
 
@@ -90,7 +96,7 @@ def test_a_new_tool_is_recorded_with_the_confirmation(
 def test_a_reason_to_use_a_tool_on_is_recorded(store: Store, machine: Machine) -> None:
     wear(store, machine)
     job = waiting(store)
-    store.operators.confirm(job.id, by="Kim", tools=ToolCheck(reason="last sheet of the day"))
+    confirm(store, job.id, by="Kim", tools=ToolCheck(reason="last sheet of the day"))
     *_, kept, _ = store.events.of_job(job.id)
     assert kept.message is not None
     assert kept.message.arguments["reason"] == "last sheet of the day"
@@ -104,13 +110,13 @@ def test_a_tool_of_another_station_does_not_matter(store: Store, machine: Machin
     store.tools.set_life(machine, 1, 0.0, MIA)
     store.tools.set_life(machine, 3, 1e-6, MIA)
     job = waiting(store)
-    assert store.operators.confirm(job.id).confirmation == "given"
+    assert confirm(store, job.id).confirmation == "given"
 
 
 def test_an_unknown_station_cannot_have_a_new_tool(store: Store, machine: Machine) -> None:
     job = waiting(store)
     with pytest.raises(NotFound, match="has no station 9"):
-        store.operators.confirm(job.id, tools=ToolCheck(changed=[9]))
+        confirm(store, job.id, tools=ToolCheck(changed=[9]))
     assert store.jobs.get(job.id).confirmation == "awaited"
     assert machine.name == NAME
 
@@ -119,7 +125,7 @@ def between_copies(store: Store, machine: Machine, *, feeds: bool) -> tuple[Job,
     """Return a job whose first copy has used up the life of its tool, and its last report."""
     store.tools.set_life(machine, 1, 400.0, MIA)
     job = waiting(store, copies=3, feeds=feeds)
-    store.operators.confirm(job.id)
+    confirm(store, job.id)
     store.gateways.heartbeat(job.id, job.epoch, WAITING)
     report = GatewayReport(line=LINES, copies_done=1, held=True)
     store.gateways.heartbeat(job.id, job.epoch, report, lambda _: {1})
@@ -132,12 +138,13 @@ def test_between_two_copies_resume_does_not_pass_by_the_check(
     store: Store, machine: Machine, feeds: bool
 ) -> None:
     job, report = between_copies(store, machine, feeds=feeds)
-    for action in (store.operators.resume, store.operators.confirm):
-        with pytest.raises(WrongState) as refused:
-            action(job.id)
-        assert refused.value.message.code == "job.worn-tools"
+    with pytest.raises(WrongState, match="waits for a new sheet"):
+        store.operators.resume(job.id, hands_clear=True)
+    with pytest.raises(WrongState) as refused:
+        confirm(store, job.id)
+    assert refused.value.message.code == "job.worn-tools"
     assert store.gateways.heartbeat(job.id, job.epoch, report, lambda _: {1}) != "resume"
-    store.operators.confirm(job.id, tools=ToolCheck(changed=[1]))
+    confirm(store, job.id, tools=ToolCheck(changed=[1]))
     assert store.gateways.heartbeat(job.id, job.epoch, report, lambda _: {1}) == "resume"
 
 
@@ -146,7 +153,7 @@ def test_a_tool_changed_within_a_run_begins_with_0(
 ) -> None:
     job, _ = between_copies(store, machine, feeds=False)
     clock.now += 1.0
-    store.operators.confirm(job.id, tools=ToolCheck(changed=[1]))
+    confirm(store, job.id, tools=ToolCheck(changed=[1]))
     assert store.tools.uses(machine)[0].used == 0.0
     second = GatewayReport(line=20, copies_done=1)
     store.gateways.heartbeat(job.id, job.epoch, second)

@@ -15,7 +15,15 @@ from knifetip.jobs.job import OPERATOR
 from knifetip.jobs.store import Store
 from knifetip.jobs.tables import Event, Job
 from knifetip.jobs.webhook_outbox import EVENT_TYPES
-from knifetip.jobs.webhook_queue import DELAYS, IN_ORDER, LEASE, ClaimedDelivery, DeliveryAttempt
+from knifetip.jobs.webhook_queue import (
+    DELAYS,
+    IN_ORDER,
+    LEASE,
+    PAUSE_AFTER,
+    PER_ENDPOINT,
+    ClaimedDelivery,
+    DeliveryAttempt,
+)
 from knifetip.jobs.webhook_tables import Webhook, WebhookDelivery
 from knifetip.messages import Message
 from tests.support.stored import Clock, add_drawing, add_job
@@ -190,36 +198,124 @@ def test_events_of_a_job_stay_in_order(store: Store, clock: Clock) -> None:
     assert store.webhook_queue.claim() is None
     store.webhook_queue.store(taken, DeliveryAttempt(clock.now, 500, 0.1))
     store.webhook_queue.store(other, DeliveryAttempt(clock.now, 200, 0.1))
+    # Only the job whose event failed waits.
     assert drain(store) == ["job.cancelled"]
-    clock.now += 10.0
+    clock.now += 1.21 * DELAYS[0]
     assert drain(store) == ["job.received", "job.cancelled"]
 
 
 def test_a_delivery_that_is_never_accepted_does_not_block_the_job(
     store: Store, clock: Clock
 ) -> None:
-    add_webhook(store, "job.received", "job.cancelled")
+    webhook = add_webhook(store, "job.received", "job.cancelled")
     job = add_job(store)
     store.operators.cancel(job.id)
     for number in range(IN_ORDER):
         assert attempt(store, 500).payload.startswith('{"type":"job.received"')
         clock.now += 1.21 * DELAYS[number]
     clock.now -= 1.21 * DELAYS[IN_ORDER - 1] - 1.0
-    with store.database.writing() as session:
-        session.execute(sa.text("UPDATE webhook SET resume_at = 0"))
+    store.webhooks.change(webhook, description="without a pause")
     assert drain(store)[0] == "job.cancelled"
 
 
 def test_an_endpoint_that_works_again_gets_everything_at_once(store: Store, clock: Clock) -> None:
-    add_webhook(store, "job.received")
-    for _ in range(5):
+    webhook = add_webhook(store, "job.received")
+    for _ in range(20):
         add_job(store)
-    for number in range(5):
+    for _ in range(PAUSE_AFTER):
+        assert store.webhooks.pause_end(store.webhooks.get(webhook)) is None
         attempt(store, 503)
+    for number in range(5):
         # One attempt, then a pause: an endpoint that is down is not hammered.
         assert store.webhook_queue.claim() is None
-        clock.now += 1.21 * DELAYS[number]
-    assert len(drain(store)) == 5
+        end = store.webhooks.pause_end(store.webhooks.get(webhook))
+        assert end is not None
+        pause = DELAYS[number]
+        assert clock.now + 0.8 * pause <= end <= clock.now + 1.2 * pause
+        clock.now += 1.21 * pause
+        claimed = store.webhook_queue.claim()
+        assert claimed is not None
+        assert store.webhook_queue.claim({claimed.webhook: 1}) is None
+        store.webhook_queue.store(claimed, DeliveryAttempt(clock.now, 503, 0.1))
+    clock.now += 1.21 * DELAYS[5]
+    assert len(drain(store)) == 20
+
+
+def test_a_pause_is_never_longer_than_ten_minutes(store: Store, clock: Clock) -> None:
+    webhook = add_webhook(store, "job.received")
+    for _ in range(3):
+        add_job(store)
+    with store.database.writing() as session:
+        session.execute(sa.update(Webhook).values(failures=300))
+    attempt(store, 503)
+    assert store.webhooks.pause_end(store.webhooks.get(webhook)) == clock.now + 600.0
+
+
+def test_a_failure_delays_only_the_events_of_its_job(store: Store, clock: Clock) -> None:
+    add_webhook(store, "job.received", "job.cancelled")
+    jobs = [add_job(store).id for _ in range(5)]
+    for job in jobs:
+        store.operators.cancel(job)
+    # The events of the first job are refused, each time between two that are accepted.
+    arrived: list[tuple[str, str]] = []
+    for _ in range(10):
+        claimed = store.webhook_queue.claim()
+        if claimed is None:
+            clock.now += 1.21 * DELAYS[0]
+            continue
+        payload = json.loads(claimed.payload)
+        job = payload["data"]["job"]["id"]
+        status = 500 if job == jobs[0] else 204
+        store.webhook_queue.store(claimed, DeliveryAttempt(clock.now, status, 0.1))
+        if status == 204:
+            arrived.append((job, payload["type"]))
+    assert sorted(arrived) == sorted(
+        (job, word) for job in jobs[1:] for word in ("job.received", "job.cancelled")
+    )
+    states = {(row.subject == jobs[0], row.state) for row in deliveries(store)}
+    assert states == {(True, "pending"), (False, "delivered")}
+
+
+def test_two_endpoints_of_one_url_do_not_share_failures(store: Store, clock: Clock) -> None:
+    first, second = (store.webhooks.get(add_webhook(store, "job.received")) for _ in range(2))
+    for _ in range(PAUSE_AFTER):
+        add_job(store)
+    while (claimed := store.webhook_queue.claim()) is not None:
+        status = 500 if claimed.webhook == first.serial else 200
+        store.webhook_queue.store(claimed, DeliveryAttempt(clock.now, status, 0.1))
+    found = [store.webhooks.get(one.id) for one in (first, second)]
+    assert [one.failures for one in found] == [PAUSE_AFTER, 0]
+    assert [store.webhooks.pause_end(one) is None for one in found] == [False, True]
+
+
+def test_an_endpoint_that_is_slow_does_not_occupy_all_senders(store: Store) -> None:
+    slow, other = (store.webhooks.get(add_webhook(store, "job.received")) for _ in range(2))
+    for _ in range(9):
+        add_job(store)
+    sending: Counter[int] = Counter()
+    order = []
+    while (claimed := store.webhook_queue.claim(sending)) is not None:
+        sending[claimed.webhook] += 1
+        order.append(claimed.webhook)
+    assert order == [slow.serial, other.serial] * PER_ENDPOINT
+    # What becomes free is given to the endpoint with the fewest deliveries in flight.
+    sending[other.serial] -= 1
+    claimed = store.webhook_queue.claim(sending)
+    assert claimed is not None
+    assert claimed.webhook == other.serial
+
+
+def test_an_endpoint_gets_fewer_deliveries_at_once_after_failures(store: Store) -> None:
+    webhook = store.webhooks.get(add_webhook(store, "job.received")).serial
+    for _ in range(9):
+        add_job(store)
+    permitted = []
+    for _ in range(PAUSE_AFTER - 1):
+        permitted.append(
+            [store.webhook_queue.claim({webhook: n}, lease=0.0) is not None for n in range(5)]
+        )
+        attempt(store, 500)
+    assert [counts.count(True) for counts in permitted] == [4, 3, 2, 1]
 
 
 def test_gone_switches_the_endpoint_off(store: Store, clock: Clock) -> None:

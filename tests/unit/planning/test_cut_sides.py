@@ -81,3 +81,15 @@ def test_no_board_lies_around_a_part_and_in_a_hole() -> None:
     removed = cut_sides(SHEET, np.zeros(len(SHEET))).removed
     # The outlines run counter-clockwise, the hole clockwise: the board is on the left of each.
     assert removed.tolist() == [-1] * 5 + [0] + [-1] * 4 + [-1] * 4
+
+
+@pytest.mark.parametrize("degrees", [0.0, 90.0, 180.0, 233.0])
+def test_a_slit_that_reaches_into_another_part_does_not_move_its_own_part_inside(
+    degrees: float,
+) -> None:
+    upper = closed((0, 10), (50, 10), (50, 40), (0, 40))
+    tail = edges(((0, 10), (0, -0.1)))
+    lower = closed((-5, -20), (60, -20), (60, 0), (-5, 0))
+    cuts = np.concatenate([upper, tail, lower]) @ rotation(degrees).T
+    waste = cut_sides(cuts, np.zeros(len(cuts))).waste != 0
+    assert waste.tolist() == [True] * 4 + [False] + [True] * 4

@@ -127,11 +127,30 @@ def test_a_slit_has_no_side_and_comes_before_the_holes() -> None:
     assert sorted(blank.source.tolist()) == [0, 1, 2, 3]
 
 
-def test_an_edge_that_two_blanks_share_is_refused_and_one_gap_between_them_is_enough() -> None:
+def test_an_edge_that_two_blanks_share_is_cut_on_its_line_before_the_outline() -> None:
     shared = dieline((LineType.CUT, BLANK), (LineType.CUT, edges(((100, 0), (100, 100)))))
-    with pytest.raises(PlanError, match=r"share edge 4, so a cutter of 6 mm") as refused:
-        plan(shared, ROUTED, BOARD)
-    assert "6 mm apart" in refused.value.hint
+    slit, outline = plan(shared, ROUTED, BOARD)
+    assert (slit.source.tolist(), slit.side) == ([4], 0)
+    assert (set(outline.source.tolist()), outline.side) == ({0, 1, 2, 3}, 1)
+
+
+def test_a_contour_that_separates_two_parts_is_cut_on_its_line() -> None:
+    # A square in a blank whose corners touch cuts from the outline: parts on both its sides.
+    inner = closed((50, 50), (150, 50), (150, 80), (50, 80))
+    tie = edges(((0, 50), (50, 50)), ((150, 50), (200, 50)))
+    parts = dieline((LineType.CUT, BLANK), (LineType.CUT, inner), (LineType.CUT, tie))
+    sides = {one.side: set(one.source.tolist()) for one in plan(parts, ROUTED, BOARD)}
+    assert sides == {0: {4, 5, 6, 7, 8, 9}, 1: {0, 1, 2, 3}}
+
+
+def test_an_outline_that_goes_on_in_the_line_of_a_shared_edge_is_refused() -> None:
+    # A pocket hangs on the middle of the lower side of the blank.
+    pocket = edges(((50, 0), (50, -40)), ((50, -40), (150, -40)), ((150, -40), (150, 0)))
+    with pytest.raises(PlanError, match="share edge 0"):
+        plan(dieline((LineType.CUT, BLANK), (LineType.CUT, pocket)), ROUTED, BOARD)
+
+
+def test_one_gap_between_two_blanks_is_enough() -> None:
     apart = dieline(
         (LineType.CUT, closed((0, 0), (97, 0), (97, 100), (0, 100))),
         (LineType.CUT, closed((103, 0), (200, 0), (200, 100), (103, 100))),

@@ -149,6 +149,38 @@ def test_an_edge_that_was_dropped_is_found() -> None:
     )
 
 
+def circle_of_chords() -> Dieline:
+    """Return 360 chords of a circle with radius 30 mm, each at most 0.0011 mm inside it."""
+    turn = np.radians(np.arange(361.0))
+    points = 30.0 * np.column_stack([np.cos(turn), np.sin(turn)])
+    return dieline((CUT, np.stack([points[:-1], points[1:]], axis=1)))
+
+
+def test_arcs_that_replace_chords_state_their_distance() -> None:
+    line = circle_of_chords()
+    made = clean(line)
+    assert check_cleaning(line, made) == []
+    error = made.dieline.fit_error
+    too_small = with_changes(made, fit_error=0.9 * error)
+    assert (
+        "the edge is 0.0011 mm away from the arc that replaces it, and only 0.0010 mm are stated"
+        in findings_text(too_small, line)
+    )
+    unstated = with_changes(made, fit_error=np.zeros(len(error)))
+    assert "only 0.0000 mm are stated" in findings_text(unstated, line)
+
+
+def test_an_arc_of_a_wrong_radius_for_chords_is_found() -> None:
+    line = circle_of_chords()
+    made = clean(line)
+    # Flatter arcs, 0.3 mm off in the middle: the first chords that are too far are reported.
+    bulge = np.where(made.dieline.bulge != 0.0, 0.99, 0.0)
+    findings = check_cleaning(line, with_changes(made, bulge=bulge))
+    assert len(findings) == 50
+    assert {finding.message.code for finding in findings} == {"verify.cleaning-moved"}
+    assert 0.2 < max(finding.measure for finding in findings) < 0.3
+
+
 def dropped_groove(start: tuple[float, float], end: tuple[float, float]) -> str:
     """Return the findings about a cleaning that drops the last 10 mm of a groove."""
     square, window = (

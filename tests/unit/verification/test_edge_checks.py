@@ -406,8 +406,8 @@ def test_a_half_cut_at_the_depth_of_a_cut_is_a_stray() -> None:
 
 @pytest.mark.parametrize(
     ("degrees", "fine"),
-    # 3 mm of blade swing 0.01 mm at 2 arcsin(0.01 / 6) = 0.19099°.
-    [(0.19, True), (0.192, False), (-0.19, True), (-0.192, False), (179.0, False)],
+    # 2.5 mm of blade swing 0.01 mm at 2 arcsin(0.01 / 5) = 0.22918°.
+    [(0.229, True), (0.23, False), (-0.229, True), (-0.23, False), (179.0, False)],
 )
 def test_a_knife_may_be_turned_until_it_swings_by_a_hundredth(degrees: float, fine: bool) -> None:
     text = LINUXCNC.decode().replace("Y70.0000 C90.0000\n", f"Y70.0000 C{90 + degrees:.4f}\n", 1)

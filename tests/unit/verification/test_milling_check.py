@@ -417,7 +417,9 @@ def test_a_kerf_as_narrow_as_that_of_a_laser_is_no_shortfall() -> None:
     tool = Cutter(0.2, 6000.0, 1200.0, speed=20000.0)
     thin = replace(ROUTER, stations=(replace(ROUTER.stations[0], tool=tool),))
     verdict = verify(program(*cut), drawn, (0.0, 0.0), thin, BOARD)
-    assert verdict.findings == ()
+    [note] = verdict.findings
+    assert (note.message.code, note.severity) == ("verify.narrow-slits", Severity.NOTE)
+    assert dict(note.message.arguments) == {"count": 1, "length": pytest.approx(50.0), "width": 0.4}
     assert not verdict.slit_length.any()
 
 

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import BaseModel, Field
 
 from knifetip.api.schemas.common import JsonBody, PageQuery, Parameters
-from knifetip.api.schemas.times import Moment, MomentIn
+from knifetip.api.schemas.times import Moment, MomentIn, in_order
 from knifetip.jobs.accounts.scopes import AccessScope
 
 UserRole = Literal["viewer", "designer", "operator", "admin"]
@@ -43,8 +43,9 @@ class SignIn(JsonBody):
 class MeOut(BaseModel):
     """The sender of the request, and what it may do."""
 
-    kind: Literal["user", "key", "local", "server-key"] = Field(
-        description="user: a user who has signed in; key: an API key; local: this computer, while "
+    kind: Literal["user", "key", "device", "local", "server-key"] = Field(
+        description="user: a user who has signed in; key: an API key; device: a browser "
+        "that was paired with a machine; local: this computer, while "
         "there is no administrator; server-key: the key with which the server was started"
     )
     name: str = Field(description="Name of the user or of the key")
@@ -53,6 +54,11 @@ class MeOut(BaseModel):
         "no user"
     )
     scopes: list[AccessScope] = Field(description="All scopes of the sender")
+    account: str = Field(
+        description="Identifies the user or the key, as in `owner` of a drawing; empty for others"
+    )
+    customer: str = Field(description="Only customer of the key; empty for all")
+    machines: list[str] = Field(description="Only machines of the key; empty for all")
     has_admin: bool = Field(
         description="Whether there is an administrator; before, every program on the server's "
         "computer may do everything"
@@ -103,6 +109,21 @@ class KeyOut(BaseModel):
     id: str = Field(description="Id of the key, which is a part of its secret")
     title: str = Field(description="What uses the key")
     scopes: list[AccessScope] = Field(description="Scopes that were given to the key")
+    customer: str = Field(
+        description="Customer whose jobs and drawings the key sees and orders; empty for all"
+    )
+    machines: list[str] = Field(
+        description="Machines whose jobs the key sees and for which it orders; empty for all. The "
+        "key of a gateway gets the first machine for which it is used"
+    )
+    any_machine: bool = Field(
+        description="Whether the key of a gateway is for all machines, because an earlier version "
+        "made it; create a new key instead"
+    )
+    device: bool = Field(
+        description="Whether it is no key of a program, but that of a browser which was paired "
+        "with a machine"
+    )
     created: Moment = Field(description="Time of the creation")
     created_by: str = Field(description="Who created the key; empty if it is not known")
     expires: Moment | None = Field(description="Time of its end; null for never")
@@ -110,6 +131,14 @@ class KeyOut(BaseModel):
         description="Time of the last use, recorded once a minute; null for never"
     )
     revoked: Moment | None = Field(description="Time of its revocation; null if valid")
+
+
+class PairingCodeOut(BaseModel):
+    """A code with which one browser can be paired with a machine."""
+
+    code: str = Field(description="The code: two groups of four letters and digits")
+    machine: str = Field(description="Name of the machine")
+    expires: Moment = Field(description="Time of its end")
 
 
 class KeyIn(JsonBody):
@@ -120,8 +149,22 @@ class KeyIn(JsonBody):
     scopes: list[Annotated[AccessScope, Field(strict=False)]] = Field(
         min_length=1,
         max_length=10,
-        description="What the key permits; each role contains the lesser ones. Programs at a "
-        "machine need `gateway`",
+        description="What the key permits. read: see everything. order: also upload drawings, "
+        "order jobs, and release, change and cancel those. webhooks: manage webhooks of its own. "
+        "station: start and move machines. gateway: control a machine. The roles of users are "
+        "possible too, but none of them lets a key start or move a machine",
+    )
+    customer: str = Field(
+        default="",
+        max_length=200,
+        description="Only customer whose jobs and drawings the key sees and orders; empty for "
+        "all. With the scopes viewer, read, order and webhooks",
+    )
+    machines: list[Annotated[str, Field(min_length=1, max_length=200)]] = Field(
+        default=[],
+        max_length=50,
+        description="Only machines of the key; empty for all, for a gateway the first one for "
+        "which it is used. With the scopes viewer, read, order, webhooks, station and gateway",
     )
     expires: MomentIn | None = Field(
         default=None, description="Time at which the key becomes invalid; null for never"
@@ -165,3 +208,5 @@ class AuditQuery(PageQuery, Parameters):
     )
     since: MomentIn | None = Field(default=None, description="Only entries since then")
     until: MomentIn | None = Field(default=None, description="Only entries before then")
+
+    _ordered = in_order(("since", "until"))

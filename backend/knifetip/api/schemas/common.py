@@ -43,6 +43,21 @@ class PageQuery(BaseModel):
     limit: int = Field(default=100, ge=1, le=500, description="Maximum number of items in the list")
 
 
+class ListPage(BaseModel):
+    """Query parameters that select a part of a list that is short as a rule."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    cursor: Annotated[int, Field(ge=0, le=2**31 - 1)] | None = Field(
+        default=None,
+        description="Position in the list where the page begins, from the Link header of the "
+        "previous page",
+    )
+    limit: int = Field(
+        default=1000, ge=1, le=1000, description="Maximum number of items in the list"
+    )
+
+
 class Parameters(BaseModel):
     """Base class of query parameters; unknown ones are refused."""
 
@@ -86,7 +101,10 @@ class Problem(MessageOut):
     text_fields: ClassVar[tuple[str, ...]] = ("detail", "text")
 
     type: str = Field(
-        default="about:blank", description="Always `about:blank`; `code` identifies the error"
+        default="about:blank",
+        description="Type of the error: `urn:knifetip:problem:` and its class, such as "
+        "`wrong-state`, `not-found`, `key-reused` or `request` (the request cannot be read); "
+        "`about:blank` for an error that `status` describes. `code` identifies the error",
     )
     title: str = Field(description="Name of the type of error in English")
     status: int = Field(description="HTTP status of the response")

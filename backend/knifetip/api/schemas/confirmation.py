@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import BaseModel, Field
 
 from knifetip.api.schemas.jobs import JobTool
+from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.orders import Sheet
 
 
@@ -24,10 +25,28 @@ class ToolToConfirm(JobTool):
     )
 
 
+class CheckOut(BaseModel):
+    """One item that the operator checks at the machine."""
+
+    id: str = Field(
+        description="Id for `checked` of the confirmation: board, sheet, unfinished-sheet, "
+        "station-1 and so on, table-clear or hands-clear"
+    )
+    text: str = Field(description="What is checked, in English")
+    message: MessageOut = Field(description="The text as a message with its code and arguments")
+    station: int | None = Field(
+        description="Number of the station whose tool is checked; null for any other check"
+    )
+
+
 class ConfirmationOut(BaseModel):
     """What the operator checks at the machine, and then confirms."""
 
     awaited: bool = Field(description="Whether the machine waits for the confirmation now")
+    checks: list[CheckOut] = Field(
+        description="What the operator checks at the machine, in the order of the work. The "
+        "confirmation names the id of each one"
+    )
     machine: str = Field(description="Name of the machine")
     board: str = Field(description="Name of the board that must be on the table")
     tools: list[ToolToConfirm] = Field(

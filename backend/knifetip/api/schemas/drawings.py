@@ -15,7 +15,12 @@ from knifetip.api.schemas.common import (
     QuestionOut,
 )
 from knifetip.api.schemas.messages import MessageOut
-from knifetip.api.schemas.order_details import DetailsQuery, OrderDetailsOut, OrderDetailsPatch
+from knifetip.api.schemas.order_details import (
+    DetailsQuery,
+    OrderDetailsOut,
+    OrderDetailsPatch,
+    TimesQuery,
+)
 from knifetip.api.schemas.times import Moment
 from knifetip.fields import LISTED
 from knifetip.library.custom_profiles import MAX_BYTES
@@ -135,11 +140,12 @@ class CleaningRow(MessageOut):
         "in its place. dropped: it is not machined"
     )
     reason: Literal[
-        "moved", "shortened", "longer", "joined", "fitted", "twice", "speck", "off_panel"
+        "moved", "shortened", "longer", "joined", "fitted", "twice", "near", "speck", "off_panel"
     ] = Field(
         description="moved: an end was moved. shortened: a part lies on other edges. longer: other "
         "edges were joined to this edge. joined: the edge became part of a collinear edge. fitted: "
         "the edge became part of a fitted line or arc. twice: the edge lies on other edges. "
+        "near: the edge lies less than 0.05 mm beside other edges and was merged into them. "
         "speck: the edge is too short to be machined. off_panel: the edge, or a part of it, "
         "belongs to a fold and lies outside all panels"
     )
@@ -251,7 +257,19 @@ Revision = Annotated[
 ]
 
 
-class DrawingsQuery(DetailsQuery, PageQuery):
+Owner = Annotated[
+    str,
+    Field(
+        description="Account that uploaded the drawing, as `account` in `GET /api/me`; empty for "
+        "none, then every designer may change the drawing"
+    ),
+]
+Shared = Annotated[
+    bool, Field(description="Whether all designers may change the drawing, not only its owner")
+]
+
+
+class DrawingsQuery(TimesQuery, DetailsQuery, PageQuery):
     """Query parameters that select drawings; all conditions must be met."""
 
 
@@ -262,6 +280,9 @@ class DrawingOut(OrderDetailsOut):
     revision: Revision
     name: str = Field(description="Name of the uploaded file")
     created: Moment = Field(description="Time of the upload")
+    updated: Moment = Field(description="Time of the last change")
+    owner: Owner = ""
+    shared: Shared = False
     sha256: str = Field(description="SHA-256 of the uploaded file (64 hexadecimal digits)")
     unit: Unit | None = Field(
         description="Unit of the file; null while it is not decided, then all lengths are in file "
@@ -331,6 +352,9 @@ class DrawingSummary(OrderDetailsOut):
     revision: Revision
     name: str = Field(description="Name of the uploaded file")
     created: Moment = Field(description="Time of the upload")
+    updated: Moment = Field(description="Time of the last change")
+    owner: Owner = ""
+    shared: Shared = False
     unit: Unit | None = Field(
         description="Unit of the file; null while it is not decided, then all lengths are in file "
         "units"
@@ -443,4 +467,8 @@ class DrawingPatch(OrderDetailsPatch):
         default="",
         description="Text of an earlier or deleted version of the profile (TOML); empty for the "
         "current version",
+    )
+    shared: bool | None = Field(
+        default=None,
+        description="Whether all designers may change the drawing; null for no change",
     )

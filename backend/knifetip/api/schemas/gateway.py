@@ -43,6 +43,9 @@ class Claim(BaseModel):
     sha256: str = Field(description="SHA-256 of the program (64 hexadecimal digits)")
     lines: int = Field(description="Number of program lines")
     copies: int = Field(description="Number of copies that remain to be made")
+    seconds: float = Field(
+        default=0.0, description="Stated time of a copy on the machine (s); 0 if it is not known"
+    )
     confirm: bool = Field(
         default=False,
         description="Send nothing to the machine; send heartbeats with `waiting` until the reply "
@@ -79,18 +82,23 @@ class HeartbeatIn(JsonBody):
         default=0,
         description="Number of the phase of the run since the claim. A new phase begins when the "
         "machine continues after a hold, and when the gateway itself begins to wait for the "
-        "operator. The reply `resume` counts only in the phase of the report",
+        "operator. The replies `resume` and `end` count only in the phase of the report",
+    )
+    awaits_end: bool = Field(
+        default=False,
+        description="Whether the whole program was handed over to a controller that reports "
+        "nothing, so that a person must confirm that the machine has executed it",
     )
 
 
 class HeartbeatOut(BaseModel):
     """Response to a heartbeat: the command for the gateway."""
 
-    command: Literal["wait", "start", "continue", "hold", "resume", "cancel"] = Field(
+    command: Literal["wait", "start", "continue", "hold", "resume", "end", "cancel"] = Field(
         description="Command for the gateway: wait: send nothing to the machine yet. start: begin "
         "the program. continue: no change. hold: stop the machine so that it can "
-        "resume. resume: continue after a hold. cancel: stop the machine and end the "
-        "job"
+        "resume. resume: continue after a hold, or start the next copy. end: a person has seen "
+        "that the program is executed. cancel: stop the machine and end the job"
     )
     lease: float = Field(description="Duration of the lease from now on (s)")
 
@@ -100,10 +108,14 @@ class FinishIn(JsonBody):
 
     job: Name = Field(description="Id of the job, from the claim")
     epoch: Count = Field(description="Epoch of the claim")
-    outcome: Annotated[Literal["done", "interrupted", "cancelled", "returned"], LISTED] = Field(
+    outcome: Annotated[
+        Literal["done", "interrupted", "cancelled", "returned", "refused"], LISTED
+    ] = Field(
         description="done: all copies are complete. interrupted: the machine stopped before the "
         "end. cancelled: the machine was stopped as requested. returned: the job is "
-        "released; nothing was sent to the machine"
+        "released; no program line was executed. refused: the machine has not begun the program, "
+        "because its check run refused it or a failure came first; the job stays in the queue "
+        "until an operator lets it be tried again"
     )
     why: Annotated[str, Field(max_length=2000)] | MessageIn = Field(
         default="",
@@ -113,6 +125,11 @@ class FinishIn(JsonBody):
     line: Count | None = Field(
         default=None,
         description="Last executed program line; null for the line of the last heartbeat",
+    )
+    line_at_most: Count | None = Field(
+        default=None,
+        description="Most program lines of the present copy that the machine may have executed; "
+        "equal to `line` if the gateway followed the machine to its stop. Null if it is not known",
     )
     copies_done: Count | None = Field(
         default=None,

@@ -9,7 +9,7 @@ from pydantic import BaseModel, ConfigDict, Field
 from knifetip.api.schemas.common import JsonBody, Parameters
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.order_details import DetailsQuery
-from knifetip.api.schemas.times import Moment, MomentIn, OptionalMoment
+from knifetip.api.schemas.times import Moment, MomentIn, OptionalMoment, in_order
 from knifetip.fields import LISTED
 
 By = Annotated[str, Field(max_length=100)]
@@ -25,6 +25,8 @@ class PeriodQuery(Parameters):
     until: MomentIn | None = Field(
         default=None, description="Time before which the end is; null for no limit"
     )
+
+    _ordered = in_order(("since", "until"))
 
 
 class HistoryQuery(DetailsQuery, PeriodQuery):

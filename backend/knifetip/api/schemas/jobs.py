@@ -8,11 +8,12 @@ from pydantic import BaseModel, Field, computed_field
 
 from knifetip.api.schemas.common import WHOLE, Count, JsonBody, Name, PageQuery, QuestionOut
 from knifetip.api.schemas.messages import MessageOut
-from knifetip.api.schemas.order_details import DetailsQuery, OrderDetailsOut
+from knifetip.api.schemas.order_details import DetailsQuery, OrderDetailsOut, TimesQuery
 from knifetip.api.schemas.orders import Corners, Lift, Sheet
 from knifetip.api.schemas.times import Moment, OptionalMoment
 from knifetip.api.schemas.verdicts import VerdictSummary
 from knifetip.fields import LISTED
+from knifetip.gateway.operations import HANDS_CLEAR
 from knifetip.jobs.operator_actions import OperatorAction
 from knifetip.model.stage import Stage
 
@@ -35,7 +36,7 @@ JobState = Annotated[
 ]
 
 
-class JobsQuery(DetailsQuery, PageQuery):
+class JobsQuery(TimesQuery, DetailsQuery, PageQuery):
     """Query parameters that select jobs; all conditions must be met."""
 
     state: list[JobState] = Field(
@@ -50,17 +51,12 @@ class JobsQuery(DetailsQuery, PageQuery):
 
 
 class ConfirmIn(JsonBody):
-    """Confirmation of a job by the operator; all fields are optional."""
+    """Confirmation of a job by the operator, with the checks that were made at the machine."""
 
-    board: Name | None = Field(
-        default=None,
-        description="Name of the board on the table; the request is refused if it is not the "
-        "board of the job. Null for no check",
-    )
-    stations: Annotated[list[Annotated[int, WHOLE]], Field(max_length=100)] | None = Field(
-        default=None,
-        description="Numbers of the stations whose tools the operator has checked; the request is "
-        "refused if the program uses another one. Null for no check",
+    checked: Annotated[list[Name], Field(max_length=300)] = Field(
+        default=[],
+        description="Ids of the checks that the operator has made at the machine: all `checks` of "
+        "`GET /api/jobs/{id}/confirmation`. The request is refused if one is missing",
     )
     changed: Annotated[list[Annotated[int, WHOLE]], Field(max_length=100)] = Field(
         default=[],
@@ -80,13 +76,24 @@ class ConfirmIn(JsonBody):
     )
 
 
-class ResumeIn(JsonBody):
-    """Request to resume a held job."""
+class EndIn(JsonBody):
+    """Statement that the machine has executed a program whose end it does not report."""
 
     phase: Count | None = Field(
         default=None,
         description="`phase` of the job for which the operator decided; the request is refused if "
         "the job is in another one. Null for no check",
+    )
+
+
+class ResumeIn(EndIn):
+    """Request to resume a job that is held in a copy."""
+
+    hands_clear: bool = Field(
+        default=False,
+        description="States that hands are clear of the machine; this counts for the request only. "
+        f"Without it a statement of the last {HANDS_CLEAR:g} s by "
+        "`POST /api/machines/{name}/hands-clear` is needed, which then ends",
     )
 
 
@@ -102,6 +109,15 @@ class StopOut(BaseModel):
     """Place at which the machine stopped a job."""
 
     line: int = Field(description="Number of executed program lines of the present copy")
+    line_at_most: int = Field(
+        description="Most program lines of the present copy that the machine may have executed; "
+        "greater than `line` if nobody observed the machine until it stopped"
+    )
+    certain: bool = Field(
+        description="Whether `line` is exact. If false, the machine may have executed more lines, "
+        "up to `line_at_most`: a job that continues the sheet needs a statement of the operator "
+        "which tracks are made"
+    )
     position: tuple[float, float, float, float] | None = Field(
         description="Position on the sheet: X, Y of the head axis, Z of the tip before it was "
         "lifted (mm), C (degrees); null if it is not known"
@@ -134,7 +150,10 @@ class JobOut(OrderDetailsOut):
         "is nothing to report"
     )
     reason: str = Field(description="Text of `message` in English; empty if `message` is null")
-    hint: str = Field(description="Hint of `message` in English; empty if there is none")
+    hint: str = Field(
+        description="Hint of `message` in English; empty if there is none. That of an interrupted "
+        "job begins with the best way: to continue the sheet, with the number of tracks left"
+    )
     source: list[str] = Field(
         description="Handles of the entities that `message` concerns; empty if it concerns none"
     )
@@ -181,13 +200,17 @@ class JobOut(OrderDetailsOut):
     )
     created: Moment = Field(description="Time at which the job was created")
     updated: Moment = Field(description="Time of the last change of the job")
-    waiting_for: Literal["", "confirmation", "sheet", "machine", "turn", "hold", "compile"] = Field(
+    waiting_for: Literal[
+        "", "confirmation", "sheet", "machine", "turn", "hold", "check", "compile"
+    ] = Field(
         default="",
         description="What the job waits for. confirmation: the operator must confirm table, board "
         "and tools. sheet: the operator must confirm the next sheet. machine: the "
         "machine has not claimed the job. turn: other jobs come first. hold: the job is on "
-        "hold in the queue. compile: the machine or the board has changed, so the job must be "
-        "compiled again. Empty: it does not wait. `message` describes the reason",
+        "hold in the queue. check: the machine has not begun the program (`check_refusal`), and "
+        "waits until an operator lets it be tried again. compile: the machine or the board has "
+        "changed, so the job must be compiled again. Empty: it does not wait. "
+        "`message` describes the reason",
     )
     queue_position: int | None = Field(
         default=None,
@@ -199,11 +222,19 @@ class JobOut(OrderDetailsOut):
         description="Estimated start: now, and the machine time of the jobs before it. Null if the "
         "job does not wait in a queue, or if `no_estimate` states why there is none",
     )
-    no_estimate: Literal["", "hold", "compile", "interrupted", "gateway"] = Field(
+    no_estimate: Literal["", "hold", "check", "compile", "interrupted", "gateway"] = Field(
         default="",
-        description="Why a waiting job has no estimated start. hold: it is on hold. compile: it "
+        description="Why a waiting job has no estimated start. hold: it is on hold. check: the "
+        "machine has refused its program. compile: it "
         "must be compiled again. interrupted: an interrupted job occupies the machine. gateway: "
         "the machine is not connected. Empty otherwise",
+    )
+    check_refusal: MessageOut | None = Field(
+        default=None,
+        description="Why the machine has not begun the program: its check run refused it, or a "
+        "failure came before the first line. Nothing was executed. The job stays in the queue "
+        "and is not taken again by itself: try it again with `recheck`, compile it again or cancel "
+        "it. Null if there was no such failure",
     )
     on_hold: bool = Field(
         default=False,

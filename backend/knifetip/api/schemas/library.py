@@ -28,6 +28,14 @@ class DeflectionOut(BaseModel):
     y: float = Field(description="Maximum deflection in Y (mm)")
 
 
+class ToolLimitsOut(BaseModel):
+    """How fast and how deep the tools of one kind may work in a board."""
+
+    kind: str = Field(description="Kind of tool, such as knife or cutter")
+    feed: float = Field(description="Greatest feed in the board (mm/min); 0: no limit")
+    step: float = Field(description="Greatest depth of one pass of a cutter (mm); 0: no limit")
+
+
 class BoardOut(BaseModel):
     """A board of a user or of knifetip's library; lengths in mm, angles in degrees."""
 
@@ -36,7 +44,9 @@ class BoardOut(BaseModel):
         description="Version of a user's board; 0 for a board of knifetip's library"
     )
     title: str = Field(description="Name of the board for display; may be empty")
-    material: str = Field(description="Material: greyboard, corrugated or folding boxboard")
+    material: str = Field(
+        description="Material: corrugated, folding boxboard, solid board, greyboard or foam board"
+    )
     caliper: float = Field(description="Thickness of the board (mm)")
     grain: float = Field(
         description="Direction of flute or grain on the sheet, from the X axis (degrees, "
@@ -59,6 +69,9 @@ class BoardOut(BaseModel):
     bridge_spacing: float = Field(description="Largest distance between two bridges (mm)")
     deflection: list[DeflectionOut] = Field(
         description="Deflection of each cutter that was measured in this board; empty if none was"
+    )
+    limits: list[ToolLimitsOut] = Field(
+        description="Limits for the tools of some kinds in this board; other tools have none"
     )
 
 

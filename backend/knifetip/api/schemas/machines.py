@@ -139,6 +139,10 @@ class MachineOut(BaseModel):
         "operator confirms that the sheet is on the table. automatic: the machine "
         "starts without confirmation"
     )
+    feed_override: tuple[int, int] = Field(
+        description="Least and greatest feed override while a program runs (%), if the controller "
+        "has one"
+    )
     axes: dict[str, dict[str, float]] = Field(
         description="Limits of the axes x, y, z and c, and of those of further carriages, such as "
         "v and a: `low` and `high` are the lowest and highest joint position (mm or degrees), "

@@ -20,7 +20,7 @@ from pydantic import (
 )
 
 from knifetip.api.schemas.common import JsonBody
-from knifetip.api.schemas.times import Moment, MomentIn
+from knifetip.api.schemas.times import Moment, MomentIn, in_order
 from knifetip.fields import field_error
 from knifetip.jobs.order_details import DetailsFilter
 
@@ -121,12 +121,33 @@ class DetailsQuery(BaseModel):
     notes: str = Field(
         default="", max_length=200, description="Part of the notes, in any case; empty for all"
     )
+    _due_in_order = in_order(("due_after", "due_before"))
     metadata: str | None = Field(
         default=None,
         alias="metadata.KEY",
         description="Value of the metadata with the key KEY, such as `metadata.line=3`; may be "
         "given for several keys, and all must match",
     )
+
+
+class TimesQuery(BaseModel):
+    """Query parameters that select drawings or jobs by their creation and their last change."""
+
+    created_after: MomentIn | None = Field(
+        default=None, description="Earliest creation; null for no limit"
+    )
+    created_before: MomentIn | None = Field(
+        default=None, description="Time before which it was created; null for no limit"
+    )
+    updated_after: MomentIn | None = Field(
+        default=None,
+        description="Earliest last change, for what has changed since; null for no limit",
+    )
+    updated_before: MomentIn | None = Field(
+        default=None, description="Time before which it was changed last; null for no limit"
+    )
+
+    _ordered = in_order(("created_after", "created_before"), ("updated_after", "updated_before"))
 
 
 _COLUMNS: Final = {name: name for name in ("external_id", "customer", "due", "notes")} | {
@@ -161,8 +182,10 @@ def _parsed(value: Any) -> Any:
         return value
     try:
         return json.loads(value or "{}")
+    except json.JSONDecodeError as reason:
+        raise field_error("field.bad-json", line=reason.lineno, column=reason.colno) from reason
     except (ValueError, RecursionError) as reason:
-        raise field_error("field.not-json", reason=str(reason)[:80]) from reason
+        raise field_error("field.nested-too-deep") from reason
 
 
 _FORM: Final = TypeAdapter[dict[str, Any]](Annotated[Metadata, BeforeValidator(_parsed)])
@@ -199,4 +222,8 @@ def details_filter(query: DetailsQuery, request: Request) -> DetailsFilter:
         query.due_before,
         query.notes,
         labels,
+        *(
+            getattr(query, name, None)
+            for name in ("created_after", "created_before", "updated_after", "updated_before")
+        ),
     )

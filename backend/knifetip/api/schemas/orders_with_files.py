@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import base64
-from typing import Final
+from typing import Annotated, Any, Final, TypeAlias
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, WrapValidator
 from pydantic.config import JsonDict
+from pydantic_core import ErrorDetails
 
 from knifetip.api.schemas.common import JsonBody, Name, QuestionOut
 from knifetip.api.schemas.drawings import DrawingSummary, Unit
 from knifetip.api.schemas.jobs import JobOut
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.orders import JobChoices
+from knifetip.api.text_faults import text_faults
 from knifetip.errors import RequestError
 
 
@@ -65,10 +67,42 @@ class OrderIn(JobChoices):
     )
 
 
+class InvalidOrder(BaseModel):
+    """An order whose fields are invalid, among others that are executed."""
+
+    faults: list[Any] = Field(description="Errors in the form of pydantic")
+
+    def faults_at(self, index: int) -> list[ErrorDetails]:
+        """Return the errors with their paths in a request whose orders are in a list.
+
+        Parameters
+        ----------
+        index
+            Number of the order in the list, from 0.
+        """
+        faults: list[ErrorDetails] = self.faults
+        return [{**one, "loc": ("body", "orders", index, *one["loc"])} for one in faults]
+
+
+def _order(value: Any, _: object) -> OrderIn | InvalidOrder:
+    if faults := text_faults(value):
+        return InvalidOrder(faults=faults)
+    try:
+        return OrderIn.model_validate(value)
+    except ValidationError as reason:
+        return InvalidOrder(faults=reason.errors(include_url=False))
+
+
+#: An order with a result of its own: its errors do not refuse the request.
+ListedOrder: TypeAlias = Annotated[
+    OrderIn | InvalidOrder, WrapValidator(_order, json_schema_input_type=OrderIn)
+]
+
+
 class OrdersIn(JsonBody):
     """Several orders, each of which is executed or refused independently."""
 
-    orders: list[OrderIn] = Field(min_length=1, max_length=100, description="The orders")
+    orders: list[ListedOrder] = Field(min_length=1, max_length=100, description="The orders")
 
 
 class OrderOut(BaseModel):
@@ -82,12 +116,26 @@ class OrderResult(BaseModel):
     """Result of one of several orders."""
 
     index: int = Field(description="Number of the order in the request, from 0")
+    status: int = Field(
+        description="HTTP status that this order alone would have had: 201 if its job was created"
+    )
     drawing: str | None = Field(
         description="Id of the drawing; null if it was not stored. It is kept if the job was "
         "refused"
     )
-    job: JobOut | None = Field(description="The job; null if the order was refused")
-    problem: MessageOut | None = Field(description="Why the order was refused; null if it was not")
+    job_id: str | None = Field(description="Id of the job; null if it was not created")
+    job: JobOut | None = Field(
+        description="The job; null if it was not created, or if the server failed before it could "
+        "describe it: `job_id` is then given"
+    )
+    problem: MessageOut | None = Field(
+        description="Why the order was refused, failed or was not tried; null if it succeeded"
+    )
+    source: list[str] = Field(
+        default=[],
+        description="Paths of the fields, or handles of the entities, that the problem concerns; "
+        "empty if there are none",
+    )
     questions: list[QuestionOut] = Field(
         default=[], description="Questions for which it was refused; empty if there are none"
     )

@@ -41,10 +41,13 @@ class RestIn(JsonBody):
         "of the job), on new sheets; excludes all other fields but `release`. Also for a job that "
         "made the rest of a sheet of the batch",
     )
-    made: bool = Field(
+    made: bool | Annotated[list[_Number], Field(max_length=100_000)] = Field(
         default=False,
-        description="Whether the operator has found all tracks complete that are left out. If "
-        "false, tracks that the machine has not reported as executed must not be left out",
+        description="What the operator has found on the sheet. A list: the numbers of all tracks "
+        "that are complete; the new job makes all others. It is required if the machine may have "
+        "executed more than it reported (`stopped_at.certain` is false), and excludes a track, a "
+        "line or a station. true: all tracks that are left out are complete. false: tracks that "
+        "the machine has not reported as executed must not be left out",
     )
     uncut: bool = Field(
         default=False,
@@ -64,10 +67,12 @@ class RestIn(JsonBody):
         places = (self.from_track, self.from_line, self.station)
         given = sum(place is not None for place in places)
         both = self.from_track is not None and self.from_line is not None
-        others = given or self.whole or self.made or self.copies > 1
+        stated = not isinstance(self.made, bool)
+        others = given or self.whole or stated or self.made or self.copies > 1
         if (
             both
-            or (self.whole and given)
+            or (self.whole and (given or stated))
+            or (stated and given)
             or (self.copies > 1 and not self.whole)
             or (self.remaining and others)
         ):
@@ -87,7 +92,8 @@ class TrackOut(BaseModel):
         description="X, Y of the head axis at the start, on the sheet (mm)"
     )
     end: tuple[float, float] = Field(description="X, Y of the head axis at the end (mm)")
-    state: Annotated[Literal["cut", "begun", "uncut"], LISTED] = Field(
-        description="cut: the machine reported all its lines as executed. begun: it reported some "
-        "of them. uncut: it reported none; it may have executed more lines than it reported"
+    state: Annotated[Literal["cut", "begun", "uncut", "unknown"], LISTED] = Field(
+        description="cut: the machine executed all its lines. begun: it executed some of them. "
+        "uncut: it executed none. unknown: nobody observed whether the machine made the track; the "
+        "operator must state it to continue the sheet"
     )

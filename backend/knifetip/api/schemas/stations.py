@@ -8,9 +8,10 @@ from pydantic import BaseModel, Field, model_validator
 
 from knifetip.api.schemas.common import WHOLE, Count, JsonBody, Name, Pose
 from knifetip.api.schemas.messages import MessageIn, MessageOut
+from knifetip.api.schemas.times import Moment
 from knifetip.fields import LISTED, field_error
 from knifetip.gateway.dry_program import LEAST_SHARE
-from knifetip.gateway.operations import EXPIRY
+from knifetip.gateway.operations import EXPIRY, HANDS_CLEAR, JOG_RENEWAL
 from knifetip.gateway.tool_check import LARGEST_SHIFT
 
 Coordinate = Annotated[float, Field(ge=-1e5, le=1e5)]
@@ -29,15 +30,33 @@ OperationWord = Annotated[
         "frame",
         "tool_check",
         "lift",
+        "release",
         "hold",
         "resume",
+        "feed_override",
     ],
     LISTED,
 ]
 StateWord = Literal[
-    "idle", "run", "hold", "jog", "home", "check", "door", "alarm", "busy", "unreported", ""
+    "idle",
+    "run",
+    "hold",
+    "jog",
+    "home",
+    "check",
+    "door",
+    "alarm",
+    "sleep",
+    "tool",
+    "busy",
+    "unreported",
+    "",
 ]
 
+_OUTPUTS_KNOWN = (
+    "Whether all other outputs are off. False after the gateway was started while an alarm locked "
+    "the controller: a station may be down until the machine is unlocked, homed or released"
+)
 _POSITION = (
     "Position of the axes in the work coordinates of programs: X, Y, Z (mm) and C (degrees); null "
     "if it is not known"
@@ -46,6 +65,11 @@ _STATE = (
     "State of the controller. unreported: the controller takes programs and reports nothing, so a "
     "person confirms the end of each program. Empty if the controller is not connected"
 )
+_OBSTACLE = (
+    "Why a connected machine takes no job although no alarm locks it, or why the job on it does "
+    "not move, such as a hold or an open safety door, with what to do; null if there is nothing in "
+    "its way"
+)
 #: Arguments that an operation needs, by its name.
 _NEEDED = {
     "jog": ("axis", "distance", "feed"),
@@ -53,6 +77,7 @@ _NEEDED = {
     "switch": ("output", "on"),
     "spindle": ("station", "on"),
     "tool_check": ("station", "point"),
+    "feed_override": ("percent",),
 }
 
 
@@ -110,11 +135,13 @@ class StationOut(BaseModel):
     alarm: MessageOut | None = Field(
         description="Alarm that locks the controller, with what to do; null if there is none"
     )
+    obstacle: MessageOut | None = Field(description=_OBSTACLE)
     position: Pose | None = Field(description=_POSITION)
     outputs: list[int] = Field(
         description="Numbers of the digital outputs that are on, such as those of the pistons "
         "that lower stations"
     )
+    outputs_known: bool = Field(description=_OUTPUTS_KNOWN)
     operations: list[str] = Field(
         description="Operations that the controller can do, as in `POST "
         "/api/machines/{name}/operations`"
@@ -123,8 +150,16 @@ class StationOut(BaseModel):
         description="Number of the station whose spindle or oscillation was switched on by hand; "
         "null for none"
     )
+    override: int | None = Field(
+        description="Feed override: share of the programmed feeds (%); null if the controller has "
+        "none"
+    )
     activity: ActivityOut | None = Field(
         description="The last run above the board while a job waits; null if there was none"
+    )
+    notices: list[MessageOut] = Field(
+        description="Why the controller is not connected, or harmless differences between its "
+        "settings and the machine file, with what to do"
     )
     job: str = Field(
         description="Id of the job on the machine, or of the job that waits for a confirmation; "
@@ -140,7 +175,8 @@ class OperationIn(JsonBody):
 
     operation: OperationWord = Field(
         description="unlock: clear an alarm without homing. home: find the zero of all axes by "
-        "their switches. jog: move one axis by a distance. stop_jog: stop the jog that is "
+        "their switches. jog: move one axis by at most a distance, while `POST "
+        "/api/machines/{name}/operations/{id}/renew` is repeated. stop_jog: stop the jog that is "
         "running. zero: set the work coordinates of axes to zero at the present position. park: "
         "lift the tool and move it to the corner of the table. switch: switch an output on or off. "
         "spindle: switch the spindle or the oscillation of a station on or off. "
@@ -148,8 +184,17 @@ class OperationIn(JsonBody):
         "all outputs and the spindle off; the job keeps waiting. frame: move round the box of the "
         "sheet, or of the work if the sheet has no size, above the board. tool_check: "
         "move a station above a point and lower it almost to the board, with the spindle off. "
-        "lift: lift the tool straight up and switch everything off. hold, resume: hold and "
-        "resume such a run; stop_jog stops it"
+        "lift: lift the tool straight up and switch everything off. release: discard what the "
+        "controller holds or does without a job, such as after an opened door, in a sleep, in "
+        "check mode or at a tool change, and switch everything off, without motion. hold, resume: "
+        "hold and resume such a run; stop_jog stops it. feed_override: change the feed of the "
+        "program that runs, which is 100 % at the start of each job"
+    )
+    hands_clear: bool = Field(
+        default=False,
+        description="States that hands are clear of the machine; this counts for the request only. "
+        "home, zero, park, dry_run, frame, tool_check, resume, and what is switched on, need it or "
+        f"a statement of the last {HANDS_CLEAR:g} s by `POST /api/machines/{{name}}/hands-clear`",
     )
     axis: Literal["X", "Y", "Z", "C"] | None = Field(
         default=None, description="Axis of a jog; required for `jog`"
@@ -200,6 +245,12 @@ class OperationIn(JsonBody):
         "1 for `dry_run`, and 0.1 for `frame`",
     )
 
+    percent: Annotated[int, Field(ge=10, le=200), WHOLE] | None = Field(
+        default=None,
+        description="Share of the programmed feeds (%), within `feed_override` of the machine "
+        "file; required for `feed_override`",
+    )
+
     @model_validator(mode="after")
     def _check(self) -> Self:
         """Return this model unchanged if it has the arguments that its operation needs."""
@@ -207,6 +258,13 @@ class OperationIn(JsonBody):
             if getattr(self, name) is None:
                 raise field_error("operation.missing-argument", request=self.operation, name=name)
         return self
+
+
+class HandsClearOut(BaseModel):
+    """How long the statement counts that hands are clear of a machine."""
+
+    until: Moment = Field(description="Time until which the statement counts")
+    seconds: float = Field(description="Time for which it counts from now on (s)")
 
 
 class OperationOut(BaseModel):
@@ -244,10 +302,12 @@ class StationIn(JsonBody):
     alarm: MessageIn | None = Field(
         default=None, description="Alarm that locks the controller; null if there is none"
     )
+    obstacle: MessageIn | None = Field(default=None, description=_OBSTACLE)
     position: Pose | None = Field(default=None, description=_POSITION)
     outputs: Annotated[list[Count], Field(max_length=64)] = Field(
         default=[], description="Numbers of the digital outputs that are on"
     )
+    outputs_known: bool = Field(default=True, description=_OUTPUTS_KNOWN)
     operations: Annotated[list[Name], Field(max_length=32)] = Field(
         default=[], description="Operations that the controller can do"
     )
@@ -255,8 +315,16 @@ class StationIn(JsonBody):
         default=None,
         description="Number of the station whose spindle was switched on by hand; null for none",
     )
+    override: Annotated[int, WHOLE] | None = Field(
+        default=None, description="Feed override (%); null if the controller has none"
+    )
     activity: ActivityIn | None = Field(
         default=None, description="The last run above the board; null if there was none"
+    )
+    notices: Annotated[list[MessageIn], Field(max_length=100)] = Field(
+        default=[],
+        description="Why the controller is not connected, or harmless differences between its "
+        "settings and the machine file",
     )
     results: Annotated[list[ResultIn], Field(max_length=100)] = Field(
         default=[], description="Results of operations since the last report"
@@ -266,6 +334,16 @@ class StationIn(JsonBody):
         ge=0.0,
         le=10.0,
         description="Longest time that the server may wait for an operation before it answers (s)",
+    )
+
+
+class HeldJogOut(BaseModel):
+    """A jog whose button the person still holds."""
+
+    id: str = Field(description="Id of the operation")
+    age: float = Field(
+        description="Time from the last statement of the person to this answer (s); the gateway "
+        f"stops the jog when it is older than {JOG_RENEWAL:g} s"
     )
 
 
@@ -286,6 +364,7 @@ class AskedOut(BaseModel):
     on: bool | None = Field(default=None, description="Whether to switch the output on")
     station: int | None = Field(default=None, description="Number of the station")
     share: float | None = Field(default=None, description="Share of the feeds, for dry runs")
+    percent: int | None = Field(default=None, description="Feed override (%)")
     point: tuple[float, float] | None = Field(default=None, description="Point of a tool check")
     height: float | None = Field(
         default=None, description="Height of the tip above the mat in a tool check (mm)"
@@ -307,4 +386,7 @@ class StationAnswer(BaseModel):
     waited: float = Field(description="Time that the server waited before this answer (s)")
     watched: bool = Field(
         description="Whether a person looks at the machine: then reports are wanted every 0.3 s"
+    )
+    jog: HeldJogOut | None = Field(
+        default=None, description="The jog whose button is held; null if there is none"
     )

@@ -10,12 +10,15 @@ import re
 from datetime import UTC, datetime
 from typing import Annotated, Any, Final
 
-from pydantic import BeforeValidator, WithJsonSchema
+from pydantic import BeforeValidator, WithJsonSchema, model_validator
 
 from knifetip.fields import field_error
 from knifetip.jobs.time_text import rfc3339 as rfc3339
 
 _EPOCH: Final = datetime(1970, 1, 1, tzinfo=UTC)
+#: Begin of the year 1 and end of the year 9999 in UTC, beyond which no time can be sent back.
+_FIRST: Final = -62_135_596_800.0
+_END: Final = 253_402_300_800.0
 _TEXT: Final = re.compile(
     r"(\d{4})-(\d\d)-(\d\d)[Tt ](\d\d):(\d\d):(\d\d)(\.\d{1,60})?(?:[Zz]|([+-])(\d\d):(\d\d))",
     re.ASCII,
@@ -38,8 +41,7 @@ def seconds_of(text: str) -> float | None:
     if second > 60 or hours > 23 or minutes > 59:
         return None
     try:
-        # RFC 3339 permits year 0, which Python does not have.
-        begin = datetime(max(year, 1), month, day, hour, minute, tzinfo=UTC)
+        begin = datetime(year, month, day, hour, minute, tzinfo=UTC)
     except ValueError:
         return None
     offset = (hours * 3600 + minutes * 60) * (-1 if sign == "-" else 1)
@@ -54,7 +56,25 @@ def _accepted(value: Any) -> float:
     found = seconds_of(value) if isinstance(value, str) else None
     if found is None:
         raise field_error("field.not-a-time")
+    if not _FIRST <= found < _END:
+        raise field_error("field.no-year")
     return found
+
+
+def in_order(*pairs: tuple[str, str]) -> Any:
+    """Return a validator of a pydantic model: the second time of a pair is not before the first.
+
+    The pairs contain names of fields with times in seconds since 1970, or None.
+    """
+
+    def check(model: Any) -> Any:
+        for first, second in pairs:
+            begin, end = getattr(model, first), getattr(model, second)
+            if begin is not None and end is not None and end < begin:
+                raise field_error("field.wrong-order", first=first, second=second)
+        return model
+
+    return model_validator(mode="after")(check)
 
 
 #: A time in an answer.

@@ -132,6 +132,10 @@ class WebhookOut(BaseModel):
         "only the present one signs"
     )
     failures: int = Field(description="Failed attempts since the last success; 0 if it works")
+    paused_until: Moment | None = Field(
+        description="After several failed attempts in a row nothing is sent before this time, and "
+        "then one delivery at a time until the endpoint accepts one; null if it is not paused"
+    )
     last_delivery: DeliveryOut | None = Field(description="Newest delivery; null if there is none")
 
 

@@ -50,6 +50,7 @@ def check_database(
     """Check the database, and what is stored in it."""
     import sqlalchemy.exc
 
+    from knifetip.jobs.database_damage import is_damaged
     from knifetip.jobs.database_url import sqlite_file
     from knifetip.jobs.store import Store
 
@@ -67,19 +68,31 @@ def check_database(
         with closing(Store(options.url, objects=options.store)) as store:
             found = store.database.schema()
             yield _schema(found, options.shown, is_file=file is not None)
+            if fault := store.database.damage():
+                yield _damaged(options, fault)
+                return
             if not found.is_current:
                 return
             yield _write(store)
             yield _clock(store, now(), is_file=file is not None)
             yield _contents(store, options.store)
             yield _accounts(store, options)
+            yield from _unbound_keys(store, now())
             yield from _gateways(store)
     except StoreError as reason:
         yield problem("database", reason.text, reason.hint)
     except sqlalchemy.exc.SQLAlchemyError as reason:
+        if is_damaged(reason):
+            yield _damaged(options, str(reason).splitlines()[0])
+            return
         text = f"{options.shown} does not answer: {str(reason).splitlines()[0]}"
         advice = "Start the database server; check the URL, the password and the network."
         yield problem("database", text, advice)
+
+
+def _damaged(options: ServerOptions, fault: str) -> CheckResult:
+    reason = StoreError("database.damaged", file=options.shown, reason=fault)
+    return problem("database", reason.text, reason.hint)
 
 
 def _schema(found: Schema, shown: str, *, is_file: bool) -> CheckResult:
@@ -98,7 +111,8 @@ def _schema(found: Schema, shown: str, *, is_file: bool) -> CheckResult:
 def _write(store: Store) -> CheckResult:
     import sqlalchemy.exc
 
-    from knifetip.jobs.write_probe import is_disk_full, write_probe
+    from knifetip.jobs.database_damage import is_disk_full
+    from knifetip.jobs.write_probe import write_probe
 
     try:
         write_probe(store.database)
@@ -150,6 +164,18 @@ def _accounts(store: Store, options: ServerOptions) -> CheckResult:
         return warning("accounts", text, create)
     text = f"there is neither administrator nor key: a server does not listen on {options.host}"
     return problem("accounts", text, create)
+
+
+def _unbound_keys(store: Store, now: float) -> Iterator[CheckResult]:
+    for row in store.keys.all():
+        is_valid = row.revoked is None and (row.expires is None or row.expires > now)
+        if is_valid and row.any_machine and "gateway" in row.scopes:
+            create = "knifetip key create TITLE --scope gateway --machine MACHINE"
+            yield warning(
+                "keys",
+                f"the key {row.title} of a gateway is for any machine",
+                f"Create one for each machine: {create}; then knifetip key revoke {row.id}.",
+            )
 
 
 def _gateways(store: Store) -> Iterator[CheckResult]:

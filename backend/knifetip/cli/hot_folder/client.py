@@ -8,6 +8,7 @@ from urllib.parse import quote
 import httpx
 
 from knifetip.errors import RequestError
+from knifetip.harmless import harmless
 from knifetip.messages import Message, from_json
 
 #: Statuses of answers after which the same request is sent again later.
@@ -69,9 +70,12 @@ class OrderClient:
         )
 
     def upload(self, name: str, content: bytes, fields: dict[str, str], key: str) -> str:
-        """Upload a drawing under an Idempotency-Key; return its id."""
+        """Upload a drawing under an Idempotency-Key; return its id.
+
+        The server refuses control characters in names, which files may have.
+        """
         answer = self._send(
-            "POST", "/drawings", files={"file": (name, content)}, data=fields, key=key
+            "POST", "/drawings", files={"file": (harmless(name), content)}, data=fields, key=key
         )
         return str(_fields(answer)["id"])
 

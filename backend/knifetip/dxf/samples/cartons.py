@@ -65,12 +65,13 @@ def corrugated_tray(
     head = side + height - t / 2.0 - 0.5  # and under the roll-over
     rim = side + height + t / 2.0
     tab, reach = (0.2 * width, 0.38 * width), t + 0.5  # through the base, flush with its underside
+    tip = 0.4 * t + 0.55  # a knife in thick board needs a larger radius at the tabs' corners
     flap = 0.26 * width  # ends before the hand hole
     quarter = np.array(
         [
             (free, tab[0], 0.0, 0.0),
-            (free + reach, tab[0] + 1.0, 1.5, 0.0),
-            (free + reach, tab[1] - 1.0, 1.5, 0.0),
+            (free + reach, tab[0] + 1.0, tip, 0.0),
+            (free + reach, tab[1] - 1.0, tip, 0.0),
             (free, tab[1], 0.0, 0.0),
             (free, inner, 4.0, 0.0),
             (fold, inner, 0.0, 0.0),

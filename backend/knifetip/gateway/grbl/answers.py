@@ -23,7 +23,12 @@ _STATES = {
     "Check": State.CHECK,
     "Door": State.DOOR,
     "Alarm": State.ALARM,
+    "Sleep": State.SLEEP,
+    "Tool": State.TOOL,
 }
+
+#: Letters of limit switches in the field Pn; the others are probe, door and buttons.
+_AXES = "XYZABC"
 
 ERRORS = {
     1: Message("grbl.error-1"),
@@ -88,6 +93,8 @@ ALARMS = {
 
 #: Code of the alarm for a program line whose target is beyond the travel of an axis.
 SOFT_LIMIT = 2
+#: Code of the alarm while an emergency stop button is pressed: the controller ignores a reset.
+EMERGENCY_STOP = 10
 
 
 def error_meaning(code: int) -> Message:
@@ -118,6 +125,9 @@ class Report:
     feed: float = 0.0
     number: int = 0  #: Ln
     axes: int = 0  #: number of axes in the last position field
+    pressed: str = ""  #: letters of the axes in Pn: limit switches that are pressed
+    door_open: bool = False  #: the safety door is open, or was not closed for long enough
+    override: int | None = None  #: first figure of Ov: feed override (%)
 
 
 def report(line: str, rotary: int = 3) -> Report | None:
@@ -137,11 +147,14 @@ def report(line: str, rotary: int = 3) -> Report | None:
     if not name:
         return None
     state = _STATES.get(name, State.BUSY)
-    still = state in (State.IDLE, State.CHECK, State.ALARM) or (
-        state in (State.HOLD, State.DOOR) and detail in ("", "0")
+    still = state in (State.IDLE, State.CHECK, State.ALARM, State.SLEEP, State.TOOL) or (
+        (state is State.HOLD and detail in ("", "0"))
+        or (state is State.DOOR and detail in ("", "0", "1"))
     )
+    door_open = state is State.DOOR and detail not in ("", "0")
     poses: dict[str, Pose] = {}
-    free, room, feed, number, axes = None, None, 0.0, 0, 0
+    free, room, feed, number, axes, pressed = None, None, 0.0, 0, 0, ""
+    override = None
     try:
         for field in fields:
             key, _, value = field.partition(":")
@@ -157,10 +170,28 @@ def report(line: str, rotary: int = 3) -> Report | None:
                     return None
             elif key == "Ln":
                 number = int(value)
+            elif key == "Ov":
+                override = int(value.split(",")[0])
+            elif key == "Pn":
+                pressed = "".join(letter for letter in value if letter in _AXES)
     except ValueError:
         return None
     machine, work, offset = (poses.get(key) for key in ("MPos", "WPos", "WCO"))
-    return Report(state, still, machine, work, offset, free, room, feed, number, axes)
+    return Report(
+        state,
+        still,
+        machine,
+        work,
+        offset,
+        free,
+        room,
+        feed,
+        number,
+        axes,
+        pressed,
+        door_open,
+        override,
+    )
 
 
 def _pose(value: str, rotary: int) -> Pose:

@@ -1,8 +1,9 @@
 """capabilities: axes, outputs and buffers of a controller, read from its answer to ``$I``.
 
-A program names the axis that rotates the tool C.  If the controller names this axis differently,
-for example A in a 4-axis grblHAL, the letter is replaced in each line that is sent.  The program
-itself is not changed, and the replacement can be reversed exactly.
+A program names the axis that rotates the tool as the file of the machine does: C, A or B.  If the
+controller names this axis differently, for example A in a 4-axis grblHAL, the letter is replaced in
+each line that is sent.  The program itself is not changed, and the replacement can be reversed
+exactly.
 """
 
 from __future__ import annotations
@@ -25,8 +26,8 @@ _GRBL_1_1 = re.compile(r"\[VER:1\.1")
 _COMMENT_OR_TEXT = re.compile(rb"(\([^)]*\)?|;.*)|[^(;]+", re.DOTALL)
 _OUTPUT_NUMBER = re.compile(rb"P0*(\d+)")
 
-#: Letter of the axis that rotates the tool, in programs.
-PROGRAM_LETTER = "C"
+#: Letter of the heading in operations of a person at the machine, and by default in programs.
+HEADING = "C"
 #: Axes that are not the rotary axis.
 _LINEAR = "XYZ"
 #: Usual order of the axes in status reports; FluidNC has no other.
@@ -47,9 +48,12 @@ class Capabilities:
     buffer: int | None = None  #: size of the receive buffer (bytes); None if unknown
     grblhal: bool = False  #: the firmware is grblHAL
     reverses: bool = True  #: the spindle turns in both directions (M4)
+    program_letter: str = HEADING  #: letter of the axis that rotates the tool, in programs
 
     @classmethod
-    def read(cls, lines: Iterable[str], reported: int) -> Capabilities:
+    def read(
+        cls, lines: Iterable[str], reported: int, program_letter: str = HEADING
+    ) -> Capabilities:
         """Return the capabilities that a controller states in its answer to ``$I``.
 
         Parameters
@@ -58,6 +62,8 @@ class Capabilities:
             The lines of the answer, without ``ok``.
         reported
             Number of axes in status reports.
+        program_letter
+            Letter of the axis that rotates the tool, in programs.
         """
         text = "\n".join(lines)
         options, axes, outputs = (pattern.search(text) for pattern in (_OPTIONS, _AXES, _OUTPUTS))
@@ -73,21 +79,24 @@ class Capabilities:
             buffer=int(options[2]) if options else None,
             grblhal=_GRBLHAL in text,
             reverses=_ONE_DIRECTION.search(text) is None,
+            program_letter=program_letter,
         )
 
     @property
     def rotary_letter(self) -> str:
         """Letter of the axis that rotates the tool; empty if the controller has no such axis.
 
-        It is C if there is an axis C, else the only axis besides X, Y and Z, else A or B.
+        It is the letter of programs if there is such an axis, else the only axis besides X, Y and
+        Z.  If there are several, it is A or B where programs have C, which may be because the file
+        of the machine does not state a letter; a letter that it states is not replaced then.
         """
-        if not self.axes:
-            return PROGRAM_LETTER
+        if not self.axes or self.program_letter in self.axes:
+            return self.program_letter
         others = [letter for letter in self.axes if letter not in _LINEAR]
-        known = [letter for letter in (PROGRAM_LETTER, "A", "B") if letter in others]
-        if PROGRAM_LETTER not in known and len(others) == 1:
+        if len(others) == 1:
             return others[0]
-        return known[0] if known else ""
+        known = [letter for letter in "AB" if letter in others]
+        return known[0] if known and self.program_letter == HEADING else ""
 
     @property
     def rotary_axis(self) -> int:
@@ -107,10 +116,10 @@ class Capabilities:
             if number is not None and int(number[1]) >= self.outputs:
                 return Message("grbl.no-output", output=int(number[1]), count=self.outputs)
         letter = self.rotary_letter
-        if letter == PROGRAM_LETTER:
+        if letter == self.program_letter:
             return None
         words = strip_comments(line)
-        if not letter and PROGRAM_LETTER.encode() in words:
+        if not letter and self.program_letter.encode() in words:
             return Message("grbl.no-rotary-axis", axes=list(self.axes))
         if letter and letter.encode() in words:
             return Message("grbl.axis-letter-used", letter=letter)
@@ -118,11 +127,15 @@ class Capabilities:
 
     def to_wire(self, line: bytes) -> bytes:
         """Return a program line with the controller's letter of the rotary axis."""
-        return _replace_letter(line, PROGRAM_LETTER, self.rotary_letter)
+        return _replace_letter(line, self.program_letter, self.rotary_letter)
+
+    def operation_to_wire(self, line: bytes) -> bytes:
+        """Return a line of an operation, whose heading is C, with the controller's letter."""
+        return _replace_letter(line, HEADING, self.rotary_letter)
 
     def from_wire(self, line: bytes) -> bytes:
         """Return the program line that ``to_wire`` has changed to ``line``."""
-        return _replace_letter(line, self.rotary_letter, PROGRAM_LETTER)
+        return _replace_letter(line, self.rotary_letter, self.program_letter)
 
 
 def _replace_letter(line: bytes, old: str, new: str) -> bytes:

@@ -277,6 +277,7 @@ class GrblConnection(Exchange):
         """Request a status report and return it.
 
         If no report arrives, the error is raised but not recorded as the fault of the connection.
+        In check mode the report is awaited as long as the controller answers lines.
 
         Parameters
         ----------
@@ -293,11 +294,16 @@ class GrblConnection(Exchange):
         self.raise_fault()
         reports_before = self._receiver.reports
         await self.request_report()
-        try:
-            async with asyncio.timeout(self.silence if patience is None else patience):
-                await self._wait_for_change(lambda: self._receiver.reports > reports_before)
-        except TimeoutError:
-            raise self.silent() from None
+        clock, seconds = asyncio.get_running_loop(), self.silence if patience is None else patience
+        limit = clock.time() + seconds
+        while self._receiver.reports == reports_before:
+            try:
+                async with asyncio.timeout_at(limit):
+                    await self._wait_for_change(lambda: self._receiver.reports > reports_before)
+            except TimeoutError:
+                limit = self._watchdog.heard + seconds
+                if not self.checking or clock.time() >= limit:
+                    raise self.silent() from None
         self.raise_fault()
         assert self.status is not None
         return self.status

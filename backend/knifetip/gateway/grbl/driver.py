@@ -17,24 +17,29 @@ from __future__ import annotations
 import asyncio
 import re
 from collections.abc import Awaitable, Callable, Iterable
+from contextlib import suppress
 
 from knifetip.errors import (
+    CheckRefused,
     ControllerAlarm,
     ControllerError,
+    ControllerOccupied,
     ControllerRejected,
     ControllerSilent,
     ProgramError,
 )
 from knifetip.gateway.controller import SafeState, State, Status
-from knifetip.gateway.grbl import recovery
+from knifetip.gateway.grbl import answers, recovery, settings
 from knifetip.gateway.grbl.capabilities import Capabilities
 from knifetip.gateway.grbl.connection import GrblConnection
 from knifetip.gateway.grbl.operating import GrblOperations
 from knifetip.gateway.grbl.polling import Polling
 from knifetip.gateway.grbl.receive_buffer import PendingLine
 from knifetip.gateway.interpreter import switches_output
+from knifetip.gateway.presupposed import Presupposed
 from knifetip.gateway.transport import Transport, connect
 from knifetip.messages import Message
+from knifetip.model.machine import Machine
 
 #: Time between two status requests while the machine comes to rest (s).
 _REST_INTERVAL = 0.01
@@ -141,7 +146,9 @@ class Grbl(GrblOperations):
         is_safe = False
         if status and status.state not in (State.IDLE, State.CHECK, State.ALARM):
             if not (stop_motion and status.state in (State.RUN, State.HOLD)):
-                raise ControllerError("controller.busy", name=self.name, state=status.state.value)
+                raise ControllerOccupied(
+                    "controller.busy", name=self.name, state=status.state.value
+                )
             await self.stop()
             is_safe = True
         else:
@@ -156,8 +163,18 @@ class Grbl(GrblOperations):
     async def _read_settings(self) -> None:
         """Request the options of the controller, and check its settings."""
         await self._read_capabilities()
-        if self._safe is not None and self._safe.beam:
-            await self._require_laser_mode()
+        await self.verify_settings()
+
+    async def _read_presupposed(self, machine: Machine) -> Presupposed:
+        """Read the settings (``$$``)."""
+        connection = self._connection
+        found = settings.read(await connection.command(b"$$"))
+        if self._capabilities.grblhal and len(self._capabilities.axes) > len("XYZ"):
+            with suppress(ControllerRejected):  # a build without rotary axes
+                number = b"$%d" % settings.ROTARY_AXES
+                found |= settings.read(await connection.command(number))
+        connection.hard_limits = settings.has_hard_limits(found)
+        return Presupposed(settings.requirements(machine, self._capabilities, found), found)
 
     async def _read_capabilities(self) -> None:
         """Request axes, outputs and buffers of the controller (``$I``).
@@ -169,7 +186,8 @@ class Grbl(GrblOperations):
         """
         connection = self._connection
         lines = await connection.command(b"$I")
-        self._capabilities = found = Capabilities.read(lines, connection.axes)
+        letter = self._safe.heading_letter if self._safe else "C"
+        self._capabilities = found = Capabilities.read(lines, connection.axes, letter)
         connection.rotary = found.rotary_axis
         connection.buffer.set_size(found.buffer)
         if self._chooses_polling:
@@ -180,18 +198,6 @@ class Grbl(GrblOperations):
                 ControllerError(
                     "controller.too-few-outputs", name=self.name, count=found.outputs, output=last
                 )
-            )
-
-    async def _require_laser_mode(self) -> None:
-        """Raise ``ControllerError`` unless the controller of a laser machine is in laser mode.
-
-        This method is called only for machines with a laser.  In laser mode, grbl switches the
-        laser beam off for every rapid move and at every hold, even if a button of the controller
-        caused the hold.  In other modes the beam stays on.
-        """
-        if "$32=1" not in await self._connection.command(b"$$"):
-            raise self._connection.fail(
-                ControllerError("controller.not-in-laser-mode", name=self.name)
             )
 
     async def find_web_server(self) -> None:
@@ -214,10 +220,13 @@ class Grbl(GrblOperations):
         ControllerRejected
             The controller refuses a line, or has not the axis or the output that a line requires;
             nothing has moved.
-        ControllerAlarm
-            A move exceeds the travel; nothing has moved, but the controller is locked.
+        CheckRefused
+            A move exceeds the travel; nothing has moved, but an alarm locks the controller.
+        ControllerError
+            A setting of the controller is dangerous for programs of the machine.
         """
         connection = self._connection
+        await self.verify_settings()  # a person may have changed them since the last program
         self._forget_switches()  # every program begins by switching everything off
         await connection.command(b"$C")
         connection.checking = True
@@ -233,6 +242,10 @@ class Grbl(GrblOperations):
             await self.drain()
             # The controller resets itself when it leaves check mode.
             await connection.reset_by(b"$C", "controller.check-end-not-confirmed")
+        except ControllerAlarm as alarm:
+            if alarm.message.arguments.get("code") != answers.SOFT_LIMIT:
+                raise
+            raise CheckRefused(alarm.message) from alarm  # the alarm remains the fault
         finally:
             connection.checking = False
         if connection.refusals:
@@ -351,7 +364,8 @@ async def dial(
     """Connect to a grbl controller, take control of it and bring its machine into the safe state.
 
     A controller that an alarm locks is returned with this alarm as its ``fault``: a person at the
-    machine can then call ``unlock`` or ``home``.
+    machine can then call ``unlock`` or ``home``.  So is one that is held or busy, which ``release``
+    brings to rest.
 
     Parameters
     ----------
@@ -373,7 +387,7 @@ async def dial(
     NoSuchController
         The address is invalid, or a web server answers there.
     ControllerError
-        The controller does not answer or is busy.
+        The controller does not answer.
     """
     controller = Grbl(
         await connect(address),
@@ -384,7 +398,7 @@ async def dial(
     )
     try:
         await controller.open(stop_motion=stop_motion)
-    except ControllerAlarm as locked:
+    except (ControllerAlarm, ControllerOccupied) as locked:
         controller.lock(locked)
     except BaseException as failed:
         try:

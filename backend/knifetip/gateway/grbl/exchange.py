@@ -42,6 +42,7 @@ class Exchange:
         self.rotary = 3  #: index of the axis that rotates the tool, in status reports
         self.checking = False  #: the controller is in check mode
         self.refusals: list[ControllerRejected] = []  #: of program lines, in check mode
+        self.hard_limits = True  #: a pressed limit switch stops the machine (``$21``)
         self.recovering = False  #: the machine is being brought into its safe state
         self._changed = asyncio.Event()  # something was received, or a fault was recorded
 

@@ -55,6 +55,7 @@ class Receiver:
         self.banners = 0  #: number of banners received
         self.banner_due = False  #: the controller is being reset
         self.was_reset = False  #: by this connection: earlier answers are of another sender
+        self._override = 100  # feed override of the last report that contained one (%)
         self._offset: Pose | None = None  # work offset of the last report that contained one
 
     def receive(self, line: str) -> None:
@@ -148,6 +149,8 @@ class Receiver:
         exchange.axes = report.axes or exchange.axes
         if report.offset is not None:
             self._offset = report.offset
+        if report.override is not None:
+            self._override = report.override
         if report.state is not State.ALARM:
             exchange.last_alarm = 0
         self.reports += 1
@@ -185,10 +188,17 @@ class Receiver:
             free=report.free,
             sent=exchange.sent,
             located=report.work is not None or self._offset is not None,
+            pressed=report.pressed,
+            hard_limits=exchange.hard_limits,
+            door_open=report.door_open,
+            override=self._override,
         )
 
     def _check_count(self, count: Count, repeats: int) -> None:
         """Record a fault if status reports contradict the number of bytes in the receive buffer.
+
+        In check mode missing bytes are no fault: a lost answer is noticed when the check ends, and
+        a controller that reads its line slowly may report later than a request counts as ignored.
 
         Parameters
         ----------
@@ -197,11 +207,12 @@ class Receiver:
         repeats
             Number of consecutive reports with this result.
         """
-        if count is Count.POSSIBLE or self.banner_due:
+        lost = count is Count.MISSING
+        if count is Count.POSSIBLE or self.banner_due or (lost and self._exchange.checking):
             return
         self._watchdog.request_at_once()
         if repeats >= _CONTRADICTIONS[count]:
-            lost, exchange = count is Count.MISSING, self._exchange
+            exchange = self._exchange
             exchange.fail(exchange.missing_answer() if lost else exchange.surplus_answer())
 
     def _handle_alarm(self, code: int) -> None:

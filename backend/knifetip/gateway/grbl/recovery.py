@@ -11,7 +11,13 @@ from collections.abc import Sequence
 from contextlib import suppress
 from typing import Protocol
 
-from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected, ControllerSilent
+from knifetip.errors import (
+    ControllerAlarm,
+    ControllerError,
+    ControllerOccupied,
+    ControllerRejected,
+    ControllerSilent,
+)
 from knifetip.gateway.controller import SafeState, State, Status
 from knifetip.gateway.grbl import answers
 from knifetip.messages import Message
@@ -95,6 +101,8 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
     ------
     ControllerAlarm
         An alarm locks the machine; a person must clear it.
+    ControllerOccupied
+        The safety door is open, so the tool stays where it is.
     ControllerRejected
         The controller refuses to raise Z or to switch an output off; all other steps were done.
     ControllerError
@@ -106,6 +114,8 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
         try:
             await machine.reach()
             await _hold(machine, silence)
+            if machine.last_alarm == answers.EMERGENCY_STOP:
+                raise _locked_error(machine)
             await machine.reset()
             # The first report may be from before the reset; the second one is not.
             await machine.report()
@@ -113,12 +123,35 @@ async def make_safe(machine: Recoverable, safe: SafeState | None, silence: float
             if status.state is State.ALARM:
                 await _unlock(machine)
             return await secure(machine, safe, silence)
-        except (ControllerAlarm, ControllerRejected):
+        except (ControllerAlarm, ControllerOccupied, ControllerRejected):
             raise
         except ControllerError:
             if clock.time() > deadline:
                 raise
         await asyncio.sleep(PAUSE)
+
+
+async def discard(machine: Recoverable, silence: float) -> bool:
+    """Stop a machine and discard all that its controller holds; return whether it is not locked.
+
+    Only alarms in ``UNLOCKABLE`` are cleared.
+
+    Raises
+    ------
+    ControllerError
+        The controller did not answer.
+    """
+    await _hold(machine, silence)
+    await machine.reset()
+    # The first report may be from before the reset; the second one is not.
+    await machine.report()
+    if (await machine.report()).state is not State.ALARM:
+        return True
+    try:
+        await _unlock(machine)
+    except ControllerAlarm:
+        return False
+    return True
 
 
 async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -> Status:
@@ -146,12 +179,16 @@ async def secure(machine: Recoverable, safe: SafeState | None, silence: float) -
     ControllerRejected
         The controller refuses to raise Z, to stop the spindle or to switch an output off; the steps
         that it does not refuse were done.
+    ControllerOccupied
+        The safety door is open; nothing was done.
     ControllerError
         The machine is not idle, or the controller did not answer.
     """
     status = await machine.report()
     if safe is None:
         return status
+    if status.state is State.DOOR:
+        raise ControllerOccupied("controller.door-open", name=machine.name)
     if status.state is not State.IDLE:
         raise ControllerError("controller.not-secured", name=machine.name, state=status.state.value)
     refused_lift = []

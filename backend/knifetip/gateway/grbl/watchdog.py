@@ -29,6 +29,7 @@ class Watched(Protocol):
     fault: ControllerError | None
     status: Status | None  #: last status report, None before the first one
     recovering: bool  #: the machine is being brought into its safe state
+    checking: bool  #: the controller is in check mode, so nothing moves
 
     @property
     def name(self) -> str:
@@ -75,13 +76,14 @@ class Watchdog:
         self._wake = asyncio.Event()
         self._soon = False  # a line was answered: request a report soon
         self._at_once = False  # a report was doubtful: request another one at once
-        self._last_report = 0.0  # time of the last status report (s, clock of the event loop)
+        # Time of the last report, in check mode also of an answer (s, clock of the event loop).
+        self._last_sign = 0.0
         self._last_progress = 0.0  # last event that explains a missing answer (s, same clock)
         self._idle_reports = 0  # reports since then, all of an idle machine
 
     def restart(self) -> None:
         """Restart the time limits for the next status report and for the next answer to a line."""
-        self._last_report = _now()
+        self._last_sign = _now()
         self._note_progress()
 
     def expect_answer(self) -> None:
@@ -93,12 +95,23 @@ class Watchdog:
         self._wake.set()
 
     def note_answer(self) -> None:
-        """Restart the time limit for an answer; called when a line was answered."""
+        """Restart the time limit for an answer; called when a line was answered.
+
+        In check mode, the time limit for a report restarts as well: nothing moves, and a controller
+        that reads its line slowly answers a status request only after the lines before it.
+        """
         self._note_progress()
+        if self._connection.checking:
+            self._last_sign = _now()
+
+    @property
+    def heard(self) -> float:
+        """Time of the last sign that the controller responds (s, clock of the event loop)."""
+        return self._last_sign
 
     def note_report(self) -> None:
         """Restart the time limit for a status report; called when a report was received."""
-        self._last_report = _now()
+        self._last_sign = _now()
         status = self._connection.status
         if status is not None and status.state in (State.IDLE, State.CHECK):
             self._idle_reports += 1
@@ -145,7 +158,7 @@ class Watchdog:
             # This process was busy and did not read the connection: it cannot detect silence.
             self.restart()
         first = connection.buffer.first
-        if now - self._last_report > self._silence:
+        if now - self._last_sign > self._silence:
             connection.fail(connection.silent())
         elif status.state is State.ALARM and (due := connection.buffer.due()):
             connection.fail(
@@ -159,7 +172,7 @@ class Watchdog:
                     "controller.answer-lost",
                     name=connection.name,
                     state=status.state.value,
-                    seconds=self._last_report - self._last_progress,
+                    seconds=self._last_sign - self._last_progress,
                     due=connection.buffer.due(),
                 )
             )
@@ -171,7 +184,7 @@ class Watchdog:
         too.
         """
         limit = self._silence if _WAITS.search(line) else min(self._silence, _PROMPT)
-        waited = self._last_report - self._last_progress
+        waited = self._last_sign - self._last_progress
         return self._idle_reports >= _IDLE_REPORTS and waited > limit + _dwell_seconds(line)
 
     def _note_progress(self) -> None:

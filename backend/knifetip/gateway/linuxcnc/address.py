@@ -20,6 +20,7 @@ _DEFAULTS = {
     "programs": "",
     "remote": "",
     "joints": "4",
+    "ini": "",
     "password": "EMC",
     "enable": "EMCTOO",
 }
@@ -34,6 +35,7 @@ class LinuxcncAddress:
     programs: str  #: folder for program files on this computer; "" for a temporary folder
     remote: str  #: path of this folder on the computer of LinuxCNC; "" if it is the same
     joints: int  #: number of joints that must be homed
+    ini: str  #: INI file of LinuxCNC, or a copy of it, on this computer; "" for that of LinuxCNC
     password: str  #: password with which linuxcncrsh accepts a connection (--connectpw)
     enable: str  #: password with which linuxcncrsh accepts commands (--enablepw)
 
@@ -71,6 +73,7 @@ class LinuxcncAddress:
             options["programs"],
             options["remote"],
             joints,
+            options["ini"],
             options["password"],
             options["enable"],
         )

@@ -14,9 +14,11 @@ import asyncio
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass
+from pathlib import Path
 
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
 from knifetip.gateway.controller import State, Status
+from knifetip.gateway.linuxcnc import ini_settings
 from knifetip.gateway.linuxcnc.address import LinuxcncAddress
 from knifetip.gateway.linuxcnc.remote_shell import RemoteShell
 from knifetip.gateway.motion import Pose
@@ -25,8 +27,8 @@ from knifetip.messages import Message
 
 #: Time without any change after which the task controller must confirm a command (s).
 _UNCHANGED = 0.5
-#: Indices of X, Y, Z and C in the positions of linuxcncrsh: X Y Z A B C, and later U V W.
-_AXES = (0, 1, 2, 5)
+#: Letters of the axes in the positions of linuxcncrsh.
+_ORDER = "XYZABCUVW"
 #: Least time between two positions that are compared (s); LinuxCNC updates them every 1 ms.
 _APART = 0.01
 #: Time for which a position off the path is not counted again if it has not changed (s).
@@ -38,6 +40,10 @@ _SAME = 1.0
 _MOTION = 2e-6
 
 
+#: Time between two reports in which no program leaves its start and comes back to it (s).
+_WATCHED = 0.5
+
+
 @dataclass(slots=True)
 class RunningProgram:
     """The program that LinuxCNC executes or checks."""
@@ -47,6 +53,15 @@ class RunningProgram:
     checking: bool = False  #: LinuxCNC only parses it
     line: int = 0  #: line being executed, from 1; 0 if it is not known
     first: int | None = None  #: line in the first report of the running program
+    start: Pose | None = None  #: position before the program; None if not known
+    seen: float = 0.0  #: time of the last report
+    watched: bool = True  #: reports were never apart long enough for a motion out and back
+
+    def observe(self, position: Pose, now: float) -> None:
+        """Store whether a report at a time (s) excludes that an axis has moved."""
+        if now - self.seen > _WATCHED or self.start is None or not _is_near(self.start, position):
+            self.watched = False
+        self.seen = now
 
     def update(self, line: int) -> None:
         """Store the line of a report of the running program.
@@ -69,14 +84,18 @@ class LinuxcncConnection(ProgramConnection[RunningProgram]):
         Address of the LinuxCNC.
     silence
         Seconds after which LinuxCNC counts as silent if a request has no reply.
+    heading_letter
+        Letter of the axis that rotates the tool: A, B or C; empty if there is none.
     """
 
     rest_seconds = 5.0
 
-    def __init__(self, address: LinuxcncAddress, silence: float) -> None:
+    def __init__(self, address: LinuxcncAddress, silence: float, heading_letter: str = "C") -> None:
         self.shell = RemoteShell(address, silence)
         super().__init__(self.shell, silence)
+        self._address = address
         self._joints = address.joints
+        self.heading_letter = heading_letter
         self._changed = 0.0
         self._reference: tuple[float, Pose] | None = None  # time and position of an earlier report
         self._still = False
@@ -105,6 +124,24 @@ class LinuxcncConnection(ProgramConnection[RunningProgram]):
             await self.open()
         await self.shell.messages()
         self.fault = None
+
+    async def read_settings(self) -> tuple[dict[str, str], tuple[Message, ...]]:
+        """Return the units of the joints with the entries of the INI file, and what is unknown.
+
+        Raises
+        ------
+        ControllerError
+            The connection is lost, or LinuxCNC is silent.
+        """
+        found = ini_settings.unit_settings(await self.shell.get("joint_units"), self._joints)
+        reported = await self.shell.get("inifile")
+        # A path that LinuxCNC reports is of another computer if its folders are mounted elsewhere.
+        path = self._address.ini or ("" if self._address.remote else reported)
+        try:
+            text = await asyncio.to_thread(Path(path).read_text, errors="replace")
+        except OSError:
+            return found, (Message("linuxcnc.ini-unread", name=self.name, path=reported),)
+        return found | ini_settings.read(text.splitlines()), ()
 
     # -- status reports ---------------------------------------------------------------------------
 
@@ -136,8 +173,10 @@ class LinuxcncConnection(ProgramConnection[RunningProgram]):
         get, program = self.shell.get, self.program
         activity = await get("program_status")
         position = self._pose_in(await get("rel_act_pos"))
-        if program is not None and activity != "IDLE":
-            program.update(self._line_in(await get("program_line")))
+        if program is not None:
+            program.observe(position, asyncio.get_running_loop().time())
+            if activity != "IDLE":
+                program.update(self.line_in(await get("program_line")))
         self.alarm = await self._read_alarm()
         still = self._compare(position)
         if self.alarm is not None:
@@ -154,19 +193,43 @@ class LinuxcncConnection(ProgramConnection[RunningProgram]):
         begun = 0 if program is None or program.checking else program.line
         located = program is None or program.checking or program.line > 0
         return Status(
-            state, position, done + begun, still, free=1, sent=done + begun, located=located
+            state,
+            position,
+            done + begun,
+            still,
+            free=1,
+            sent=done + begun,
+            located=located,
+            override=self.line_in(await get("feed_override")),
         )
+
+    async def work_offset(self) -> Pose:
+        """Return what is added to coordinates of programs to get those of the machine, at rest.
+
+        Raises
+        ------
+        ControllerError
+            The connection is lost, or LinuxCNC is silent; this is recorded as the fault, too.
+        """
+        try:
+            machine = self._pose_in(await self.shell.get("abs_act_pos"))
+            program = self._pose_in(await self.shell.get("rel_act_pos"))
+        except ControllerError as error:
+            raise self.fail(error) from None
+        x, y, z, c = (one - other for one, other in zip(machine, program, strict=True))
+        return x, y, z, c
 
     def _pose_in(self, reply: str) -> Pose:
         """Return the position in a reply, or raise ``ControllerError`` if the reply is garbled."""
         values = reply.split()
         try:
-            x, y, z, c = (float(values[index]) for index in _AXES)
+            x, y, z = (float(value) for value in values[:3])
+            c = float(values[_ORDER.index(self.heading_letter)]) if self.heading_letter else 0.0
         except (IndexError, ValueError):
             raise ControllerError("linuxcnc.unreadable", name=self.name, reply=reply) from None
         return x, y, z, c
 
-    def _line_in(self, reply: str) -> int:
+    def line_in(self, reply: str) -> int:
         """Return the number in a reply, or raise ``ControllerError`` if the reply is garbled."""
         try:
             return int(reply)
@@ -248,6 +311,13 @@ class LinuxcncConnection(ProgramConnection[RunningProgram]):
         """Stop the motion and the spindle, and discard the program."""
         with suppress(ControllerRejected):  # while the machine is off
             await self.shell.set("abort")
+        if self.program is not None and self.status is not None:
+            self.program.observe(self.status.position, asyncio.get_running_loop().time())
+
+    def has_not_begun(self, program: RunningProgram, rest: Status) -> bool:
+        """Return whether an aborted program has left neither its start nor the first line 0."""
+        at_start = program.start is not None and _is_near(program.start, rest.position)
+        return at_start and program.watched and program.line == 0
 
     async def execute(self, lines: Iterable[str], patience: float = 0.0) -> None:
         """Execute lines of G-code (MDI) one after another; return when the machine is at rest.

@@ -14,15 +14,23 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Iterable
+from dataclasses import replace
 
-from knifetip.errors import ControllerError, ControllerRejected
+from knifetip.errors import CheckRefused, ControllerError, ControllerRejected
 from knifetip.gateway.controller import SafeState, State, Status
-from knifetip.gateway.linuxcnc import recovery
+from knifetip.gateway.linuxcnc import ini_settings, recovery
 from knifetip.gateway.linuxcnc.address import LinuxcncAddress
 from knifetip.gateway.linuxcnc.connection import LinuxcncConnection, RunningProgram
 from knifetip.gateway.linuxcnc.operating import LinuxcncOperations
 from knifetip.gateway.linuxcnc.program_folder import ProgramFolder
+from knifetip.gateway.motion import Pose
+from knifetip.gateway.operations import AXES
+from knifetip.gateway.presupposed import Presupposed
+from knifetip.gateway.takeover import Found
+from knifetip.gateway.travel import Excess, Travel
 from knifetip.gateway.whole_program.controller import take_control
+from knifetip.gateway.whole_program.recovery import wait_until_still
+from knifetip.model.machine import Machine
 
 #: Longest time until LinuxCNC begins a program (s).
 _START = 2.0
@@ -55,6 +63,8 @@ class Linuxcnc(LinuxcncOperations):
     ) -> None:
         super().__init__(connection, safe, poll)
         self._folder = folder
+        #: lowest and highest positions of the axes in the INI file; None if it cannot be read
+        self._limits: tuple[Pose, Pose] | None = None
 
     # -- opening and closing ----------------------------------------------------------------------
 
@@ -64,12 +74,61 @@ class Linuxcnc(LinuxcncOperations):
         await asyncio.sleep(self._poll)
         return await self._connection.report()
 
+    async def _find_program(self, status: Status) -> Found | None:
+        connection = self._connection
+        path = await connection.shell.get("program")
+        if status.state is State.IDLE:
+            # A move by hand or by a single command would have changed the mode.
+            alone = status.still and await connection.shell.get("mode") == "AUTO"
+            return Found(path, rest=status.position if alone else None)
+        if status.state not in (State.RUN, State.HOLD) or await connection.shell.get("mode") != (
+            "AUTO"
+        ):
+            return None
+        if status.state is State.RUN:
+            await connection.shell.set("pause")
+            await wait_until_still(connection)
+        # The line is that of the present motion; at rest it remains so until the program goes on.
+        line = connection.line_in(await connection.shell.get("program_line"))
+        if await connection.shell.get("program_status") != "PAUSED":
+            status = await connection.report()  # it has ended meanwhile
+            return Found(path, rest=status.position if status.state is State.IDLE else None)
+        return Found(path, executed=max(line - 1, 0))
+
     async def close(self) -> None:
         """Close the connection; LinuxCNC continues with what it does."""
         await super().close()
         self._folder.remove()
 
+    async def _read_presupposed(self, machine: Machine) -> Presupposed:
+        """Read the units of the joints and the INI file."""
+        found, unknown = await self._connection.read_settings()
+        self._limits = None if unknown else ini_settings.limits_of(machine, found)
+        return Presupposed(ini_settings.requirements(machine, found), found, unknown)
+
     # -- programs ---------------------------------------------------------------------------------
+
+    async def travel(self) -> Travel | None:
+        """Return the travel in the INI file, with the present offset of programs.
+
+        Returns None if the INI file cannot be read.
+        """
+        self._connection.raise_fault()
+        if self._limits is None:
+            return None
+        return Travel(*self._limits, await self._connection.work_offset())
+
+    def beyond_travel(self, excess: Excess) -> CheckRefused:
+        """Return the error about a program that leaves the travel of LinuxCNC."""
+        return CheckRefused(
+            "linuxcnc.beyond-travel",
+            name=self.name,
+            line=excess.line,
+            axis=AXES[excess.axis],
+            position=excess.position,
+            limit=excess.limit,
+            unit="degrees" if excess.axis == AXES.index("C") else "mm",
+        )
 
     async def check(self, lines: Iterable[bytes]) -> None:
         """Let LinuxCNC parse a program without motion (``run -1``).
@@ -107,17 +166,23 @@ class Linuxcnc(LinuxcncOperations):
         connection = self._connection
         await self._open_program(text)
         lines = text.count(b"\n")
-        program = RunningProgram(connection.executed, lines)
+        start, now = (await self.status()).position, asyncio.get_running_loop().time()
+        program = RunningProgram(connection.executed, lines, start=start, seen=now)
         connection.sent += lines
         connection.program = program
+        self._program_name = await connection.shell.get("program")
         await connection.shell.set("run")
         await self._wait_until_begun()
         await self._wait_until_ended()
-        connection.executed, connection.program = program.before + lines, None
+        # Another client may have aborted it: only the place of rest shows that it was at its end.
+        connection.executed, connection.program = program.before + program.line, None
         # A program releases everything at its end, but not if another client has aborted it there.
         if self._safe is not None:
             await connection.execute(recovery.release_lines(self._safe))
-        return await self.status()
+        status = await self.status()
+        connection.executed = program.before + lines
+        # Nothing is awaited from here on, so nobody sees the lines before the place was compared.
+        return replace(status, acknowledged=connection.executed, sent=connection.executed)
 
     async def _open_program(self, text: bytes) -> None:
         """Write a program file and let LinuxCNC open it."""
@@ -186,9 +251,9 @@ async def dial(
     Raises
     ------
     ControllerError
-        LinuxCNC does not answer or is busy.
+        LinuxCNC does not answer.
     """
     place = LinuxcncAddress.of(address)
-    connection = LinuxcncConnection(place, silence)
+    connection = LinuxcncConnection(place, silence, safe.heading_letter if safe else "C")
     controller = Linuxcnc(connection, ProgramFolder(place), safe, poll)
     return await take_control(controller, stop_motion=stop_motion)

@@ -12,11 +12,11 @@ from __future__ import annotations
 
 import asyncio
 
-from knifetip.errors import ControllerAlarm, ControllerRejected
-from knifetip.gateway.controller import Status
+from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
+from knifetip.gateway.controller import State, Status
 from knifetip.gateway.linuxcnc import recovery
 from knifetip.gateway.linuxcnc.connection import LinuxcncConnection
-from knifetip.gateway.operations import AXES, OperationName
+from knifetip.gateway.operations import AXES, JOG_PIECE, OperationName
 from knifetip.gateway.whole_program.controller import WholeProgramController
 from knifetip.model.machine import Station
 
@@ -26,10 +26,16 @@ HOMING_SECONDS = 180.0
 PARK_FEED = 6000.0
 #: Time between two reports during homing (s).
 _POLL = 0.1
+#: Most reports until LinuxCNC reports a new feed override.
+_OVERRIDE_REPORTS = 10
 
 
 class LinuxcncOperations(WholeProgramController[LinuxcncConnection]):
     """The methods of ``operations.Operable`` for LinuxCNC."""
+
+    #: LinuxCNC executes a move to its end, also without its gateway.
+    jog_seconds: float = JOG_PIECE
+    _jog: tuple[str, float] = ("", 0.0)  # axis and target of the last jog
 
     @property
     def operations(self) -> frozenset[str]:
@@ -38,6 +44,10 @@ class LinuxcncOperations(WholeProgramController[LinuxcncConnection]):
 
     async def _secure(self) -> Status:
         return await recovery.secure(self._connection, self._safe)
+
+    async def _release_outputs(self) -> None:
+        if self._safe is not None:
+            await self._connection.execute(recovery.release_lines(self._safe))
 
     async def unlock(self) -> None:
         """Reset the emergency stop and switch the machine on.
@@ -98,20 +108,42 @@ class LinuxcncOperations(WholeProgramController[LinuxcncConnection]):
 
     async def jog(self, axis: str, distance: float, feed: float) -> None:
         """Begin to move one axis by a distance (mm or degrees) at a feed (per minute)."""
-        await self._connection.execute([recovery.MODES])
-        # An absolute move: other users of LinuxCNC do not expect G91 to be in force.
         status = await self._connection.report()
-        target = status.position[AXES.index(axis)] + distance
-        await self._begin(f"G1 {axis}{target:.4f} F{max(feed, 1.0):.0f}")
+        moved, end = self._jog
+        if status.state is State.JOG and moved == axis:
+            # LinuxCNC executes it behind the running move, whose modes are in force.
+            start = end
+        else:
+            await self._connection.execute([recovery.MODES])
+            start = status.position[AXES.index(axis)]
+        # An absolute move: other users of LinuxCNC do not expect G91 to be in force.
+        target = start + distance
+        self._jog = axis, target
+        await self._begin(f"G1 {self._word(axis)}{target:.4f} F{max(feed, 1.0):.0f}")
 
     async def stop_jog(self) -> None:
         """Decelerate the running jog to a stop and discard the rest of it."""
+        self._jog = "", 0.0
         await self._connection.shell.set("abort")
 
     async def zero(self, axes: str) -> None:
         """Store the present position of axes as their zero in G54."""
-        words = " ".join(f"{axis}0" for axis in axes)
+        words = " ".join(f"{self._word(axis)}0" for axis in axes)
         await self._connection.execute([recovery.MODES, f"G10 L20 P1 {words}"])
+
+    async def override_feed(self, percent: int) -> None:
+        """Set the feed override, also while a program runs."""
+        connection = self._connection
+        await connection.shell.set(f"feed_override {percent}")
+        found = percent
+        for _ in range(_OVERRIDE_REPORTS):
+            found = (await connection.report()).override
+            if found == percent:
+                return
+            await asyncio.sleep(_POLL)
+        raise ControllerError(
+            "operation.override-not-confirmed", name=connection.name, found=found, percent=percent
+        )
 
     async def park(self) -> None:
         """Lift the tool, then begin to move X and Y to the park position of the machine."""
@@ -131,6 +163,10 @@ class LinuxcncOperations(WholeProgramController[LinuxcncConnection]):
         """Switch a digital output on or off."""
         await self._connection.execute([f"M64 P{output}" if on else f"M65 P{output}"])
         self._record_switch(output, on)
+
+    def _word(self, axis: str) -> str:
+        """Return the letter of an axis of an operation, whose heading is C, in programs."""
+        return self._connection.heading_letter if axis == "C" else axis
 
     async def _begin(self, line: str) -> None:
         """Begin to execute a line of G-code; ``MODES`` must be in force."""

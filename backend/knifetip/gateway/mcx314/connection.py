@@ -213,6 +213,10 @@ class BoardConnection(ProgramConnection[RunningProgram]):
         ):
             self.fail(error)
 
+    def name_of(self, number: int | str) -> str:
+        """Return a name for the program with a number, which no other program of the board has."""
+        return f"{self._boot}/{number}"
+
     def discarded(self) -> ControllerError:
         """Return the error for a program that the board has discarded."""
         line = 0 if self.program is None else self.program.line

@@ -22,7 +22,9 @@ from knifetip.gateway.mcx314.interpreter import Mcx314Interpreter
 from knifetip.gateway.mcx314.operating import Mcx314Operations
 from knifetip.gateway.motion import Pose
 from knifetip.gateway.program_blocks import lines_of
+from knifetip.gateway.takeover import Found
 from knifetip.gateway.whole_program.controller import take_control
+from knifetip.gateway.whole_program.recovery import wait_until_still
 
 #: Program lines in one request, and the bytes that a request needs besides them.
 _BATCH = 16
@@ -43,6 +45,15 @@ class Mcx314(Mcx314Operations):
     def interpreter(self, start: Pose) -> Mcx314Interpreter:
         """Return an interpreter of the programs of this board, from a pose on."""
         return Mcx314Interpreter(self._connection.pulses, start)
+
+    async def _find_program(self, status: Status) -> Found | None:
+        connection = self._connection
+        if status.state is State.RUN:
+            await connection.request("HOLD")
+            await wait_until_still(connection)
+        # The board forgets a program that it has given up.
+        number, done = connection.fields["PROGRAM"], int(connection.fields["DONE"])
+        return Found(connection.name_of(number), executed=done) if number != "0" else None
 
     # -- programs ---------------------------------------------------------------------------------
 
@@ -85,6 +96,7 @@ class Mcx314(Mcx314Operations):
         program = RunningProgram(number, connection.executed, lines)
         connection.sent += lines
         connection.program = program
+        self._program_name = connection.name_of(number)
         await self._load(text, program)
         while program.done < lines:
             await self._next_report()
@@ -174,7 +186,7 @@ async def dial(
     Raises
     ------
     ControllerError
-        The board does not answer or is busy.
+        The board does not answer.
     """
     controller = Mcx314(BoardConnection(address, silence), safe, poll)
     return await take_control(controller, stop_motion=stop_motion)

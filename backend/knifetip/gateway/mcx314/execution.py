@@ -44,6 +44,7 @@ class Execution:
     def __init__(self, parts: BoardParts) -> None:
         self.holding = self.discarding = False
         self.dwell = 0.0  #: s that are left of a dwell
+        self.jogs = False  #: executes a move that was requested
         self.at_rest: deque[Callable[[], None]] = deque()  #: steps to do once nothing moves
         self._chip = parts.chip
         self._feeder = parts.feeder
@@ -117,6 +118,7 @@ class Execution:
         self.dwell = 0.0
         self.holding = self.discarding = False
         self._purpose = BoardState.IDLE
+        self.jogs = False
         self._planned = self.joints()
 
     def jog(self, instruction: Instruction) -> None:
@@ -125,6 +127,7 @@ class Execution:
         if stretch is not None:
             self._pending.append(stretch)
             self._purpose = BoardState.JOG
+            self.jogs = True
 
     def lift(self, target: int) -> None:
         """Begin to raise Z to a joint position (pulses), unless it is there."""
@@ -183,6 +186,7 @@ class Execution:
             if self._purpose is BoardState.HOME:
                 self._finish_homing()
             self._purpose = BoardState.IDLE
+            self.jogs = False
         if self.at_rest and not self._pending:
             self.at_rest.popleft()()
         if self.holding or self.dwell > 0.0:

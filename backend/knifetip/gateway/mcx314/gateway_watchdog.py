@@ -8,6 +8,9 @@ from knifetip.gateway.mcx314.execution import Execution
 from knifetip.gateway.mcx314.outputs import OSCILLATION
 from knifetip.gateway.mcx314.parts import BoardParts
 
+#: Time without a request after which a move that was requested is stopped (real s).
+MOVE_PATIENCE = 1.0
+
 
 @dataclass(frozen=True, slots=True)
 class Guard:
@@ -21,7 +24,8 @@ class Guard:
 class GatewayWatchdog:
     """Brings the machine into its safe state after too long a silence of the gateway.
 
-    The guard has no effect until the gateway sets it.
+    A move is only stopped, after ``MOVE_PATIENCE``: nobody may hold its button any more.  The guard
+    has no effect until the gateway sets it.
 
     Parameters
     ----------
@@ -48,6 +52,9 @@ class GatewayWatchdog:
         ``seconds`` is the real time since the last call.
         """
         self._silence += seconds
+        if self._execution.jogs and self._silence > MOVE_PATIENCE:
+            self._execution.abort()
+            return
         patience = self.guard.patience
         working = self._parts.queue.runs or self._execution.holding
         may_move = not self._parts.interlock.alarm

@@ -12,6 +12,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 
 from knifetip.gateway.controller import State, Status
 from knifetip.gateway.mcx314 import recovery
@@ -31,13 +32,23 @@ _POLL = 0.05
 class Mcx314Operations(WholeProgramController[BoardConnection]):
     """The methods of ``operations.Operable`` for an MCX314."""
 
+    #: The board stops a move by itself if its gateway is gone.
+    jog_seconds: float = math.inf
+
     @property
     def operations(self) -> frozenset[str]:
-        """Names of the operations that the controller can do: all but runs above the board."""
-        return frozenset(OperationName) - RUNS - {OperationName.HOLD, OperationName.RESUME}
+        """Names of the operations that the controller can do: all but runs above the board, and
+        the feed override.
+        """
+        lacks = {OperationName.HOLD, OperationName.RESUME, OperationName.FEED_OVERRIDE}
+        return frozenset(OperationName) - RUNS - lacks
 
     async def _secure(self) -> Status:
         return await recovery.secure(self._connection, self._safe)
+
+    async def _release_outputs(self) -> None:
+        for request in () if self._safe is None else recovery.release_requests(self._safe):
+            await self._connection.request(request)
 
     async def unlock(self) -> None:
         """Clear an alarm.  If the axes are homed, then lift the tool and switch all outputs off."""

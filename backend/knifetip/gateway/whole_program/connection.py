@@ -58,7 +58,7 @@ class ProgramConnection(ABC, Generic[ProgramT]):
         self.recovering = False  #: reports are not compared with a program and set no fault
         self.program: ProgramT | None = None  #: the program that the controller executes
         self.executed = 0  #: lines of the programs that have ended
-        self.sent = 0  #: lines of all programs that the controller has begun to execute
+        self.sent = 0  #: lines of all programs that the controller may have begun to execute
         self.status: Status | None = None  #: last report
         self.alarm: Message | None = None  #: why the last report has the state ``ALARM``
         self._channel = channel
@@ -140,6 +140,19 @@ class ProgramConnection(ABC, Generic[ProgramT]):
         ControllerError
             The controller refuses, the connection is lost, or the controller is silent.
         """
+
+    def has_not_begun(self, program: ProgramT, rest: Status) -> bool:
+        """Return whether it is certain that no line of an aborted program was executed.
+
+        Parameters
+        ----------
+        program
+            The program that was aborted.
+        rest
+            Report of the machine at rest after that.
+        """
+        del program, rest
+        return False
 
     # -- faults -----------------------------------------------------------------------------------
 

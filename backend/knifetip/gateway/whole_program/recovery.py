@@ -45,12 +45,16 @@ async def make_safe(
     """
     clock = asyncio.get_running_loop()
     deadline = clock.time() + 6.0 * machine.silence
+    program = machine.program
     while True:
         try:
             await machine.reach()
             await machine.abort()
-            machine.program = None
-            await wait_for_rest(machine)
+            machine.program, machine.executed = None, machine.sent
+            status = await wait_for_rest(machine)
+            if program is not None and machine.has_not_begun(program, status):
+                machine.sent -= program.lines
+                machine.executed = machine.sent
             return await secure()
         except (ControllerAlarm, ControllerRejected):
             raise
@@ -75,6 +79,25 @@ async def wait_for_rest(machine: ProgramConnection[Any]) -> Status:
     while True:
         status = await machine.report()
         if status.still and status.state in (State.IDLE, State.ALARM):
+            return status
+        if clock.time() > deadline:
+            raise machine.not_at_rest(machine.rest_seconds)
+        await asyncio.sleep(POLL)
+
+
+async def wait_until_still(machine: ProgramConnection[Any]) -> Status:
+    """Wait until no axis moves, whatever the controller executes; return the last status.
+
+    Raises
+    ------
+    ControllerError
+        An axis still moves after ``rest_seconds``.
+    """
+    clock = asyncio.get_running_loop()
+    deadline = clock.time() + machine.rest_seconds
+    while True:
+        status = await machine.report()
+        if status.still and status.state is not State.RUN:
             return status
         if clock.time() > deadline:
             raise machine.not_at_rest(machine.rest_seconds)

@@ -46,11 +46,29 @@ class ApiKey(Base):
     title: Mapped[str] = mapped_column(sa.String(100))  #: what uses the key
     digest: Mapped[str] = mapped_column(sa.String(64))  #: SHA-256 of the secret
     scopes: Mapped[list[str]] = mapped_column(sa.JSON)
+    customer: Mapped[str] = mapped_column(sa.String(200), default="")  #: only customer; "" for all
+    #: only machines; empty for all, and for a gateway that has not used the key yet
+    machines: Mapped[list[str]] = mapped_column(sa.JSON, default=list)
+    #: a browser that was paired with a machine has it, in a cookie only
+    device: Mapped[bool] = mapped_column(default=False)
+    #: the key of a gateway is for any machine, because an earlier version has made it
+    any_machine: Mapped[bool] = mapped_column(default=False)
     created: Mapped[float] = mapped_column(sa.Double)
     created_by: Mapped[str] = mapped_column(sa.String(200))
     expires: Mapped[float | None] = mapped_column(sa.Double)
     used: Mapped[float | None] = mapped_column(sa.Double)  #: time of the last recorded use
     revoked: Mapped[float | None] = mapped_column(sa.Double)
+
+
+class PairingCode(Base):
+    """A code with which one browser can be paired with a machine; only its hash is stored."""
+
+    __tablename__ = "pairing_code"
+
+    digest: Mapped[str] = mapped_column(sa.String(64), primary_key=True)  #: SHA-256 of the code
+    machine: Mapped[str] = mapped_column(sa.String(200))
+    created_by: Mapped[str] = mapped_column(sa.String(200))
+    expires: Mapped[float] = mapped_column(sa.Double)
 
 
 class BrowserSession(Base):

@@ -15,6 +15,7 @@ from sqlalchemy.orm import Session
 
 from knifetip.harmless import harmless
 from knifetip.jobs.accounts.account_tables import AuditEntry
+from knifetip.jobs.accounts.key_limits import UNLIMITED, KeyLimits
 from knifetip.jobs.job import Actor, ActorKind
 
 #: Outcomes of a request in the audit log.
@@ -34,6 +35,7 @@ class Acting:
     peer: str = ""  #: address of the sender
     audited: bool = True  #: whether the audit log gets an entry
     written: bool = False  #: whether it has the entry
+    limits: KeyLimits = UNLIMITED  #: of its API key
     outcome: str = ""  #: outcome of a request whose status does not show it; "" for others
 
     @property
@@ -114,6 +116,12 @@ def acting_principal() -> str:
     """
     acting = _acting.get()
     return "" if acting is None else f"{acting.kind}:{acting.id}"
+
+
+def acting_limits() -> KeyLimits:
+    """Return the limits of the API key of the present request; no limits outside requests."""
+    acting = _acting.get()
+    return UNLIMITED if acting is None else acting.limits
 
 
 def note_refusal() -> None:

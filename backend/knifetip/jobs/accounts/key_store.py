@@ -19,7 +19,8 @@ from knifetip.errors import NotFound, RequestError, WrongState
 from knifetip.harmless import harmless
 from knifetip.jobs.accounts.account_tables import ApiKey
 from knifetip.jobs.accounts.acting import set_subject
-from knifetip.jobs.accounts.scopes import AccessScope
+from knifetip.jobs.accounts.key_limits import UNLIMITED, KeyLimits
+from knifetip.jobs.accounts.scopes import FOR_CUSTOMER, FOR_MACHINES, AccessScope
 from knifetip.jobs.database import Database, short
 from knifetip.jobs.job import new_id
 
@@ -46,6 +47,7 @@ class KeyStore:
         scopes: Collection[AccessScope],
         expires: float | None = None,
         by: str = "",
+        limits: KeyLimits = UNLIMITED,
     ) -> tuple[ApiKey, str]:
         """Store a new key; return it with its secret, which cannot be read again.
 
@@ -59,25 +61,35 @@ class KeyStore:
             Time at which the key becomes invalid (seconds since 1970); None for never.
         by
             Name of the administrator.
+        limits
+            Customer and machines for which the key is.  The key of a gateway without machines is
+            bound to the first machine for which it is used.
 
         Raises
         ------
         RequestError
-            The key has no title or no scope, or would be expired.
+            The key has no title or no scope, or scopes that cannot have these limits.
+        WrongState
+            The key would be expired.
         """
         now = self._db.clock()
         title = harmless(title).strip()[:100]
         if not title or not scopes:
             raise RequestError("key.incomplete", source=["title", "scopes"])
+        _check_limits(scopes, limits)
         if expires is not None and expires <= now:
             raise WrongState("key.expired-at-once", source=["expires"])
         id = new_id()
-        secret = f"kt_{id}_{secrets.token_urlsafe(32)}"
+        secret = new_secret(id)
         row = ApiKey(
             id=id,
             title=title,
-            digest=_digest(secret),
+            digest=secret_digest(secret),
             scopes=sorted(scope.value for scope in set(scopes)),
+            customer=harmless(limits.customer).strip()[:200],
+            machines=sorted(limits.machines),
+            any_machine=False,
+            device=False,
             created=now,
             created_by=by[:200],
             expires=expires,
@@ -105,6 +117,45 @@ class KeyStore:
             row.revoked = row.revoked or self._db.clock()
             return row
 
+    def rotate(self, id: str) -> tuple[ApiKey, str]:
+        """Give a key a new secret, and return the key with it; the former secret becomes invalid.
+
+        The key keeps its id, so that jobs, drawings and webhooks stay its own.
+
+        Raises
+        ------
+        NotFound
+            There is no such key.
+        WrongState
+            The key was revoked.
+        """
+        secret = new_secret(id)
+        with self._db.writing() as session:
+            row = session.get(ApiKey, id)
+            if row is None:
+                raise NotFound("key.unknown", id=short(id))
+            if row.revoked is not None:
+                raise WrongState("key.revoked", id=id)
+            set_subject(session, "key", id)
+            row.digest = secret_digest(secret)
+            return row, secret
+
+    def bind(self, id: str, machine: str) -> None:
+        """Bind the key of a gateway to the first machine for which it is used.
+
+        Raises
+        ------
+        AccessDenied
+            The key is bound to another machine.
+        """
+        with self._db.writing() as session:
+            row = session.get(ApiKey, id, with_for_update=True)
+            if row is None or row.any_machine:
+                return
+            if not row.machines:
+                row.machines = [machine]
+            KeyLimits(machines=frozenset(row.machines)).check_machine(machine)
+
     def find(self, secret: str, *, used: bool = True) -> ApiKey | None:
         """Return the valid key with a secret; None if there is none.
 
@@ -123,7 +174,7 @@ class KeyStore:
         now = self._db.clock()
         if (
             row is None
-            or not hmac.compare_digest(row.digest, _digest(secret))
+            or not hmac.compare_digest(row.digest, secret_digest(secret))
             or row.revoked is not None
             or (row.expires is not None and row.expires <= now)
         ):
@@ -134,5 +185,32 @@ class KeyStore:
         return row
 
 
-def _digest(secret: str) -> str:
+def _check_limits(scopes: Collection[AccessScope], limits: KeyLimits) -> None:
+    """Raise ``RequestError`` if a key with one of the scopes cannot have limits."""
+    for limited, permitted, field in (
+        (bool(limits.customer), FOR_CUSTOMER, "customer"),
+        (bool(limits.machines), FOR_MACHINES, "machines"),
+    ):
+        others = sorted(scope.value for scope in scopes if scope not in permitted)
+        if limited and others:
+            raise RequestError(
+                "key.unlimited-scope",
+                scope=others[0],
+                scopes=[scope.value for scope in AccessScope if scope in permitted],
+                source=[field],
+            )
+
+
+def is_secret(text: str) -> bool:
+    """Return whether a text has the form of the secret of a key."""
+    return _SECRET.fullmatch(text) is not None
+
+
+def new_secret(id: str) -> str:
+    """Return a new secret for the key with an id."""
+    return f"kt_{id}_{secrets.token_urlsafe(32)}"
+
+
+def secret_digest(secret: str) -> str:
+    """Return the SHA-256 digest of a secret, under which it is stored."""
     return hashlib.sha256(secret.encode()).hexdigest()

@@ -11,11 +11,20 @@ from argon2 import PasswordHasher, Type
 from argon2.exceptions import InvalidHashError, VerificationError
 
 from knifetip.errors import RequestError
+from knifetip.jobs.accounts.weak_passwords import Weakness, weakness_of
+from knifetip.messages import Message
 
 SHORTEST: Final = 10
 #: Limits the time of the hash, which grows with the length of the password.
 LONGEST: Final = 1000
 
+_REASONS: Final[dict[Weakness, str]] = {
+    "blank": "user.password-blank",
+    "repeated": "user.password-repeated",
+    "sequence": "user.password-sequence",
+    "common": "user.password-common",
+    "name": "user.password-name",
+}
 _HASHER: Final = PasswordHasher(
     time_cost=2, memory_cost=19456, parallelism=1, hash_len=32, salt_len=16, type=Type.ID
 )
@@ -26,12 +35,23 @@ _NO_USER: Final = (
 )
 
 
-def check_password(password: str) -> None:
-    """Raise ``RequestError`` if a new password is too short or too long."""
+def check_password(password: str, name: str = "") -> None:
+    """Raise ``RequestError`` if a new password is too short, too long or easily guessed.
+
+    Parameters
+    ----------
+    password
+        The password.
+    name
+        Name of its user.
+    """
     if not SHORTEST <= len(password) <= LONGEST:
         raise RequestError(
             "user.bad-password", shortest=SHORTEST, longest=LONGEST, length=len(password)
         )
+    weakness = weakness_of(password, name)
+    if weakness is not None:
+        raise RequestError("user.weak-password", why=Message(_REASONS[weakness]))
 
 
 def hash_password(password: str) -> str:

@@ -68,7 +68,7 @@ class UserStore:
         if _NAME.fullmatch(name) is None:
             raise RequestError("user.bad-name", name=short(name), source=["name"])
         _check_role(role)
-        passwords.check_password(password)
+        passwords.check_password(password, name)
         now = self._db.clock()
         row = UserAccount(
             id=new_id(),
@@ -121,7 +121,7 @@ class UserStore:
             _check_role(role)
         hashed = None
         if password is not None:
-            passwords.check_password(password)
+            passwords.check_password(password, name)
             hashed = passwords.hash_password(password)
         with self._db.writing() as session:
             row = _find(session, name)

@@ -226,8 +226,11 @@ def _check_stations(plotter: Plotter, machine: Machine) -> Iterator[_Fault]:
             yield _fault((*path, "tool"), "hpgl.tool-not-supported")
         if any((station.x, station.y, station.z, station.c)) or station.output >= 0:
             yield _fault(path, "hpgl.datum")
-        if isinstance(tool, Knife) and tool.trail:
+        if isinstance(tool, Knife) and tool.trail and not tool.free:
             yield _fault((*path, "tool", "trail"), "hpgl.trail", value=tool.trail)
+        if isinstance(tool, Knife) and tool.swivel_depth:
+            value = tool.swivel_depth
+            yield _fault((*path, "tool", "swivel_depth"), "hpgl.swivel-depth", value=value)
         if device.speed is not None:
             speed, (least, greatest) = tool.feed / CM_PER_SECOND, device.speed
             if speed != round(speed) or not least <= speed <= greatest:

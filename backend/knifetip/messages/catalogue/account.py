@@ -15,6 +15,34 @@ MESSAGES: Final[Entries] = {
         "An API key must have a title and at least one scope.",
         "Enter a title that names the program that uses the key, and choose its scopes.",
     ),
+    "key.limited": entry(
+        "This API key is for the customer {customer}, and the answer contains all customers.",
+        "Use a key without this limit.",
+        customer="text",
+    ),
+    "key.other-customer": entry(
+        "This API key is for the customer {customer}, not for {given!r}.",
+        "Leave the customer out, or use a key for that customer.",
+        customer="text",
+        given="text",
+    ),
+    "key.other-machine": entry(
+        "This API key is for {machines:or}, not for the machine {machine!r}.",
+        "Choose another machine, or use a key for that machine.",
+        machine="text",
+        machines="texts",
+    ),
+    "key.revoked": entry(
+        "The API key {id} was revoked.",
+        "Create a new key.",
+        id="text",
+    ),
+    "key.unlimited-scope": entry(
+        "A key with the scope {scope} cannot be limited in this way.",
+        "Choose only scopes of {scopes:, }, or leave the limit out.",
+        scope="text",
+        scopes="texts",
+    ),
     "key.unknown": entry(
         "There is no API key with the id {id}.",
         "List the keys with `knifetip key list`.",
@@ -89,13 +117,17 @@ MESSAGES: Final[Entries] = {
         "Sign in again.",
     ),
     "sign-in.slow-down": entry(
-        "Too many sign-ins failed for this name.",
+        "Too many attempts to sign in failed.",
         "Wait {seconds} s, then try again.",
         seconds="count",
     ),
     "sign-in.wrong": entry(
         "The name or the password is wrong.",
         "Check both. An administrator can set a new password.",
+    ),
+    "sign-in.wrong-code": entry(
+        "This code is wrong, has expired or was used.",
+        "Ask an administrator for a new code: each is for one device and for ten minutes.",
     ),
     "user.at-provider": entry(
         "The user {name} signs in at a provider and has no password on this server.",
@@ -133,6 +165,16 @@ MESSAGES: Final[Entries] = {
     "user.not-signed-in": entry(
         "Only a user who has signed in with a password can change it.",
         "Sign in with name and password.",
+    ),
+    "user.password-blank": entry("it contains only blanks"),
+    "user.password-common": entry("it consists of words that many people use"),
+    "user.password-name": entry("it consists of the name of the user or of the program"),
+    "user.password-repeated": entry("it repeats a few characters"),
+    "user.password-sequence": entry("its characters follow each other on the keyboard"),
+    "user.weak-password": entry(
+        "The password is easily guessed: {why}.",
+        "Choose another one, for example four words that have nothing to do with each other.",
+        why="message",
     ),
     "user.unknown": entry(
         "There is no user with the name {name}.",

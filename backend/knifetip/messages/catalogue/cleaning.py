@@ -62,6 +62,15 @@ MESSAGES: Final[Entries] = {
         "other edges on the same line were merged into the edge, which is longer now",
     ),
     "cleaning.moved": entry("one end of the edge was moved to meet another edge"),
+    "cleaning.near": entry(
+        "the edge was drawn twice: it lies close beside another edge and was merged into it",
+    ),
+    "cleaning.near-edge": entry(
+        "the edge was drawn twice: it lies {distance:.2g} mm beside edge {edge} and was merged "
+        "into it",
+        edge="count",
+        distance="number",
+    ),
     "cleaning.no-work": entry(
         "the edge is unchanged, because no tool processes an edge of its line type",
     ),

@@ -185,8 +185,8 @@ MESSAGES: Final[Entries] = {
         y="number",
     ),
     "milling.shared-edge": entry(
-        "Two parts share edge {edge}, so a cutter of {diameter:g} mm diameter would remove a "
-        "strip of one of the parts.",
+        "Two parts share edge {edge}. On its line, a cutter of {diameter:g} mm diameter would cut "
+        "into one of the parts at an end of the edge or at a line beside it.",
         "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife.",
         edge="count",
         diameter="number",
@@ -202,6 +202,15 @@ MESSAGES: Final[Entries] = {
         name="text",
         machine="text",
         reason="message",
+    ),
+    "knife.park-heading": entry(
+        "Station {station} has a free blade: before the program starts, it must have a heading of "
+        "{degrees:g}°. The program leaves it so.",
+        station="count",
+        degrees="number",
+    ),
+    "tool.free-without-trail": entry(
+        "the knife is free, but its tip does not trail its axis (trail is 0)",
     ),
     "tool.missing": entry(
         "{machine} has no tool for {count:# edge|# edges} of type {type}.",
@@ -223,6 +232,9 @@ MESSAGES: Final[Entries] = {
         angle="number",
         radius="number",
         least="number",
+    ),
+    "tool.swivel-of-driven-knife": entry(
+        "`swivel_depth` or `park_heading` is set, but the knife is not free: the machine turns it",
     ),
     "tool.tilted": entry(
         "The tool is tilted by {tilt:.2f}°, but only tools tilted by up to {limit:g}° can be "

@@ -128,6 +128,13 @@ MESSAGES: Final[Entries] = {
         "Home the machine ($H) or unlock it ($X) at the table.",
         name="text",
     ),
+    "controller.left-program": entry(
+        "{name} executes the program no more: its state is {state}.",
+        "Check the table, and why the machine changed its state. Another program or a person may "
+        "have operated it.",
+        name="text",
+        state="text",
+    ),
     "controller.lost": entry(
         "The connection to {name} is lost{due}.",
         "Check the cable to the controller, then check the board on the table.",
@@ -145,17 +152,17 @@ MESSAGES: Final[Entries] = {
         "Write the address as HOST:PORT, for example 127.0.0.1:2323.",
         address="text",
     ),
-    "controller.not-in-laser-mode": entry(
-        "{name} is not in laser mode, so the laser beam would stay on during a feed hold. "
-        "Nothing was sent.",
-        "Set $32=1 at the controller and connect again.",
-        name="text",
-    ),
     "controller.not-ready": entry(
         "{name} is not ready: it reports the state {state}. Nothing was sent.",
         "Wait until the controller is idle, or unlock it, then send the job again.",
         name="text",
         state="text",
+    ),
+    "controller.door-open": entry(
+        "{name} did not lift the tool and did not raise the stations, because its safety door is "
+        "open.",
+        "Close the safety door, press Release, then lift the tool.",
+        name="text",
     ),
     "controller.not-recovered": entry(
         "{name} did not reach its safe state, with the tool lifted and the stations raised.",
@@ -281,6 +288,13 @@ MESSAGES: Final[Entries] = {
         "Check the table, then try again.",
         name="text",
         seconds="number",
+    ),
+    "controller.settings-refused": entry(
+        "{name} has settings with which the programs of this machine would be dangerous: "
+        "{differences: } Nothing was sent.",
+        "{differences:hint} The gateway then connects by itself.",
+        name="text",
+        differences="messages",
     ),
     "controller.silent": entry(
         "{name} has not responded for {seconds:g} s{due}.",

@@ -60,6 +60,19 @@ MESSAGES: Final[Entries] = {
         "Write the URL as sqlite:///FILE or postgresql://USER@HOST/NAME.",
         url="text",
     ),
+    "database.damaged": entry(
+        "The database {file} is damaged: {reason}.",
+        "Stop the server and put a backup in its place: knifetip restore FILE --replace. Keep the "
+        "older backups until then. Check the disk.",
+        file="text",
+        reason="text",
+    ),
+    "database.folder-unusable": entry(
+        "The folder {folder} of the database cannot be used: {reason}.",
+        "Choose another folder with --database sqlite:///FILE, or permit this user to write there.",
+        folder="text",
+        reason="text",
+    ),
     "database.in-use": entry(
         "The database {file} is in use.",
         "Stop the server and the workers that use it, then try again.",
@@ -116,6 +129,12 @@ MESSAGES: Final[Entries] = {
         "The password of the database cannot be read from {file}: {reason}.",
         "Name a file that contains only the password and that this user can read.",
         file="text",
+        reason="text",
+    ),
+    "database.unusable": entry(
+        "The database cannot be used: {reason}.",
+        "Check that its file, its folder and its disk exist and can be written by this user, or "
+        "choose another one with --database.",
         reason="text",
     ),
     "database.unreachable": entry(

@@ -67,6 +67,11 @@ MESSAGES: Final[Entries] = {
         count="count",
         reason="message",
     ),
+    "drawing.of-another": entry(
+        "The drawing {drawing} was uploaded by somebody else and is not shared.",
+        "Ask its owner or an operator to share it with all designers, or upload the file again.",
+        drawing="text",
+    ),
     "drawing.open-questions": entry(
         "{count:# question|# questions} about the drawing must be answered first: {questions: }",
         "Answer the questions on the page of the drawing. Edges without an answer are not cut.",

@@ -31,6 +31,12 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "field.blank": entry("{path} is empty", path="text"),
+    "field.control-character": entry(
+        "{path} contains the control character {character}, which cannot be seen or typed",
+        "Remove it, or type the text again.",
+        path="text",
+        character="text",
+    ),
     "field.inconsistent": entry(
         "{path} contradicts other fields: {fault}",
         path="text",
@@ -56,6 +62,22 @@ MESSAGES: Final[Entries] = {
         "oscillation and no spindle",
         path="text",
         station="count",
+    ),
+    "field.needs-heading": entry(
+        "{path}: station {station} has a tool that an axis must turn, but [axes] has no c. Tools "
+        "of such a machine are a free knife, a cutter or a laser",
+        path="text",
+        station="count",
+    ),
+    "field.gantry-without-heading": entry(
+        "{path}: a machine with carriages needs an axis c in [axes]",
+        path="text",
+    ),
+    "field.override-range": entry(
+        "{path}: the feed override from {low} to {high} % must contain 100 %",
+        path="text",
+        low="count",
+        high="count",
     ),
     "field.spindle-of-beam": entry(
         "{path}: `spindle` and `spindle_speed` are set, but station {station} has a laser, which "
@@ -134,6 +156,13 @@ MESSAGES: Final[Entries] = {
         path="text",
         value="text",
     ),
+    "field.bad-json": entry(
+        "{path} is not valid JSON: the fault is in line {line}, column {column}",
+        path="text",
+        line="count",
+        column="count",
+    ),
+    "field.nested-too-deep": entry("{path} is nested too deeply", path="text"),
     "field.not-json": entry("{path} is not valid JSON: {reason}", path="text", reason="text"),
     "field.not-less-than-caliper": entry(
         "{path} is {value:g} mm, but must be less than the caliper of {caliper:g} mm",
@@ -148,6 +177,18 @@ MESSAGES: Final[Entries] = {
         known="texts",
     ),
     "field.not-text": entry("{path} is {value}, but must be text", path="text", value="text"),
+    "field.no-year": entry(
+        "{path} is {value}, but must be in the years 1 to 9999 of UTC", path="text", value="text"
+    ),
+    "field.wrong-order": entry(
+        "{path}: {second} must not be before {first}", path="text", first="text", second="text"
+    ),
+    "field.not-empty": entry("{path} is {value}, but must be null", path="text", value="text"),
+    "field.wrong-form": entry(
+        "{path} is {value}, which does not have the required form",
+        path="text",
+        value="text",
+    ),
     "field.not-whole": entry(
         "{path} is {value}, but must be a whole number",
         path="text",

@@ -48,6 +48,11 @@ MESSAGES: Final[Entries] = {
         machine="text",
         version="count",
     ),
+    "gateway.not-claimed": entry(
+        "The job {job} was not claimed with this key, so its program is not given out.",
+        "Claim the job first.",
+        job="text",
+    ),
     "gateway.no-reason": entry(
         "The gateway (the program that sends jobs to the machine) ended the job without "
         "stating a reason.",
@@ -60,12 +65,10 @@ MESSAGES: Final[Entries] = {
     ),
     "gateway.switched-off": entry(
         "The gateway (the program that sends jobs to the machine) was stopped.",
-        "Start the gateway if it is not running.",
     ),
     "gateway.switched-off-before-report": entry(
         "The machine finished the job, but the gateway (the program that sends jobs to the "
         "machine) was stopped before the result was reported.",
-        "Start the gateway if it is not running.",
     ),
     "gateway.switched-off-in-run": entry(
         "The gateway (the program that sends jobs to the machine) was stopped while the "

@@ -255,10 +255,16 @@ MESSAGES: Final[Entries] = {
         "Remove the station, or choose another controller language.",
         path="text",
     ),
+    "hpgl.swivel-depth": entry(
+        "{path} is {value:g} mm, but an HPGL program cannot change the depth of a lowered tool",
+        "Set swivel_depth to 0.",
+        path="text",
+        value="number",
+    ),
     "hpgl.trail": entry(
         "{path} (knife offset) is {value:g} mm, but an HPGL machine itself compensates for "
         "the offset of its knife",
-        "Set trail to 0.",
+        "Set trail to 0, or set free if the device does not compensate.",
         path="text",
         value="number",
     ),

@@ -35,9 +35,28 @@ MESSAGES: Final[Entries] = {
         job="text",
         request="text",
     ),
+    "job.check-refused": entry(
+        "The program was not begun, so the job was returned to the queue: {reason}",
+        reason="message",
+    ),
+    "job.checked": entry(
+        "The operator checked at the machine: {checks:; }.",
+        checks="messages",
+    ),
+    "job.nothing-refused": entry(
+        "Job {job} is {state}, and no machine has refused its program.",
+        job="text",
+        state="text",
+    ),
+    "job.rechecked": entry("The machine may check and take the job again."),
     "job.claim-returned": entry(
         "The gateway put the job back into the queue. {reason}",
         reason="message",
+    ),
+    "job.changed": entry(
+        "Job {job} was changed since you read it.",
+        "Read the job again, and repeat the change if it is still necessary.",
+        job="text",
     ),
     "job.claimed": entry(
         "The gateway of the machine took the job from the queue (claimed it).",
@@ -50,9 +69,9 @@ MESSAGES: Final[Entries] = {
         "The compilation of the job was cancelled.",
     ),
     "job.compile-crashed": entry(
-        "Internal error while compiling: {reason}. Nothing was cut.",
-        "Report the error with the log of the server.",
-        reason="text",
+        "Internal error {incident} while compiling. Nothing was cut.",
+        "Report the error with the log of the server, which contains its cause under this number.",
+        incident="text",
     ),
     "job.compile-started": entry(
         "Attempt {attempt} to compile the job has started.",
@@ -116,8 +135,7 @@ MESSAGES: Final[Entries] = {
         gateway="text",
     ),
     "job.gateway-lost": entry(
-        "The gateway {gateway} stopped responding. The machine may have executed more program "
-        "lines than the gateway reported.",
+        "The gateway {gateway} stopped responding.",
         "Check the computer of the gateway and its network connection.",
         gateway="text",
     ),
@@ -130,17 +148,40 @@ MESSAGES: Final[Entries] = {
     ),
     "job.held-before-start": entry(
         "The operator paused the job before the machine executed the first program line. The "
-        "machine starts when the operator resumes the job.",
+        "machine starts when the operator confirms the job again.",
     ),
     "job.interrupted": entry(
         "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
-        "{cause:hint} Check the table. Then either queue the job again (a new sheet is cut "
-        "from the first program line), or mark the job finished if the sheet is complete, or "
-        "scrap the job.",
+        "{cause:hint} Check the table. If the sheet has not moved, continue it: only the tracks "
+        "that are left are made. Otherwise queue the job again (a new sheet is cut from the first "
+        "program line), or mark the job finished if the sheet is complete, or scrap the job.",
         line="count",
         lines="count",
         copy="message?",
         cause="message",
+    ),
+    "job.interrupted-unobserved": entry(
+        "The job was interrupted at program line {line} of {lines} or later{copy}: {most}. {cause}",
+        "{cause:hint} Look at the sheet: it shows which tracks are made. To continue it, state "
+        "for each track that is not known whether it is made.",
+        line="count",
+        lines="count",
+        most="message",
+        copy="message?",
+        cause="message",
+    ),
+    "job.machine-not-free": entry(
+        "Job {job} cannot start, because its machine takes no job now. {reason}",
+        "{reason:hint}",
+        job="text",
+        reason="message",
+    ),
+    "job.may-have-ended": entry(
+        "nobody observed the machine then, so it may have executed the program to its end",
+    ),
+    "job.may-have-gone-on": entry(
+        "nobody observed the machine then, so it may have executed lines up to line {line}",
+        line="count",
     ),
     "job.interrupted-at-end": entry(
         "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
@@ -164,12 +205,31 @@ MESSAGES: Final[Entries] = {
         "A late report of the gateway arrived: {report}",
         report="message",
     ),
+    "job.needs-end": entry(
+        "The whole program of job {job} was sent to the machine, which does not report when it has "
+        "executed it, so there is nothing to resume.",
+        "When the machine has finished and is at rest, state it: end the job with POST "
+        "/api/jobs/{job}/end.",
+        job="text",
+    ),
+    "job.needs-sheet": entry(
+        "Job {job} waits for a new sheet, so it cannot be resumed.",
+        "Put a new sheet on the table, make the checks at the machine, then confirm the job.",
+        job="text",
+    ),
     "job.no-confirmation-awaited": entry(
         "Job {job} is {state}, so it does not wait for a confirmation.",
         "{advice}",
         job="text",
         state="text",
         advice="message",
+    ),
+    "job.no-end-awaited": entry(
+        "Job {job} is {state}, and its machine does not wait for a person to confirm the end of a "
+        "program.",
+        "Look at what the job waits for.",
+        job="text",
+        state="text",
     ),
     "job.no-sheet-awaited": entry(
         "Job {job} is on hold, but it does not wait for a new sheet.",
@@ -193,6 +253,13 @@ MESSAGES: Final[Entries] = {
         "Check the unit of the drawing and the line types of its edges. Otherwise choose another "
         "machine or machine file: a smaller creasing wheel for short creases, a thinner cutter or "
         "a knife for narrow contours.",
+    ),
+    "job.not-checked": entry(
+        "The confirmation of job {job} leaves out what must be checked at the machine: "
+        "{missing:; }.",
+        "Make these checks at the machine, then confirm the job with all of them in `checked`.",
+        job="text",
+        missing="messages",
     ),
     "job.not-confirmed": entry(
         "Job {job} was started, although the operator has not confirmed that the table is ready.",
@@ -227,13 +294,6 @@ MESSAGES: Final[Entries] = {
     ),
     "job.ordered": entry(
         "The job was created.",
-    ),
-    "job.other-board": entry(
-        "Job {job} needs the board {board}, but the confirmation names the board {given}.",
-        "Put a sheet of {board} on the table, then confirm the job again.",
-        job="text",
-        board="text",
-        given="text",
     ),
     "job.other-phase": entry(
         "Job {job} continued in the meantime, so the request no longer applies.",
@@ -293,6 +353,10 @@ MESSAGES: Final[Entries] = {
     "job.started-unconfirmed": entry(
         "The job was started without the confirmation of the operator.",
     ),
+    "job.stated-by-feed": entry(
+        "Stated by the automatic feed: {checks:; }.",
+        checks="messages",
+    ),
     "job.unknown": entry(
         "Job {job} does not exist.",
         "Choose one of the jobs that GET /api/jobs lists.",
@@ -301,6 +365,13 @@ MESSAGES: Final[Entries] = {
     "job.answered": entry(
         "The verified program of job {job} was reused, because its input is the same.",
         job="text",
+    ),
+    "job.unknown-checks": entry(
+        "Job {job} has no check {unknown:, }.",
+        "Its checks are {known:, }.",
+        job="text",
+        unknown="texts",
+        known="texts",
     ),
     "job.verified": entry(
         "The job was compiled, and its program was verified.",
@@ -311,12 +382,6 @@ MESSAGES: Final[Entries] = {
         station="count",
         name="text",
         used="number",
-    ),
-    "job.tools-not-checked": entry(
-        "Job {job} also uses stations whose tools the confirmation does not name: {stations}.",
-        "Check the tools in these stations, then confirm the job again.",
-        job="text",
-        stations="texts",
     ),
     "job.worker-silent": entry(
         "The process {worker}, which compiles the job, stopped responding in the stage {stage}.",

@@ -90,6 +90,11 @@ MESSAGES: Final[Entries] = {
         shelf="text",
         name="text",
     ),
+    "library.no-settings": entry(
+        "The controller of {machine} has no settings that knifetip knows.",
+        "Set up the controller as its maker describes.",
+        machine="text",
+    ),
     "library.not-an-object": entry(
         "The JSON document of the {shelf} {name!r} is not an object.",
         "Send an object with the fields that GET /api/schemas/{shelf}s describes.",

@@ -14,6 +14,19 @@ MESSAGES: Final[Entries] = {
         address="text",
         options="texts",
     ),
+    "linuxcnc.beyond-travel": entry(
+        "Program line {line} would move {axis} to {position:.3f} {unit} in coordinates of the "
+        "machine, beyond the limit {limit:.3f} {unit} of LinuxCNC at {name}. Nothing has moved.",
+        "Set X Y zero where the whole sheet is within the travel, or place the job elsewhere. If "
+        "the machine can move farther, correct MIN_LIMIT and MAX_LIMIT of {axis} in the INI file "
+        "of LinuxCNC.",
+        name="text",
+        line="count",
+        axis="text",
+        position="number",
+        limit="number",
+        unit="text",
+    ),
     "linuxcnc.cause": entry(": {texts:; }", texts="texts"),
     "linuxcnc.estop": entry(
         "LinuxCNC at {name} is in emergency stop.",
@@ -26,6 +39,13 @@ MESSAGES: Final[Entries] = {
         "Create the folder, and permit the user of the gateway to write to it.",
         folder="text",
         reason="text",
+    ),
+    "linuxcnc.ini-unread": entry(
+        "The gateway cannot read the INI file {path} of LinuxCNC at {name}, so it does not compare "
+        "limits, velocities and accelerations with the machine file.",
+        "Copy the file to the computer of the gateway, and add ini=PATH to the address.",
+        name="text",
+        path="text",
     ),
     "linuxcnc.lost": entry(
         "The connection to LinuxCNC at {name} is lost. LinuxCNC may still execute its program.",

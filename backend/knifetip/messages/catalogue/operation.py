@@ -13,6 +13,13 @@ MESSAGES: Final[Entries] = {
         feed="number",
         fastest="number",
     ),
+    "operation.bad-override": entry(
+        "A feed override of {percent} % is not possible on this machine.",
+        "Choose {low} to {high} %.",
+        percent="count",
+        low="count",
+        high="count",
+    ),
     "operation.beyond-travel": entry(
         "The move would end at {axis} {target:.3f}, beyond the travel of the axis from {low:g} to "
         "{high:g}. Nothing has moved.",
@@ -33,6 +40,22 @@ MESSAGES: Final[Entries] = {
         "Switch on the machine and start its gateway.",
         machine="text",
     ),
+    "operation.hands-not-clear": entry(
+        "The request {request} moves {machine}, and nobody has stated within the last "
+        "{seconds:g} s that hands are clear of it.",
+        "Look that nobody reaches into the machine, state hands clear at its station, then ask "
+        "again.",
+        request="text",
+        machine="text",
+        seconds="number",
+    ),
+    "operation.jog-ended": entry(
+        "The jog {id} has ended: its button was not reported as held within {seconds:g} s, or the "
+        "machine has refused it.",
+        "Release the button, and press it again.",
+        id="text",
+        seconds="number",
+    ),
     "operation.job-on-machine": entry(
         "The machine executes a job, so it does nothing else.",
         "Wait until the job has ended, or cancel it.",
@@ -48,6 +71,16 @@ MESSAGES: Final[Entries] = {
         "The operation {request} needs the field {name}.",
         "Add the field to the request.",
         request="text",
+        name="text",
+    ),
+    "operation.door-open": entry(
+        "The safety door of {name} is open. Nothing was sent.",
+        "Close the safety door, then press Release.",
+        name="text",
+    ),
+    "operation.nothing-held": entry(
+        "{name} holds nothing that could be released.",
+        "If an alarm locks it, unlock or home it.",
         name="text",
     ),
     "operation.no-controller": entry(
@@ -95,6 +128,13 @@ MESSAGES: Final[Entries] = {
         "Ask for the operation again: operations are kept for a short time only.",
         id="text",
         machine="text",
+    ),
+    "operation.override-not-confirmed": entry(
+        "{name} reports a feed override of {found} % instead of {percent} %.",
+        "Press the button again; if the override does not change, look at the controller.",
+        name="text",
+        found="count",
+        percent="count",
     ),
     "operation.unknown-axis": entry(
         "The machine has no axis {axis!r}.",

@@ -8,10 +8,11 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "reading.crashed": entry(
-        "The file {name} cannot be read, probably because it is damaged ({reason}).",
-        "Export the drawing again as DXF, CF2, SVG or PDF, if necessary from another program.",
+        "The file {name} cannot be read, probably because it is damaged (error {incident}).",
+        "Export the drawing again as DXF, CF2, SVG or PDF, if necessary from another program. The "
+        "log of the server contains the cause under this number.",
         name="text",
-        reason="text",
+        incident="text",
     ),
     "reading.damaged": entry(
         "The {format} file cannot be read, because it is damaged ({reason}).",

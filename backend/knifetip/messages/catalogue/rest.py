@@ -13,6 +13,12 @@ MESSAGES: Final[Entries] = {
         job="text",
         machine="text",
     ),
+    "rest.continue-first": entry(
+        "{interruption}",
+        "Continue this sheet, {tracks} left. {interruption:hint}",
+        tracks="message",
+        interruption="message",
+    ),
     "rest.continued-already": entry(
         "Job {other} already continues the sheet of job {job}.",
         "Continue that job instead, or cancel it before it begins.",
@@ -86,6 +92,27 @@ MESSAGES: Final[Entries] = {
         "Job {job} is interrupted, and its sheet occupies the table.",
         "Make the rest of the sheet first, or scrap the job. Then order the remaining copies.",
         job="text",
+    ),
+    "rest.statement-needed": entry(
+        "The machine executed {executed} program lines of job {job} for certain, and possibly "
+        "more, up to line {most}. It is not known how much of {tracks:# track|# tracks} is made; "
+        "the first of them is track {track}.",
+        "Look at the sheet, and state the numbers of all tracks that are completely made (made). "
+        "The new job makes all others.",
+        job="text",
+        executed="count",
+        most="count",
+        tracks="count",
+        track="count",
+    ),
+    "rest.tracks": entry(
+        "{count:# track|# tracks}",
+        count="count",
+    ),
+    "rest.tracks-between": entry(
+        "{least} to {most:# track|# tracks}",
+        least="count",
+        most="count",
     ),
     "rest.whole-ordered": entry(
         "Job {job} was created to make the whole program again.",

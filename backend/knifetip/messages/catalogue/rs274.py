@@ -20,6 +20,12 @@ MESSAGES: Final[Entries] = {
         "Controllers make arcs only with X and Y, which move the first carriage.",
         "Replace the arc by short lines (G1) with the letters of the axes of the carriage.",
     ),
+    "rs274.arc-on-chord-machine": entry(
+        "The program line is an arc (G2, G3), and the controller of {machine} cannot follow arcs.",
+        "Make the program anew, or set arcs to 'arcs' in the machine file if the controller has "
+        "them and turns the tool in them.",
+        machine="text",
+    ),
     "rs274.axis-without-motion": entry(
         "The program line has coordinates, but no motion word (G0, G1, G2 or G3).",
         "Add G0, G1, G2 or G3.",

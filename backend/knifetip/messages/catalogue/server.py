@@ -37,6 +37,11 @@ MESSAGES: Final[Entries] = {
         waiting="count",
         seconds="count",
     ),
+    "server.database-damaged": entry(
+        "The database of the server is damaged.",
+        "Stop the server and put a backup in its place: knifetip restore FILE --replace. Check the "
+        "disk. To try again does not help.",
+    ),
     "server.database-silent": entry(
         "The database of the server does not respond.",
         "Try again in a moment. If this happens again, check the database.",
@@ -44,6 +49,12 @@ MESSAGES: Final[Entries] = {
     "server.internal-error": entry(
         "Internal error of the server. Nothing was cut.",
         "Report the error with the log of the server.",
+    ),
+    "server.machine-taken": entry(
+        "Another server ({holder}) has the simulated machine {machine} of this database.",
+        "Stop that server, use another --database, or start this server with --no-simulator.",
+        holder="text",
+        machine="text",
     ),
     "server.not-started": entry(
         "The server could not start with the database {database}.",
@@ -123,9 +134,35 @@ MESSAGES: Final[Entries] = {
         "from other websites.",
         "Send the header X-Knifetip with any value.",
     ),
+    "request.order-not-tried": entry(
+        "This order was not tried, because an order before it failed. {reason}",
+        "Send the request again with the same Idempotency-Key: what is stored is not ordered "
+        "twice.",
+        reason="message",
+    ),
     "request.not-storable": entry(
         "The request contains characters or numbers that the database cannot store.",
         "Remove control characters, and use finite numbers.",
+    ),
+    "request.outcome-unknown": entry(
+        "A request with this Idempotency-Key was begun, and its outcome is not known.",
+        "Look whether it was executed. If it was not, send it again with a new key.",
+    ),
+    "request.secret-not-kept": entry(
+        "The request was executed, and its answer had a secret, which is not kept: see {path}.",
+        "Get a new secret with POST {path}/rotate-secret.",
+        path="text",
+    ),
+    "request.wrong-media": entry(
+        "The content type {media} is not supported here.",
+        "Send the body as {supported:or}, and name it in the header Content-Type.",
+        media="text",
+        supported="texts",
+    ),
+    "request.no-media": entry(
+        "The request has a body but no Content-Type.",
+        "Send the body as {supported:or}, and name it in the header Content-Type.",
+        supported="texts",
     ),
     "request.nothing-there": entry(
         "The URL {path} does not exist on this server.",

@@ -9,6 +9,15 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "board.above-travel": entry(
+        "The board is {caliper:g} mm thick, but the head of {machine} travels only {travel:g} mm "
+        "above the table and must stay {clearance:g} mm above the board.",
+        "Choose a thinner board, or a machine whose head travels higher.",
+        caliper="number",
+        machine="text",
+        travel="number",
+        clearance="number",
+    ),
     "lift.not-stated": entry(
         "The machine file of {machine} does not state turn_clearance, so the least lift is not "
         "known.",

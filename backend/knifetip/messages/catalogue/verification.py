@@ -27,6 +27,45 @@ MESSAGES: Final[Entries] = {
         tool="text",
         distance="number",
     ),
+    "verify.blade-bend": entry(
+        "The knife turns by {turn:.0f}° in the board within the width of its blade, {width:g} mm, "
+        "on a bend of {radius:.2f} mm radius. It cuts the top face up to {top:.3f} mm beside the "
+        "line, and the rear edge of the blade runs up to {rear:.2f} mm beside it.",
+        turn="number",
+        width="number",
+        radius="number",
+        top="number",
+        rear="number",
+    ),
+    "verify.blade-bend-too-tight": entry(
+        "The bend is too tight for the knife: on a radius of {radius:.2f} mm it turns by "
+        "{turn:.0f}° in the board within the width of its blade, {width:g} mm. It cuts the top "
+        "face up to {top:.2f} mm beside the line (permitted: {tolerance:g} mm), and the rear edge "
+        "of the blade runs up to {rear:.2f} mm beside it.",
+        "Draw a bend with a radius of at least {least:.1f} mm or a sharp corner, use a knife with "
+        "a steeper or narrower blade, or accept the shortfall.",
+        turn="number",
+        width="number",
+        radius="number",
+        top="number",
+        rear="number",
+        tolerance="number",
+        least="number",
+    ),
+    "verify.blade-not-parked": entry(
+        "The program leaves the free blade of station {station} with a heading of {heading:.1f}°, "
+        "and the next program begins with {park:g}°.",
+        _COMPILE_AGAIN,
+        station="count",
+        heading="number",
+        park="number",
+    ),
+    "verify.blade-pushed": entry(
+        "The tip of the free blade is pushed {length:.2f} mm away from its axis. The blade can "
+        "turn round to either side there, or tear the board.",
+        _COMPILE_AGAIN,
+        length="number",
+    ),
     "verify.bridge-near-corner": entry(
         "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm too "
         "close to a sharp corner.",
@@ -74,6 +113,13 @@ MESSAGES: Final[Entries] = {
         "Internal error in cleaning: {length:.3f} mm of the edge were lost.",
         "Report this error with the drawing.",
         length="number",
+    ),
+    "verify.cleaning-fit": entry(
+        "Internal error in cleaning: the edge is {distance:.4f} mm away from the arc that replaces "
+        "it, and only {stated:.4f} mm are stated.",
+        "Report this error with the drawing.",
+        distance="number",
+        stated="number",
     ),
     "verify.cleaning-incomplete": entry(
         "Internal error in cleaning: the lengths of the kept, merged and dropped parts of the "
@@ -130,6 +176,22 @@ MESSAGES: Final[Entries] = {
         count="count",
         distance="number",
     ),
+    "verify.crease-too-bent": entry(
+        "The crease bends too tightly for the creasing wheel: a wheel of {wheel:g} mm radius "
+        "touches the board along a straight line of {contact:.1f} mm, whose ends press up to "
+        "{distance:.2f} mm beside the crease (permitted: {tolerance:g} mm). {length:.1f} mm of the "
+        "crease are not pressed.",
+        "Mount a creasing wheel of at most {smaller:.1f} mm radius, draw a bend with a radius of "
+        "at least {radius:d} mm, change the line type to perforation or half-cut, or accept the "
+        "shortfall.",
+        wheel="number",
+        contact="number",
+        distance="number",
+        tolerance="number",
+        length="number",
+        radius="count",
+        smaller="number",
+    ),
     "verify.crease-too-short": entry(
         "The crease is too short for the creasing wheel and is not made: it is {length:.2f} mm "
         "long, the wheel has a radius of {radius:.1f} mm, and it must stop {clearance:.2f} mm "
@@ -158,6 +220,22 @@ MESSAGES: Final[Entries] = {
         "The cutter cuts sideways into a part, up to {depth:.3f} mm from the edge of the part.",
         "Move the parts further apart, or choose a thinner cutter.",
         depth="number",
+    ),
+    "verify.deep-swivel": entry(
+        "The free blade is turned about its tip at a depth of {depth:.2f} mm instead of "
+        "{planned:g} mm.",
+        _COMPILE_AGAIN,
+        depth="number",
+        planned="number",
+    ),
+    "verify.drawn-twice": entry(
+        "Two lines of the type {type} lie {distance:.2f} mm apart for {length:.1f} mm, nearer than "
+        "the board is thick. Is the same line drawn twice?",
+        "Set the line type of one of the two to ignored, move them apart, or accept that both are "
+        "made.",
+        type="text",
+        distance="number",
+        length="number",
     ),
     "verify.flank-inside": entry(
         "The flank of the V-groove meets the top face of the board {distance:.4f} mm too "
@@ -229,6 +307,15 @@ MESSAGES: Final[Entries] = {
         length="number",
         blade="number",
     ),
+    "verify.grooves-meet": entry(
+        "Two V-grooves lie {distance:.2f} mm apart, but each is {width:.2f} mm wide in the top "
+        "face. Along {length:.1f} mm their flanks meet, and no ridge remains between them.",
+        "Move the grooves apart, choose a smaller depth of grooves in the board file, or accept "
+        "the shortfall.",
+        distance="number",
+        width="number",
+        length="number",
+    ),
     "verify.hanging-piece": entry(
         "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "
         "that, from line {line} of the program on, hangs only on bridges or narrow necks and may "
@@ -261,6 +348,38 @@ MESSAGES: Final[Entries] = {
         length="number",
         x="number",
         y="number",
+    ),
+    "verify.narrow-cuts": entry(
+        "Two cuts lie {distance:.2f} mm apart for {length:.1f} mm. The strip or slot between them "
+        "is narrower than the board is thick ({caliper:g} mm) and may tear or stay stuck.",
+        distance="number",
+        length="number",
+        caliper="number",
+    ),
+    "verify.narrow-lines": entry(
+        "A line of the type {type} and one of the type {other} lie {distance:.2f} mm apart for "
+        "{length:.1f} mm, which is too near for a board {caliper:g} mm thick: the narrow strip "
+        "between them is crushed or tears off.",
+        type="text",
+        other="text",
+        distance="number",
+        length="number",
+        caliper="number",
+    ),
+    "verify.narrow-rim": entry(
+        "The rim of {width:g} mm is narrow for a board {caliper:g} mm thick: it may cut the upper "
+        "face instead of bending it.",
+        "Mount a creasing wheel with a rim of at least {least:g} mm.",
+        width="number",
+        caliper="number",
+        least="number",
+    ),
+    "verify.narrow-slits": entry(
+        "{count} slits and cuts between two parts ({length:.1f} mm) become {width:g} mm wide: the "
+        "board on each side loses half of this strip.",
+        count="count",
+        length="number",
+        width="number",
     ),
     "verify.no-such-shortfall": entry(
         "The verdict has no finding {code} at edge {edge}.",
@@ -335,6 +454,15 @@ MESSAGES: Final[Entries] = {
         length="number",
         step="number",
     ),
+    "verify.swivel-mark": entry(
+        "The free blade turns by {turn:.0f}° about its tip, and its slanted edge cuts the top face "
+        "up to {mark:.2f} mm beside the line (permitted: {tolerance:g} mm).",
+        "Let the blade turn at a smaller depth (`swivel_depth` of the knife), use a blade with a "
+        "steeper edge, or accept the mark.",
+        turn="number",
+        mark="number",
+        tolerance="number",
+    ),
     "verify.past-end": entry(
         "The {tool:tool} continues {length:.3f} mm beyond the end of the edge.",
         _COMPILE_AGAIN,
@@ -391,6 +519,14 @@ MESSAGES: Final[Entries] = {
         "not cut through the board, state this when you continue the job.",
         x="number",
         y="number",
+    ),
+    "verify.replaced": entry(
+        "{length:.2f} mm of this line of the type {type} are not made, because a line of the type "
+        "{other} lies on it and is made instead.",
+        "If the {type} is meant, set the line type of the other line to ignored.",
+        type="text",
+        other="text",
+        length="number",
     ),
     "verify.slanted": entry(
         "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) "

@@ -7,14 +7,40 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "waiting.check-refused": entry(
+        "{machine} has not begun the program: no line of it was executed. {reason}",
+        "{reason:hint} Then try it again, or compile the job again, or cancel it. Other jobs of "
+        "the queue go on.",
+        machine="text",
+        reason="message",
+    ),
     "waiting.confirmed": entry(
         "The operator confirmed the job, and {machine} is starting.",
         machine="text",
     ),
+    "waiting.for-controller": entry(
+        "The job waits, because the gateway of {machine} (the program that sends jobs to the "
+        "machine) is not connected to the controller of the machine.",
+        "Switch on the controller and check its cable.",
+        machine="text",
+    ),
+    "waiting.controller-not-connected": entry(
+        "The job waits, because the gateway of {machine} is not connected to the controller of the "
+        "machine. {reason}",
+        "{reason:hint}",
+        machine="text",
+        reason="message",
+    ),
+    "waiting.obstacle": entry(
+        "The job waits, because {machine} takes no job now. {reason}",
+        "{reason:hint}",
+        machine="text",
+        reason="message",
+    ),
     "waiting.for-end": entry(
         "The whole program was sent to {machine}, which does not report when it has executed it.",
-        "When the machine has finished and is at rest, confirm it (resume the job): the job is "
-        "then done. If the machine has not finished the program, cancel the job.",
+        "When the machine has finished and is at rest, state it at the machine (the command end): "
+        "the copy is then finished. If the machine has not finished the program, cancel the job.",
         machine="text",
     ),
     "waiting.for-gateway": entry(

@@ -36,6 +36,12 @@ MESSAGES: Final[Entries] = {
         place="text",
         value="text",
     ),
+    "xjdf.foreign-drawing": entry(
+        "The drawing {url} is on another server than {host}, and is not fetched from there.",
+        "Send the drawing in the package, or upload it to this server and name its path.",
+        url="text",
+        host="text",
+    ),
     "xjdf.bad-name": entry(
         "The package contains a file with the unsafe name {name!r}.",
         "Use relative names without .., backslashes, colons and control characters.",

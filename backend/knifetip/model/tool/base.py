@@ -136,6 +136,16 @@ class Tool(ABC):
         return None
 
     @property
+    def drags(self) -> bool:
+        """Whether only travel in the board turns the tool, and no axis of the machine."""
+        return False
+
+    @property
+    def needs_heading(self) -> bool:
+        """Whether an axis of the machine must turn the tool."""
+        return True
+
+    @property
     def spindle_missing(self) -> Message | None:
         """Error message if the program cannot switch the tool on because the tool's S word is 0.
 

@@ -56,6 +56,11 @@ class DiscTool(Tool):
         return self.lead or 1.5 * self.radius
 
     @property
+    def needs_heading(self) -> bool:
+        """Whether an axis of the machine must turn the tool."""
+        return False
+
+    @property
     def fault(self) -> Message | None:
         """Error message if the lead-in is too short or too shallow for the disc, else None.
 

@@ -8,7 +8,8 @@ from typing import Annotated
 
 from annotated_types import Ge, Lt
 
-from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, Tool
+from knifetip.messages import Message
+from knifetip.model.tool.base import Footprint, NotNegative, Positive, Reversal, TipCircle, Tool
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,7 +17,8 @@ class Knife(Tool):
     """A tangential knife (static or oscillating) or a drag knife.
 
     It is a drag knife if ``trail``, the distance of the tip behind the head's axis, is greater
-    than 0.
+    than 0.  The machine turns it, unless it is ``free``: then it turns about its axis by itself,
+    because the tip is dragged along, and keeps its heading in the air.
     """
 
     #: slant of the leading edge from the vertical (degrees)
@@ -29,6 +31,40 @@ class Knife(Tool):
     trail: float = 0.0  #: e, distance of the tip behind the head's axis (mm)
     lead_in: float = 0.0  #: length of the arc from the waste to an outer contour (mm)
     lead_out: float = 0.0  #: length of the arc from an outer contour to the waste (mm)
+
+    least_radius: NotNegative = 0.0  #: smallest radius that the blade turns in (mm); 0: no limit
+    free: bool = False  #: the blade trails its axis freely; no axis of the machine turns it
+    #: depth of the tip in the board while a free blade is turned about it (mm); 0: the full depth
+    swivel_depth: NotNegative = 0.0
+    #: heading of a free blade at the start and at the end of each program (degrees)
+    park_heading: float = 0.0
+
+    @property
+    def fault(self) -> Message | None:
+        """Error message if the dimensions are inconsistent, else None."""
+        if self.free and self.trail <= 0.0:
+            return Message("tool.free-without-trail")
+        if not self.free and (self.swivel_depth or self.park_heading):
+            return Message("tool.swivel-of-driven-knife")
+        return None
+
+    @property
+    def drags(self) -> bool:
+        """Whether only travel in the board turns the knife, and no axis of the machine."""
+        return self.free
+
+    @property
+    def needs_heading(self) -> bool:
+        """Whether an axis of the machine must turn the tool."""
+        return not self.free
+
+    @property
+    def lift_angle(self) -> float:
+        """Angle of a corner above which the knife is lifted to turn (degrees).
+
+        A free blade cannot turn in the air, so it is never lifted for a corner.
+        """
+        return 360.0 if self.free else self.swivel
 
     @property
     def has_lead(self) -> bool:

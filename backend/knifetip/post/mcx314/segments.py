@@ -17,13 +17,13 @@ import numpy as np
 
 from knifetip.errors import ProgramError
 from knifetip.geometry import arc
+from knifetip.geometry.chords import split_moves
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.languages.mcx314 import figures
 from knifetip.languages.mcx314.wiring import Wiring
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.check import describe_row
-from knifetip.post.chords import split_moves
 
 #: Fraction of the tolerance by which merged lines may deviate from the path.
 MERGE_FRACTION: Final = 0.4

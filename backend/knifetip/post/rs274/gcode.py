@@ -15,11 +15,11 @@ import numpy as np
 
 from knifetip.errors import ProgramError
 from knifetip.geometry import arc
+from knifetip.geometry.chords import DEVIATION, chord_counts, split_moves
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.tolerance import BULGE
 from knifetip.model.machine import Carriage
 from knifetip.model.toolpath import Toolpath
-from knifetip.post.chords import split_moves
 from knifetip.post.rs274.controller import Dialect
 from knifetip.post.rs274.line_columns import (
     LineColumns,
@@ -90,6 +90,8 @@ def format_lines(
     carriage: Carriage,
     dialect: Dialect,
     blending: float,
+    *,
+    chords: bool = False,
 ) -> tuple[bytes, I32]:
     """Return the program text of rows ``first … last - 1`` of a toolpath, and the toolpath row of
     each program line.
@@ -113,6 +115,8 @@ def format_lines(
         Dialect of RS274/NGC that the controller reads.
     blending : float, mm
         Greatest deviation that the controller may make between two moves.
+    chords : bool
+        Whether all arcs become chords, because the controller cannot follow arcs.
 
     Raises
     ------
@@ -120,8 +124,9 @@ def format_lines(
         A row with the motion "swivel" moves without a turn of C, or a line is longer than the
         controller can read.
     """
-    largest = dialect.radius if carriage.is_first else 0.0
-    moves = _convert_arcs(toolpath, first, last, datum, largest)
+    largest = dialect.radius if carriage.is_first and not chords else 0.0
+    deviation = DEVIATION if chords else CHORD_DEVIATION
+    moves = _convert_arcs(toolpath, first, last, datum, largest, deviation)
     words, rows = _compose_words(moves, carriage, dialect, blending)
     texts = _render_lines(words, rows, carriage.letters, dialect)
     row = np.insert(rows, np.flatnonzero(words.exact_stop) + 1, np.int32(-1))
@@ -131,12 +136,15 @@ def format_lines(
     return b"".join(texts), row
 
 
-def _convert_arcs(toolpath: Toolpath, first: int, last: int, datum: F64, largest: float) -> _Moves:
+def _convert_arcs(
+    toolpath: Toolpath, first: int, last: int, datum: F64, largest: float, deviation: float
+) -> _Moves:
     """Return the moves of rows ``first … last - 1`` of a toolpath, with arcs that the controller
     can follow.
 
     Flat and tiny arcs become lines.  Arcs whose radius is larger than ``largest`` (mm) become
-    chords.  ``datum``, (4,), is added to the X, Y, Z and C of all poses (mm and degrees).
+    chords, which deviate from the arc by at most ``deviation`` (mm).  ``datum``, (4,), is added to
+    the X, Y, Z and C of all poses (mm and degrees).
     """
     pose = toolpath.pose[first : last + 1] + datum
     bulge = np.array(toolpath.bulge[first:last])
@@ -146,10 +154,9 @@ def _convert_arcs(toolpath: Toolpath, first: int, last: int, datum: F64, largest
     radius = arc.radius(start, end, bulge[curved])
     large = radius > largest
     straight = curved[large | (bow < MIN_SAGITTA) | (radius < MIN_RADIUS)]
-    # The sagitta of a part of an arc is proportional to the square of its length.
     pieces = np.ones(len(bulge), np.int64)
-    chords = np.ceil(np.sqrt(bow[large] / CHORD_DEVIATION)).astype(np.int64)
-    pieces[curved[large]] = chords.clip(1)
+    arcs = curved[large]
+    pieces[arcs] = chord_counts(pose[arcs, :2], pose[arcs + 1, :2], bulge[arcs], deviation)
     pose, rows = split_moves(pose, bulge, pieces)
     bulge[straight] = 0.0
     picked = rows + first
@@ -201,7 +208,7 @@ def _compose_words(
         inverse=lines.inverse,
         ends_inverse=~lines.inverse & np.concatenate([[False], lines.inverse[:-1]]),
         axes=lines.axes,
-        emit=lines.emit,
+        emit=lines.emit & (np.arange(4) < len(carriage.letters)),
         centre=centre,
         feed=counts,
         emit_feed=_feed_words(counts, lines.inverse, lines.rapid),
@@ -304,7 +311,7 @@ def _render_lines(words: LineWords, rows: I32, letters: str, dialect: Dialect) -
         A line is longer than the controller can read.
     """
     form = LineFormat(
-        np.frombuffer(letters.encode(), np.uint8),
+        np.frombuffer(letters.ljust(4).encode(), np.uint8),
         dialect.decimals,
         FEED_DECIMALS,
         np.frombuffer(EXACT_STOP, np.uint8),

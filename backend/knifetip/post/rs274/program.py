@@ -87,7 +87,14 @@ def write_program(
         carriage = machine.carriage_of(station)
         append_lines(_station_change(previous, station, machine, dialect))
         text, source = gcode.format_lines(
-            toolpath, first, last, _datum(station, dialect), carriage, dialect, blending
+            toolpath,
+            first,
+            last,
+            _datum(station, dialect),
+            carriage,
+            dialect,
+            blending,
+            chords=machine.arcs == "chords",
         )
         if station.is_beam:
             height, letter = _datum(station, dialect)[2], carriage.letters[2]

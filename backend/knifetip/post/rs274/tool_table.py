@@ -30,5 +30,5 @@ def _offsets(station: Station, carriage: Carriage) -> str:
     datum = (station.x, station.y, station.z, station.c)
     return "".join(
         f" {letter}{gcode.format_number(offset)}"
-        for letter, offset in zip(carriage.letters, datum, strict=True)
+        for letter, offset in zip(carriage.letters, datum, strict=False)
     )

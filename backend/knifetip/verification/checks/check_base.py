@@ -304,9 +304,10 @@ class StationCheck(ABC):
             self.operation == OperationKind.CREASE, turn,
         )  # fmt: skip
         # A shift of the tip by rounding turns the direction of an arc by this shift / radius.
+        shift = max(PRINT_TURN, self.context.resolution)
         arcs = np.flatnonzero(self.edges.curve[edge, 0] != 0.0)
         slack = np.zeros(len(best))
-        slack[arcs] = np.degrees(PRINT_TURN / self.edges.curve[edge[arcs], 3])
+        slack[arcs] = np.degrees(shift / self.edges.curve[edge[arcs], 3])
         self.check_swing(worst, reach[work], slack, work, edge)
 
         # A path past an edge has no edge to compare with, only its own direction.
@@ -324,7 +325,7 @@ class StationCheck(ABC):
                 error,
                 angle_between(heading, azimuth_at(self.curve[path_rows], spans[:, side]), turn),
             )
-        slack = np.degrees(PRINT_TURN / np.maximum(self.curve[path_rows, 5], PRINT_TURN))
+        slack = np.degrees(shift / np.maximum(self.curve[path_rows, 5], shift))
         self.check_swing(error, reach[path_rows], slack, path_rows, np.full(len(path_rows), -1))
 
     def check_swing(

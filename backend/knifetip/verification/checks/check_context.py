@@ -15,6 +15,7 @@ from knifetip.verification.columns import F64, I32
 from knifetip.verification.expectation.edges import Edges
 from knifetip.verification.expectation.sheet_area import SheetArea
 from knifetip.verification.findings import Findings
+from knifetip.verification.trailing_blade import Swivels
 
 #: A depth that differs from the planned depth by more than this is wrong (mm): one unit of the last
 #: digit of a program.
@@ -111,6 +112,8 @@ class CheckContext:
     sheet: SheetArea | None = None  #: the sheet if it was cut to size
     #: program lines of earlier programs for the same sheet, which have the lowest numbers
     lines_before: int = 0
+    #: places at which free blades turn about their tips
+    swivels: Swivels = field(default_factory=Swivels.none)
     #: rows of the dieline, positions (fraction of the edge), distances to the left of it (mm)
     samples: list[tuple[I32, F64, F64]] = field(default_factory=list)
     unreached: list[Unreached] = field(

@@ -3,9 +3,11 @@
 The cleaning stage divides each drawn edge into stretches, and records the cleaned edge that each
 stretch became.  Each stretch must lie on that cleaned edge, and the cleaned edge must have the
 stretch's line type or a line type that replaces it.  Each cleaned edge must lie on drawn edges.
-Two things may be dropped: debris, which is edges shorter than the gap tolerance, and pieces of
-folds in the waste (``fold_trim_check``).  The distances are measured here without the functions of
-the cleaning stage.
+Where an arc replaces chords of a curve, or an arc of another radius, the cleaned edge must state
+the distance as a part of its ``fit_error``, which the deviation of the program includes.
+Two things may be dropped: debris, which is edges and ends of edges shorter than the gap tolerance,
+and pieces of folds in the waste (``fold_trim_check``).  The distances are measured here without the
+functions of the cleaning stage.
 """
 
 from __future__ import annotations
@@ -21,7 +23,7 @@ from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.verdict import Finding
 from knifetip.verification.checks.fold_trim_check import are_trimmed_folds
-from knifetip.verification.columns import F64, I64
+from knifetip.verification.columns import F64, I64, Bool
 
 #: Greatest distance between a drawn stretch and its cleaned edge (mm).
 SAME: Final = 0.01
@@ -107,6 +109,16 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
     for at in np.flatnonzero(far > limit + _ROUNDING):
         report(int(row[at]), float(far[at]), Message("verify.cleaning-moved", distance=far[at]))
     own = ~parts.by_other_edge[there]
+    stated = after.fit_error[target] - drawn.fit_error[row]
+    # An edge that overlaps others may be moved by SAME to their ends, which is no error of a curve.
+    overlaps = np.bincount(parts.row[parts.by_other_edge], minlength=len(drawn)) > 0
+    is_fitted = own & ~overlaps[row] & (limit == SAME) & (far <= SAME + _ROUNDING)
+    is_fitted[is_fitted] = _are_bent(
+        drawn, after, row[is_fitted], target[is_fitted], size[there][is_fitted]
+    )
+    for at in np.flatnonzero(is_fitted & (far > stated + _ROUNDING)):
+        message = Message("verify.cleaning-fit", distance=far[at], stated=stated[at])
+        report(int(row[at]), float(far[at]), message)
     _check_added_work(after, target[own], along[own], report)
     return findings
 
@@ -207,6 +219,25 @@ def _measure_stretches(
         if probe in (0.0, 1.0):
             along[moved, int(probe)] = place
     return far, along
+
+
+def _are_bent(drawn: Dieline, after: Dieline, row: I64, target: I64, size: F64) -> Bool:
+    """Return the mask of the stretches whose cleaned edge has another curvature, (q,).
+
+    Parameters
+    ----------
+    drawn, after
+        Dieline before and after cleaning.
+    row, target, size : (q,)
+        For each of q stretches: the row of its edge in ``drawn``, the row of its cleaned edge in
+        ``after``, and its length (mm).
+    """
+    sweep = 4.0 * np.arctan(drawn.bulge[row]), 4.0 * np.arctan(after.bulge[target])
+    length = _edge_lengths(drawn.ends[row], drawn.bulge[row])
+    cleaned_length = _edge_lengths(after.ends[target], after.bulge[target])
+    change = np.abs(np.abs(sweep[1]) / cleaned_length - np.abs(sweep[0]) / length)
+    # The sagitta of the stretch changes by this.
+    return np.asarray(change * size**2 / 8.0 > _ROUNDING)
 
 
 def _check_added_work(

@@ -86,7 +86,9 @@ def closes_at_corner(
         First and last track of each run.
     """
     blade = check.tool(Knife)
-    swivel = blade.swivel if blade else 180.0
+    swivel = 180.0
+    if blade:
+        swivel = 360.0 if blade.free else blade.swivel
     result = np.zeros(len(first), np.bool_)
     run, track = pairs_within(tracks.stop[last], tracks.start, check.slack)
     closes = (track >= first[run]) & (track <= last[run]) & tracks.corner[track]

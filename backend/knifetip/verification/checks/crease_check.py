@@ -16,6 +16,7 @@ from knifetip.model.tool import CreaseWheel
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.checks.check_context import CURVED_DEPTH_TOLERANCE
+from knifetip.verification.checks.crease_bends import check_bends
 from knifetip.verification.checks.stray_work import check_stray_work
 from knifetip.verification.columns import F64, I32, Bool
 from knifetip.verification.curves.curve import azimuth_at
@@ -93,6 +94,7 @@ class CreaseCheck(StationCheck):
         depth = np.maximum(self.context.board.caliper - self.z, 0.0)
         contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
         self.check_heading(overlaps, contact, 180.0)
+        check_bends(self, overlaps, all_creases, contact, wheel)
 
     def _without_crossed(self, overlaps: Overlaps, pressed: Bool) -> Overlaps:
         """Return the overlaps without those of a press with a crease that it does not make.

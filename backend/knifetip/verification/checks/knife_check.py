@@ -16,6 +16,8 @@ from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Knife
 from knifetip.model.verdict import Severity
+from knifetip.verification.checks.blade_bends import check_blade_bends
+from knifetip.verification.checks.blade_swivels import check_blade_swivels
 from knifetip.verification.checks.bridge_check import check_bridges, find_bridges
 from knifetip.verification.checks.check_base import StationCheck
 from knifetip.verification.checks.perforation_check import check_perforations
@@ -35,6 +37,8 @@ from knifetip.verification.tools import OperationKind
 #: Tracks that meet may lie side by side for so many tolerances, as on edges of 0.06 mm in coarse
 #: coordinates.
 _BOTH_WAYS: Final = 4.0
+#: Part of an edge that a free blade may seem to cut in both directions.
+_FREE_BOTH_WAYS: Final = 0.25
 
 
 class KnifeCheck(StationCheck):
@@ -112,7 +116,12 @@ class KnifeCheck(StationCheck):
                 lead_depth * slant,
             )
         if blade:
-            self.check_heading(overlaps, np.full(len(self.z), blade.blade_width), 360.0)
+            # The tip of a free blade moves along the blade, so its position determines its heading.
+            if blade.free:
+                check_blade_swivels(self, blade)
+            else:
+                self.check_heading(overlaps, np.full(len(self.z), blade.blade_width), 360.0)
+            check_blade_bends(self, overlaps, blade, lead_depth * slant)
             self._record_faces(
                 overlaps, over, lead_depth * slant, (lead_depth - overrun_depth) * slant
             )
@@ -146,7 +155,12 @@ class KnifeCheck(StationCheck):
             )
             cut_length[row] = self.size - np.bincount(edge, end - begin, minlength=len(self.edges))
         both = cut_length[0] + cut_length[1] - cut_length[2]
-        for row in np.flatnonzero(both > _BOTH_WAYS * self.tolerance)[:MAX_FINDINGS]:
+        limit = np.full(len(both), _BOTH_WAYS * self.tolerance)
+        blade = self.tool(Knife)
+        if blade and blade.free:
+            # At an acute corner the tip of a free blade may be nearer to the other edge.
+            limit = np.maximum(limit, _FREE_BOTH_WAYS * self.size)
+        for row in np.flatnonzero(both > limit)[:MAX_FINDINGS]:
             message = Message("verify.cut-both-ways", length=both[row])
             self.add_finding("overcut", int(row), message, float(both[row]))
 
@@ -381,7 +395,7 @@ class KnifeCheck(StationCheck):
         for side, along in enumerate((np.zeros(len(path_rows)), self.curve[path_rows, 5])):
             own = azimuth_at(self.curve[path_rows], along)
             error = np.maximum(error, angle_between(self.heading[path_rows, side], own))
-        reach = np.full(len(path_rows), blade.blade_width)
+        reach = np.full(len(path_rows), 0.0 if blade.free else blade.blade_width)
         self.check_swing(
             error, reach, np.zeros(len(path_rows)), path_rows, np.full(len(path_rows), -1)
         )

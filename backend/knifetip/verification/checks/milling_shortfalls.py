@@ -8,7 +8,8 @@ lies at the bottom of a slot: the whole edge is unreached, and so are the edges 
 Contours of which the disc touches nothing are shortfalls, too, wherever they lie.
 
 A slit is an open cut, which does not separate a part from waste.  The centre of the disc follows
-it, so the slit becomes as wide as the disc.  A wide slit is a shortfall.
+it, so the slit becomes as wide as the disc.  A wide slit is a shortfall, and slits as narrow as a
+beam are a note.  Cuts that two parts share are slits in this sense.
 """
 
 from __future__ import annotations
@@ -143,8 +144,9 @@ def _have_neighbours(edges: Edges, edge: I64, begin: F64, end: F64) -> Bool:
 def report_wide_slits(
     context: CheckContext, edges: Edges, slits: I64, centres: F64, width: float
 ) -> None:
-    """Add a shortfall for each slit that the cutter mills as wide as itself, and record the milled
-    length.
+    """Report the slits that the cutter mills as wide as itself, and record their milled length.
+
+    Each wide slit is a shortfall.  Slits as narrow as a beam share one note.
 
     Parameters
     ----------
@@ -160,7 +162,7 @@ def report_wide_slits(
     width : mm
         Diameter of the disc.
     """
-    if width <= MAX_LINE_WIDTH or len(slits) == 0:
+    if len(slits) == 0:
         return
     curve = edges.curve[slits]
     size = curve[:, 5]
@@ -169,6 +171,15 @@ def report_wide_slits(
     left, begin, end = uncovered_edges(overlaps.edge.astype(np.int64), low, high, size)
     length = size - np.bincount(left, end - begin, minlength=len(slits))
     row = edges.row[slits]
+    if width <= MAX_LINE_WIDTH:
+        longest = int(length.argmax())
+        if length[longest] > context.tolerance:
+            count, total = int(np.count_nonzero(length > context.tolerance)), float(length.sum())
+            message = Message("verify.narrow-slits", count=count, length=total, width=width)
+            context.findings.add(
+                "kerf", message, total, edge=int(row[longest]), severity=Severity.NOTE
+            )
+        return
     np.add.at(context.figures.slit_length, row, length)
     for k in np.flatnonzero(length > context.tolerance)[:MAX_FINDINGS]:
         context.findings.add(

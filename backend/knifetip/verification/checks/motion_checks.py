@@ -60,7 +60,7 @@ def _report_travel(moves: Moves, rows: I64, machine: Machine, findings: Findings
     A move that starts or stays outside the limits gets none.  ``rows`` are the indices of the
     moves, ascending.
     """
-    rotary = {carriage.letters[3] for carriage in machine.carriages}
+    rotary = {letter for carriage in machine.carriages for letter in carriage.letters[3:]}
     axes_start, axes_end = moves.axes_start[rows], moves.axes_end[rows]
     sweep = moves.sweep[rows]
     low, high = reached_positions(axes_start, axes_end, moves.centre[rows], sweep)

@@ -244,7 +244,10 @@ def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
     count = int(component.max()) + 1
     first = np.searchsorted(component[rows], np.arange(count + 1))
     probe = np.zeros((count, 2))
-    probe[component[::-1]] = point_at(curve, 0.5 * curve[:, 5])[::-1]
+    middle = point_at(curve, 0.5 * curve[:, 5])
+    # A point on the outline, if there is one: a slit may reach past another outline.
+    for on in (np.arange(len(curve)), rows):
+        probe[component[on[::-1]]] = middle[on[::-1]]
     outlines = curve[rows]
     boxes = _bounding_boxes(outlines, first)
     return _count_by_rays(probe, outlines, first, boxes, own=True)

@@ -408,8 +408,8 @@ def _make_moves(
             spindle=np.zeros(0, np.bool_),
         ),
         # A machine that reads HPGL has one carriage.
-        axes_start=start,
-        axes_end=end,
+        axes_start=np.ascontiguousarray(start[:, : len(machine.axes)]),
+        axes_end=np.ascontiguousarray(end[:, : len(machine.axes)]),
         programmed="XY",
         resolution=math.hypot(0.5, 0.5) / device.units,
     )

@@ -43,6 +43,9 @@ def check_blocks(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> 
     _check_words(blocks, state)
     settle = _settle_times(state, machine)
     _check_values(blocks, state, machine, settle)
+    if machine.arcs == "chords":
+        arcs = blocks.has_code(Group.MOTION, 20) | blocks.has_code(Group.MOTION, 30)
+        blocks.fault(arcs, Message("rs274.arc-on-chord-machine", machine=machine.name))
     if not state.uses_tool_table:
         _check_rest(blocks)
     _check_modes(blocks, state, settle)

@@ -54,7 +54,7 @@ def _make_moves(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> M
         start, end = (np.take_along_axis(axes, own, axis=1) for axes in (axes_start, axes_end))
         _check_carriages(blocks, rows, own)
     else:
-        start, end = axes_start, axes_end
+        start, end = _with_heading(axes_start), _with_heading(axes_end)
     code = (blocks.group[Group.MOTION][rows] // 10).astype(np.uint8)
     centre, sweep = _make_arcs(blocks, rows, code, start, end)
     return Moves(
@@ -79,7 +79,13 @@ def _make_moves(blocks: ProgramBlocks, state: ModalState, machine: Machine) -> M
         uses_tool_table=state.uses_tool_table,
         dwell=state.dwell,
         switches=_switching_lines(blocks, state, rows),
+        programmed="XYZC" if axes_start.shape[1] > len("XYZ") else "XYZ",
     )
+
+
+def _with_heading(axes: F64) -> F64:
+    """Return positions of n joints with a fourth column: C, which is 0 if there is no such axis."""
+    return axes if axes.shape[1] > len("XYZ") else np.pad(axes, ((0, 0), (0, 1)))
 
 
 @kernel

@@ -71,7 +71,8 @@ class ModalState:
         self.datum: F64 = np.zeros((len(stations) + 1, len(machine.axes)))
         columns = carriage_columns(machine)
         for index, station in enumerate(stations):
-            self.datum[index, columns[index]] = station.x, station.y, station.z, station.c
+            datum = (station.x, station.y, station.z, station.c)
+            self.datum[index, columns[index]] = datum[: columns.shape[1]]
 
 
 class _Outputs(NamedTuple):

@@ -2,10 +2,33 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
+
+#: Deviation of chords from their arc on a machine whose controller cannot follow arcs (mm).
+DEVIATION: Final = 0.002
+
+
+def chord_counts(start: F64, end: F64, bulge: F64, deviation: float) -> I64:
+    """Return the number of equal chords of each of n segments, (n,), at least 1.
+
+    Parameters
+    ----------
+    start, end : (n, 2) mm
+        Ends of the segments.
+    bulge : (n,)
+        tan(sweep / 4) of each segment.
+    deviation : mm
+        Greatest distance of a chord from its arc.
+    """
+    # The sagitta of a part of an arc is proportional to the square of its length.
+    bow = np.abs(bulge) * np.hypot(*(end - start).T) / 2.0
+    counts: I64 = np.ceil(np.sqrt(bow / deviation)).astype(np.int64).clip(1)
+    return counts
 
 
 def split_moves(pose: F64, bulge: F64, pieces: I64) -> tuple[F64, I64]:

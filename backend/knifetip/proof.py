@@ -1,0 +1,86 @@
+"""proof: prove that a program makes a drawing, from the bytes of the program to the drawn edges.
+
+The program is verified against the cleaned edges, and the cleaned edges against the drawn ones.
+Only both proofs together show that the program makes the drawing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from knifetip.cleaning.map_back import map_to_drawn
+from knifetip.messages import Message
+from knifetip.model.board import Board
+from knifetip.model.cleaned import Cleaned
+from knifetip.model.dieline import Dieline
+from knifetip.model.earlier_work import EarlierWork
+from knifetip.model.machine import Machine
+from knifetip.model.sheet import Sheet
+from knifetip.model.verdict import Finding, Severity, Verdict
+from knifetip.verification.checks.cleaning_check import check_cleaning
+from knifetip.verification.checks.replaced_lines import note_replaced
+from knifetip.verification.verify import verify
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class PlacedJob:
+    """The edges of a job at their position on the table, with machine, board and sheet."""
+
+    dieline: Dieline  #: the drawn edges
+    cleaned: Cleaned
+    offset: tuple[float, float]  #: of the drawing on the machine's table (mm)
+    machine: Machine
+    board: Board
+    sheet: Sheet | None = None  #: the sheet if it was cut to size
+    earlier: Sequence[EarlierWork] = ()  #: work that is done on the sheet
+
+
+def prove(
+    job: PlacedJob, text: bytes, tolerance: float, planned: Sequence[Message] = ()
+) -> Verdict:
+    """Return the verdict on a program for the drawn edges of a job.
+
+    The program is accepted only if it makes all cleaned edges and these match the drawn edges.
+    What cleaning left out becomes notes.
+
+    Parameters
+    ----------
+    job
+        The edges, with machine, board and sheet.
+    text
+        The program, made by knifetip or by another system.
+    tolerance : mm
+        Maximum distance of the tool's tip from the drawn line.
+    planned
+        What planning states about the program; it becomes notes.
+
+    Raises
+    ------
+    ProgramUnreadable, ProgramError, GeometryError
+        See ``verification.verify.verify``.
+    """
+    drawn, cleaned = job.dieline, job.cleaned
+    verdict = verify(
+        text,
+        cleaned.dieline,
+        job.offset,
+        job.machine,
+        job.board,
+        sheet=job.sheet,
+        tolerance=tolerance,
+        earlier=job.earlier,
+    )
+    mapped = map_to_drawn(verdict, cleaned, drawn)
+    lost = check_cleaning(drawn, cleaned)
+    notes = (*note_replaced(drawn, cleaned), *_notes(cleaned.notes), *_notes(planned))
+    return replace(
+        mapped,
+        accepted=mapped.accepted and not lost,
+        findings=(*lost, *mapped.findings, *notes),
+    )
+
+
+def _notes(messages: Sequence[Message]) -> tuple[Finding, ...]:
+    """Return findings of severity note with the given messages."""
+    return tuple(Finding("planned", each, 0.0, severity=Severity.NOTE) for each in messages)
