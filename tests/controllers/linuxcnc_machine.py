@@ -38,6 +38,11 @@ LOCK = Path("/tmp/linuxcnc.lock")
 #: Locked by the test run that uses LinuxCNC.
 _TURN = Path(tempfile.gettempdir()) / "knifetip-test-linuxcnc"
 _SHELL = "linuxcncrsh"
+#: Its processes that may outlive a killed test run.
+_REMAINS = ("halsampler", "rtapi_app", _SHELL)
+_SHARED_MEMORY = Path("/proc/sysvipc/shm")
+#: Keys of the shared memory that a left process may keep: HAL's sampler.
+_KEYS = (0x48534130,)
 _JOINTS = len(configuration.JOINTS)
 
 
@@ -249,7 +254,7 @@ def reserved() -> Iterator[None]:
         # That of the last test run may need a moment to end.
         others = partial(_processes, None, "milltask")
         wait_until(lambda: not others(), 10.0, "another LinuxCNC runs on this computer")
-        LOCK.unlink(missing_ok=True)
+        _remove_leftovers()
         yield
     finally:
         os.close(descriptor)
@@ -261,6 +266,24 @@ def _locked(descriptor: int) -> bool:
     except BlockingIOError:
         return False
     return True
+
+
+def _remove_leftovers() -> None:
+    """Remove what a killed test run has left of its LinuxCNC: lock, sampler and shared memory.
+
+    LinuxCNC cannot create a shared memory again with another size, as a table with other pins needs
+    it, and a left ``halsampler`` keeps it.
+    """
+    LOCK.unlink(missing_ok=True)
+    for name in _REMAINS:
+        for process in _processes(None, name):
+            with suppress(ProcessLookupError):
+                os.kill(process, signal.SIGKILL)
+    # Key and identity of each shared memory of this computer.
+    rows = [line.split()[:2] for line in _SHARED_MEMORY.read_text().splitlines()[1:]]
+    for key, identity in rows:
+        if int(key) & 0xFFFFFFFF in _KEYS:
+            subprocess.run(["ipcrm", "-m", identity], check=False, timeout=10)
 
 
 @contextmanager
