@@ -73,7 +73,7 @@ LANGUAGE = Language(
     suffix=".else",
     emitter="elsewhere:emit",
     reader="elsewhere:READER",
-    timing="knifetip.sequencing.timing:no_halts",
+    timing="knifetip.sequencing.look_ahead:look_ahead",
 )
 
 def emit(toolpath, machine, *, tolerance, notes):

@@ -13,6 +13,7 @@ from knifetip.gateway.table import Table
 from knifetip.library import load
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
+from knifetip.sequencing import linuxcnc
 from knifetip.sequencing.duration import duration, durations
 from tests.support.shapes import MACHINE, toolpath
 from tests.support.truth.named import SAMPLES, Named
@@ -91,6 +92,48 @@ def test_each_change_of_tool_waits_for_its_piston() -> None:
     two = replace(two, tool=np.array([1, 2], np.uint8))
     slow = replace(QUICK, settle=0.15)
     np.testing.assert_allclose(durations(two, slow), 0.15 + 0.158113883)
+
+
+def test_a_change_to_a_router_waits_for_its_spindle() -> None:
+    router = load.machine("router-table")
+    (station,) = (one for one in router.stations if one.tool.settle(0.0) > router.settle)
+    moved = replace(path((R, 50, 0, 0, 0, 0)), tool=np.array([station.number], np.uint8))
+    quick = replace(station, tool=replace(station.tool, spin_up=0.0))
+    without = replace(
+        router, stations=tuple(quick if one is station else one for one in router.stations)
+    )
+    waits = station.tool.settle(0.0) - router.settle
+    assert duration(moved, router) - duration(moved, without) == pytest.approx(waits)
+
+
+def on_linuxcnc(*moves: tuple[Motion, float, float, float, float, float]) -> list[float]:
+    """Return the times of moves on LinuxCNC (s), without that of the change of the station."""
+    seconds = durations(path(*moves), replace(QUICK, dialect="linuxcnc"))
+    seconds[0] -= linuxcnc.CHANGE
+    return list(seconds)
+
+
+def test_linuxcnc_halves_the_acceleration_of_the_last_move_before_a_halt() -> None:
+    # C turns by 90° at 36000/2 °/s², and never reaches 3600°/s: 2 √(90/18000).
+    (turn,) = on_linuxcnc((R, 0, 0, 0, 90, 0))
+    assert turn == pytest.approx(2.0 * np.sqrt(90.0 / 18000.0) + linuxcnc.HALT)
+
+
+def test_linuxcnc_rests_between_rapids_and_feeds_at_full_acceleration() -> None:
+    # 100 mm at 8000 mm/s²: 2 √(100/8000); the feed of 400 mm/s at half of it: 0.25 + 400/4000.
+    rapid, feed = on_linuxcnc((R, 100, 0, 0, 0, 0), (F, 200, 0, 0, 0, 24000))
+    assert rapid == pytest.approx(2.0 * np.sqrt(100.0 / 8000.0))
+    assert feed == pytest.approx(100.0 / 400.0 + 400.0 / 4000.0 + linuxcnc.HALT)
+
+
+def test_linuxcnc_overlaps_moves_in_which_c_turns() -> None:
+    """Two arcs with C on the tangent nearly come to rest between them."""
+    quarter, table = np.tan(np.pi / 8.0), replace(QUICK, dialect="linuxcnc")
+    first, second = (F, 3, 3, 0, 90, 24000), (F, 0, 6, 0, 180, 24000)
+    both = duration(path(first, second, bulge=[quarter, quarter]), table)
+    one = duration(path(first, bulge=[quarter]), table)
+    still = linuxcnc.CHANGE + linuxcnc.HALT
+    assert 1.9 * (one - still) < both - still < 2.0 * (one - still)
 
 
 def test_linuxcnc_halts_where_c_begins_to_turn() -> None:
