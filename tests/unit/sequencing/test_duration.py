@@ -12,6 +12,7 @@ from knifetip import pipeline
 from knifetip.gateway.table import Table
 from knifetip.library import load
 from knifetip.model.machine import Machine
+from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing import linuxcnc
 from knifetip.sequencing.duration import duration, durations
@@ -97,6 +98,7 @@ def test_each_change_of_tool_waits_for_its_piston() -> None:
 def test_a_change_to_a_router_waits_for_its_spindle() -> None:
     router = load.machine("router-table")
     (station,) = (one for one in router.stations if one.tool.settle(0.0) > router.settle)
+    assert isinstance(station.tool, Cutter)
     moved = replace(path((R, 50, 0, 0, 0, 0)), tool=np.array([station.number], np.uint8))
     quick = replace(station, tool=replace(station.tool, spin_up=0.0))
     without = replace(
