@@ -48,13 +48,14 @@ from knifetip.model.stage import Progress, Stage, no_progress
 from knifetip.model.toolpath import Toolpath
 from knifetip.model.verdict import Verdict
 from knifetip.planning.boundary import BoardOutline
+from knifetip.planning.cutters import with_best_cutter
 from knifetip.planning.nothing_to_make import check_has_work
 from knifetip.planning.placement import placement
 from knifetip.planning.plan import check_corners, plan
 from knifetip.planning.questions import tool_questions
 from knifetip.planning.sheet_outline import sheet_outline
 from knifetip.post.emit import process
-from knifetip.proof import PlacedJob, prove
+from knifetip.proof import PlacedJob, planned_notes, prove
 from knifetip.sequencing.air_moves import with_full_retracts
 from knifetip.sequencing.contour_starts import choose_starts
 from knifetip.sequencing.duration import duration
@@ -184,6 +185,8 @@ def compile(
 ) -> Compiled:
     """Compile a dieline to a program for a machine and a board, and verify it.
 
+    Of several router bits, the thickest one that leaves nothing uncut makes the cuts.
+
     Parameters
     ----------
     drawing, dieline
@@ -214,12 +217,19 @@ def compile(
     progress(Stage.CLEAN, 0.02)
     cleaned = clean(dieline)
     offset = placement(cleaned.dieline, machine)
-    try:
-        toolpath = _toolpath(cleaned, offset, machine, board, choices, progress)
-    except (PlanError, CompensationError) as error:
-        raise _located(error, drawing, cleaned.dieline.source) from None
-    job = PlacedJob(dieline, cleaned, offset, machine, board, choices.sheet)
-    return _compiled(job, toolpath, notes, progress)
+
+    def attempt(machine: Machine) -> Compiled:
+        try:
+            toolpath = _toolpath(cleaned, offset, machine, board, choices, progress)
+        except (PlanError, CompensationError) as error:
+            raise _located(error, drawing, cleaned.dieline.source) from None
+        job = PlacedJob(dieline, cleaned, offset, machine, board, choices.sheet)
+        return _compiled(job, toolpath, notes, progress)
+
+    compiled, found = with_best_cutter(attempt, machine, load.cutters)
+    verdict = compiled.verdict
+    findings = (*verdict.findings, *planned_notes(found))
+    return replace(compiled, verdict=replace(verdict, findings=findings))
 
 
 def compile_rest(

@@ -73,7 +73,7 @@ def prove(
     )
     mapped = map_to_drawn(verdict, cleaned, drawn)
     lost = check_cleaning(drawn, cleaned)
-    notes = (*note_replaced(drawn, cleaned), *_notes(cleaned.notes), *_notes(planned))
+    notes = (*note_replaced(drawn, cleaned), *planned_notes(cleaned.notes), *planned_notes(planned))
     return replace(
         mapped,
         accepted=mapped.accepted and not lost,
@@ -81,6 +81,6 @@ def prove(
     )
 
 
-def _notes(messages: Sequence[Message]) -> tuple[Finding, ...]:
+def planned_notes(messages: Sequence[Message]) -> tuple[Finding, ...]:
     """Return findings of severity note with the given messages."""
     return tuple(Finding("planned", each, 0.0, severity=Severity.NOTE) for each in messages)

@@ -23,7 +23,7 @@ from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine, Station
 from knifetip.model.profile import LineRules
-from knifetip.model.tool import Tool
+from knifetip.model.tool import Cutter, Tool
 
 Record = TypeVar("Record")
 
@@ -140,6 +140,18 @@ def conventions() -> tuple[LineRules, ...]:
         if rest:
             own.append(LineRules(name, one.title, rest))
     return tuple(own)
+
+
+@cache
+def cutters() -> dict[str, Cutter]:
+    """Return the router bits of the library by their titles."""
+    found = {}
+    for name in _names("tools"):
+        fields = tomllib.loads(library_text("tools", name))
+        tool = parse_tool(name, fields)
+        if isinstance(tool, Cutter):
+            found[str(fields["title"])] = tool
+    return found
 
 
 def _library_file(shelf: str, name: str) -> Traversable:

@@ -887,9 +887,21 @@ export const TEXTS = {
     "text": "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from the start of this edge in the direction of milling, but the cutter does not reach the contour there.",
     "hint": "Choose a thinner cutter, a board with another spacing of bridges, or a board without bridges."
   },
+  "cutter.narrower-slits": {
+    "text": "{count:# slit|# slits} become {width:g} mm wide. The thinnest cutter of the library, '{title}', makes them {diameter:g} mm wide.",
+    "hint": "Fit a cutter of {diameter:g} mm diameter, state it in the file of the machine and compile again, or accept the wide slits."
+  },
   "cutter.short-lead": {
     "text": "The lead-in of the cutter is {lead:g} mm long, but must be longer than the radius of the cutter, {radius:g} mm.",
     "hint": "Correct the lead-in in the machine file."
+  },
+  "cutter.thinner-chosen": {
+    "text": "The cutter of {diameter:g} mm diameter in station {station} makes the cuts: with the one of {thickest:g} mm, not all edges could be made as they are drawn.",
+    "hint": ""
+  },
+  "cutter.thinner-needed": {
+    "text": "The cutter of {own:g} mm diameter leaves {total:# edge|# edges} uncut. A cutter of {diameter:g} mm diameter, such as '{title}' of the library, makes {count} of them.",
+    "hint": "Fit a cutter of {diameter:g} mm diameter, state it in the file of the machine and compile again, or accept the uncut edges."
   },
   "database.bad-url": {
     "text": "{url!r} is not the URL of a database.",

@@ -105,14 +105,18 @@ def test_the_sample_table_makes_all_line_types_in_all_boards(board: str) -> None
     assert judged(ALL_TYPES, load.machine("sample-table"), board).findings == ()
 
 
-def test_a_slot_of_3_mm_needs_the_cutter_of_2_mm() -> None:
-    slot = dieline(OUTLINE, (LineType.CUT, closed((100, 100), (180, 100), (180, 103), (100, 103))))
-    diameters = {}
-    for name in ("router-table", "fine-router-table"):
-        machine = load.machine(name)
-        [cutter] = [one.tool for one in machine.stations if isinstance(one.tool, Cutter)]
-        diameters[name] = 2.0 * cutter.radius, judged(slot, machine, "greyboard-2.0").accepted
-    assert diameters == {"router-table": (6.0, False), "fine-router-table": (2.0, True)}
+@pytest.mark.parametrize("machine", ["router-table", "fine-router-table"])
+def test_the_routers_reach_the_whole_table_with_each_cutter(machine: str) -> None:
+    used = load.machine(machine)
+    cutters = [one for one in used.stations if isinstance(one.tool, Cutter)]
+    assert {one.tool.diameter for one in cutters} == (
+        {6.0} if machine == "router-table" else {1.5, 2.0, 3.0}
+    )
+    for station in cutters:
+        assert used.x.low <= station.x
+        assert station.x + used.width <= used.x.high
+        assert used.y.low <= station.y
+        assert station.y + used.height <= used.y.high
 
 
 @pytest.mark.parametrize("width", [1.0, 1.4, 3.0, 6.0])

@@ -61,6 +61,34 @@ MESSAGES: Final[Entries] = {
         edge="count",
         distance="number",
     ),
+    "cutter.narrower-slits": entry(
+        "{count:# slit|# slits} become {width:g} mm wide. The thinnest cutter of the library, "
+        "'{title}', makes them {diameter:g} mm wide.",
+        "Fit a cutter of {diameter:g} mm diameter, state it in the file of the machine and compile "
+        "again, or accept the wide slits.",
+        count="count",
+        width="number",
+        diameter="number",
+        title="text",
+    ),
+    "cutter.thinner-chosen": entry(
+        "The cutter of {diameter:g} mm diameter in station {station} makes the cuts: with the one "
+        "of {thickest:g} mm, not all edges could be made as they are drawn.",
+        diameter="number",
+        station="count",
+        thickest="number",
+    ),
+    "cutter.thinner-needed": entry(
+        "The cutter of {own:g} mm diameter leaves {total:# edge|# edges} uncut. A cutter of "
+        "{diameter:g} mm diameter, such as '{title}' of the library, makes {count} of them.",
+        "Fit a cutter of {diameter:g} mm diameter, state it in the file of the machine and compile "
+        "again, or accept the uncut edges.",
+        own="number",
+        total="count",
+        diameter="number",
+        title="text",
+        count="count",
+    ),
     "cutter.short-lead": entry(
         "The lead-in of the cutter is {lead:g} mm long, but must be longer than the radius of "
         "the cutter, {radius:g} mm.",
