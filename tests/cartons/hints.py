@@ -143,6 +143,7 @@ _ACTIONS: Final[dict[str, Callable[[Refusal, Attempt], tuple[str, Attempt] | Non
     "groove.through-cut": _shallower,
     "groove.too-short": _ignored,
     "hpgl.press": _knife,
+    "milling.drawn-twice": _ignored,
     "milling.shared-edge": _knife,
     "drawing.fits-turned": _turned,
     "drawing.larger-than-table": _larger_machine,

@@ -32,6 +32,7 @@ from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
 from knifetip.planning.contour_crossings import check_contour_crossings
 from knifetip.planning.corners import choices_at_bends, distances_to_corners, find_bends
 from knifetip.planning.cut_sides import cut_sides
+from knifetip.planning.drawn_twice import explain_copies
 from knifetip.planning.facing_contours import merge_facing_layers, slit_layers
 from knifetip.planning.last_cuts import releasing_cuts, track_levels
 from knifetip.planning.layers import cut_layers
@@ -69,7 +70,8 @@ def plan_milling(
     Raises
     ------
     PlanError
-        The disc on an edge between two parts would cut into them elsewhere, or contours cross.
+        The disc on an edge between two parts would cut into them elsewhere, or contours cross, or
+        this is so because lines seem to be drawn twice.
     NoRoomForBridges
         A contour has no room for the bridges that the board requires.
     """
@@ -77,8 +79,12 @@ def plan_milling(
     x, y = machine.carriage_of(setup.station).axes[:2]
     assert isinstance(cutter, DiscTool)
     pieces = _divide_by_sides(dieline.ends[rows], dieline.bulge[rows])
-    _check_shared(pieces, rows, cutter)
-    check_contour_crossings(pieces.ends, pieces.bulge, pieces.removed, rows[pieces.row])
+    cuts = dieline.ends[rows], dieline.bulge[rows], rows
+    try:
+        _check_shared(pieces, rows, cutter)
+        check_contour_crossings(pieces.ends, pieces.bulge, pieces.removed, rows[pieces.row])
+    except PlanError as error:
+        raise explain_copies(error, *cuts, board.caliper) from None
     ends, bulge, face = pieces.ends, pieces.bulge, pieces.face
     layers = cut_layers(ends, bulge, face, contours_whole=True)
     layer = layers.number
@@ -94,7 +100,8 @@ def plan_milling(
     inside = paths.closed & (waste == 0) & bounds
     ring = paths.closed & (waste == 0) & ~bounds
     if ring.any():
-        _refuse_shared(source[ring[paths.path_of]], cutter)
+        shared = _shared_error(source[ring[paths.path_of]], cutter)
+        raise explain_copies(shared, *cuts, board.caliper)
     side = np.where(inside, np.where(paths.areas > 0.0, 1, -1), waste)
     # All contours have the cutter on the left of travel.
     paths, order = reverse_paths(paths, side < 0)
@@ -280,7 +287,7 @@ def _check_shared(pieces: _Pieces, rows: I32, cutter: DiscTool) -> None:
     # Where lines of several outlines lie on each other, only a part of an edge is shared.
     partly = np.isin(pieces.row[shared], pieces.row[~pieces.shared])
     if partly.any():
-        _refuse_shared(rows[pieces.row[shared[partly]]], cutter)
+        raise _shared_error(rows[pieces.row[shared[partly]]], cutter)
     ends, bulge = pieces.ends, pieces.bulge
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
     one, other = box_pairs(boxes[shared], boxes, cutter.radius)
@@ -303,13 +310,13 @@ def _check_shared(pieces: _Pieces, rows: I32, cutter: DiscTool) -> None:
         nearest = arc.point_at(*facing, arc.nearest_fraction(*facing, point))
         bad[apart] |= np.hypot(*(nearest - point).T) < cutter.radius
     if bad.any():
-        _refuse_shared(rows[pieces.row[one[bad]]], cutter)
+        raise _shared_error(rows[pieces.row[one[bad]]], cutter)
 
 
-def _refuse_shared(rows: I32, cutter: DiscTool) -> None:
-    """Raise the error for edges between two parts, whose indices in the dieline are ``rows``."""
+def _shared_error(rows: I32, cutter: DiscTool) -> PlanError:
+    """Return the error for edges between two parts, whose indices in the dieline are ``rows``."""
     edges = np.unique(rows)
-    raise PlanError(
+    return PlanError(
         "milling.shared-edge",
         edge=edges[0],
         diameter=2.0 * cutter.radius,

@@ -3371,6 +3371,10 @@ export const TEXTS = {
     "text": "Edge {edge} belongs to a contour that crosses another contour or itself at X{x:.3f} Y{y:.3f}, so it is not clear on which side the cutter must run.",
     "hint": "Trim the contours at their crossings, so that each part has one outline, or set the line type of the contour that is not to be cut to ignored."
   },
+  "milling.drawn-twice": {
+    "text": "{count:# cut lies|# cuts lie} at most {distance:.3f} mm beside other cuts, as edge {edge} beside edge {other}: the board cannot hold so narrow a strip, and the cutter removes it.",
+    "hint": "If the same line is drawn twice, set the line type of {count:# cut|these # cuts} to ignored. Otherwise choose a machine with a knife."
+  },
   "milling.shared-edge": {
     "text": "Two parts share edge {edge}. On its line, a cutter of {diameter:g} mm diameter would cut into one of the parts at an end of the edge or at a line beside it.",
     "hint": "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife."

@@ -212,6 +212,16 @@ MESSAGES: Final[Entries] = {
         x="number",
         y="number",
     ),
+    "milling.drawn-twice": entry(
+        "{count:# cut lies|# cuts lie} at most {distance:.3f} mm beside other cuts, as edge {edge} "
+        "beside edge {other}: the board cannot hold so narrow a strip, and the cutter removes it.",
+        "If the same line is drawn twice, set the line type of {count:# cut|these # cuts} to "
+        "ignored. Otherwise choose a machine with a knife.",
+        count="count",
+        distance="number",
+        edge="count",
+        other="count",
+    ),
     "milling.shared-edge": entry(
         "Two parts share edge {edge}. On its line, a cutter of {diameter:g} mm diameter would cut "
         "into one of the parts at an end of the edge or at a line beside it.",
