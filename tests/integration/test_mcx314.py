@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import re
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -50,6 +51,43 @@ def compiled(line: Dieline = BOX) -> Compiled:
     made = pipeline.compile(lines, line, MACHINE, BOARD)
     assert made.verdict.accepted, made.verdict.findings
     return made
+
+
+@pytest.mark.parametrize("radius", [2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 40.0])
+@pytest.mark.parametrize("board", ["b-flute", "e-flute", "greyboard-2.0", "fbb-0.4"])
+def test_a_wheel_follows_tight_creases_at_a_lower_speed(radius: float, board: str) -> None:
+    crease = edges(((50.0 - radius, 45.0), (50.0 + radius, 45.0)))
+    line = dieline(
+        (LineType.CUT, closed((0, 0), (100, 0), (100, 90), (0, 90))),
+        (LineType.CREASE, crease),
+        bulge={4: 0.8},
+    )
+    lines = drawing(line.ends, [("0", 7, "CONTINUOUS")] * len(line), bulge=line.bulge)
+    made = pipeline.compile(lines, line, MACHINE, load.board(board))
+    # The wheel bends what it presses; a person may accept that.
+    codes = {one.message.code for one in made.verdict.findings}
+    assert codes <= {"verify.crease-too-bent", "verify.narrow-rim"}
+
+
+def test_a_chord_is_driven_no_slower_than_writing_the_next_one_needs() -> None:
+    line = dieline(
+        (LineType.CUT, closed((0, 0), (100, 0), (100, 90), (0, 90))),
+        (LineType.CREASE, edges(((40, 45), (60, 45)))),
+        bulge={4: 0.8},
+    )
+    lines = drawing(line.ends, [("0", 7, "CONTINUOUS")] * len(line), bulge=line.bulge)
+    board = load.board("e-flute")
+    made = pipeline.compile(lines, line, MACHINE, board)
+    text = made.program.text.decode().splitlines()
+    wheel = next(row for row, words in enumerate(text) if "Crease wheel" in words)
+    # Every chord of the crease joins, and has a heading.
+    chord = next(n for n in range(wheel, len(text)) if re.search("C.* JOIN", text[n]))
+    speed = int(re.findall(r"V(\d+)", text[chord])[0])
+    text[chord] = text[chord].replace(f"V{speed}", f"V{speed // 2}")
+    slower = "".join(f"{words}\n" for words in text).encode()
+    verdict = pipeline.verify(slower, line, made.placement, MACHINE, board)
+    assert "verify.wrong-time" not in {one.message.code for one in made.verdict.findings}
+    assert "verify.wrong-time" in {one.message.code for one in verdict.findings}
 
 
 async def execute(program: bytes, last: int | None = None) -> tuple[Board, int]:

@@ -5,7 +5,8 @@ rounding errors do not add up.  The chip interpolates at most three axes, and ar
 arc along which C or Z moves is therefore cut into chords.
 
 A segment joins the one before it if the chip need not stop between them.  It is then written while
-that one is executed, which must therefore take at least as long as the writing.
+that one is executed, which must therefore take at least as long as the writing.  Chords of a tight
+curve that would be shorter are driven at a lower speed than the feed.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.languages.mcx314 import figures
 from knifetip.languages.mcx314.wiring import Wiring
 from knifetip.model.machine import Machine
+from knifetip.model.tool import Knife, Tool
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.check import describe_row
 
@@ -30,6 +32,12 @@ MERGE_FRACTION: Final = 0.4
 #: Deviation of chords from their arc that is aimed at (mm).  C turns along a chord, but the chord
 #: does not; the verifier takes longer chords for turns in the board.
 CHORD_DEVIATION: Final = 0.001
+#: Greatest turn of C along a chord (degrees), besides that of an arc with this deviation from it:
+#: tools other than a knife, whose swivel angle applies, may not turn farther in the board.
+CHORD_TURN: Final = 1.0
+#: Curves of a smaller radius are driven slower if the chip needs it (mm).  Short pieces of other
+#: curves are merged.
+SLOWED_RADIUS: Final = 18.0
 #: A chord lasts this many times as long as the writing of the next one takes: rounding to pulses.
 LASTING: Final = 1.05
 #: Motions that may join; all others begin and end at rest.
@@ -61,12 +69,18 @@ class _Pieces:
     bulge: F64  #: (n,)
     joined: Bool  #: (n,)
     row: I64  #: (n,) row of the toolpath
+    least: F64  #: (n,) least duration (s): that of a chord which the feed would make too short
 
     def select(self, kept: I64, joined: Bool) -> _Pieces:
         """Return the pieces that end where given pieces end; those between them are left out."""
         ends = np.concatenate([[0], kept + 1])
         return _Pieces(
-            self.pose[ends], self.point[ends], self.bulge[kept], joined[kept], self.row[kept]
+            self.pose[ends],
+            self.point[ends],
+            self.bulge[kept],
+            joined[kept],
+            self.row[kept],
+            self.least[kept],
         )
 
 
@@ -124,8 +138,12 @@ def _split(
     count = np.ceil(np.sqrt(bow / min(CHORD_DEVIATION, deviation)))
     # Not so many that they must be merged again, unless the tolerance needs them.
     lasting = np.floor(_spans(toolpath, first, last, machine) / (LASTING * wiring.refill))
-    count = np.maximum(np.minimum(count, lasting), np.ceil(np.sqrt(bow / deviation)))
+    most = _chord_turn(machine.station(int(toolpath.tool[first])).tool)
+    needed = np.maximum(np.ceil(np.sqrt(bow / deviation)), _least_chords(pose, bulge, most))
+    count = np.maximum(np.minimum(count, lasting), needed)
     count = np.where(flattened, count, 1.0).astype(np.int64).clip(1)
+    slowed = flattened & (count > lasting)
+    slowed &= arc.radius(pose[:-1, :2], pose[1:, :2], bulge) < SLOWED_RADIUS
     joins = np.isin(motion, _JOINING)
     follows = np.zeros(last - first, np.bool_)
     follows[1:] = joins[1:] & joins[:-1] & (_turns(pose, bulge)[1:] <= wiring.corner)
@@ -133,7 +151,28 @@ def _split(
     inside = np.concatenate([[False], np.diff(row) == 0])
     point = np.rint(pose * wiring.pulses).astype(np.int64)
     straight = np.where(flattened, 0.0, bulge)[row]
-    return _Pieces(pose, point, straight, inside | follows[row], row + first)
+    least = np.where(slowed, LASTING * wiring.refill, 0.0)[row]
+    return _Pieces(pose, point, straight, inside | follows[row], row + first, least)
+
+
+def _chord_turn(tool: Tool) -> float:
+    """Return the greatest turn of a tool in place in the board (degrees)."""
+    return tool.lift_angle if isinstance(tool, Knife) else CHORD_TURN
+
+
+def _least_chords(pose: F64, bulge: F64, most: float) -> F64:
+    """Return the least number of chords of n arcs along which C does not turn too far, (n,).
+
+    Along one of k chords of an arc of length l and sweep s, C turns by s / k.  An arc whose sagitta
+    is ``CHORD_DEVIATION`` turns by 8 ``CHORD_DEVIATION`` / (l / k) over the same chord.  So
+    s / k = t + 8 d k / l, with t for ``most`` (degrees) and d for ``CHORD_DEVIATION``.
+    """
+    length = arc.length(pose[:-1, :2], pose[1:, :2], bulge)
+    turn, sweep = np.radians(most), np.abs(arc.sweep(bulge))
+    slope = 8.0 * CHORD_DEVIATION / np.maximum(length, 1e-9)
+    root = np.sqrt(turn**2 + 4.0 * slope * sweep)
+    result: F64 = np.ceil((root - turn) / (2.0 * slope))
+    return result
 
 
 def _spans(toolpath: Toolpath, first: int, last: int, machine: Machine) -> F64:
@@ -164,7 +203,9 @@ def _drop_empty(pieces: _Pieces, toolpath: Toolpath) -> _Pieces:
     points = np.concatenate([pieces.point[:1], pieces.point[kept + 1]])
     poses = np.concatenate([pieces.pose[:1], pieces.pose[kept + 1]])
     joined = _joined_after(pieces.joined, kept)
-    return _Pieces(poses, points, pieces.bulge[kept], joined[kept], pieces.row[kept])
+    return _Pieces(
+        poses, points, pieces.bulge[kept], joined[kept], pieces.row[kept], pieces.least[kept]
+    )
 
 
 def _joined_after(joined: Bool, kept: I64) -> Bool:
@@ -180,7 +221,8 @@ def _joined_after(joined: Bool, kept: I64) -> Bool:
 def _durations(pieces: _Pieces, toolpath: Toolpath, machine: Machine, wiring: Wiring) -> F64:
     """Return the duration of each piece at its feed, (n,) s; infinite for rapids.
 
-    It is computed from the pulses.  C may need more time than the feed permits.
+    It is computed from the pulses.  C may need more time than the feed permits, and so may the
+    writing of the next piece.
     """
     way = np.diff(pieces.point, axis=0) / wiring.pulses
     flat = np.hypot(way[:, 0], way[:, 1])
@@ -192,7 +234,7 @@ def _durations(pieces: _Pieces, toolpath: Toolpath, machine: Machine, wiring: Wi
     turn = np.abs(way[:, 3])
     with np.errstate(divide="ignore", invalid="ignore"):
         seconds = np.where(motion == Motion.SWIVEL, turn, np.hypot(flat, way[:, 2])) / feed
-    result: F64 = np.maximum(seconds, turn / machine.c.velocity)
+    result: F64 = np.maximum(np.maximum(seconds, turn / machine.c.velocity), pieces.least)
     result[motion == Motion.RAPID] = np.inf
     return result
 

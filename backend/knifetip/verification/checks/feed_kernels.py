@@ -17,6 +17,10 @@ FEED_TOLERANCE: Final = 1e-5
 #: Greatest error of a time: relative, and by rounded coordinates of the move (mm).
 TIME_TOLERANCE: Final = 1e-4
 LENGTH_TOLERANCE: Final = 5e-4
+#: Chords of a curve of a smaller radius (mm) may last as long as the controller needs for them, and
+#: up to this many times longer.
+TIGHT_RADIUS: Final = 20.0
+SLOWED: Final = 1.1
 #: Shorter times are not checked, because controllers round them up (minutes).
 MIN_MINUTES: Final = 2e-6
 
@@ -54,19 +58,34 @@ def _times(moves: MoveColumns, tools: ToolColumns, row: int) -> Any:
 
 
 @inline_kernel
-def _has_wrong_time(moves: MoveColumns, tools: ToolColumns, row: int) -> bool:
+def _is_tight(moves: MoveColumns, tools: ToolColumns, row: int) -> bool:
+    """Return whether a tool that follows its path with C turns tightly along a move."""
+    turn = math.radians(abs(moves.end[row, 3] - moves.start[row, 3]))
+    length = path_length(moves.start, moves.end, moves.centre, moves.sweep, row)
+    return tools.follows_path[moves.station[row]] and length < TIGHT_RADIUS * turn
+
+
+@inline_kernel
+def _has_wrong_time(moves: MoveColumns, tools: ToolColumns, shortest: float, row: int) -> bool:
     minutes, least, swivel = _times(moves, tools, row)
     error = TIME_TOLERANCE * least
     if not swivel:
         error += LENGTH_TOLERANCE / _own_feed(moves, tools, row)
+    if least < minutes <= SLOWED * shortest and not swivel and _is_tight(moves, tools, row):
+        return False
     return abs(minutes - least) > error and not (minutes <= MIN_MINUTES and minutes > least)
 
 
 @kernel
-def feed_faults(moves: MoveColumns, tools: ToolColumns, arcs_turn: bool) -> Any:
+def feed_faults(moves: MoveColumns, tools: ToolColumns, arcs_turn: bool, shortest: float) -> Any:
     """Return the faults of the feeds of n moves, (n,) as bits of the module's constants.
 
-    ``arcs_turn`` is whether C may turn during an arc at a feed in mm/min.
+    Parameters
+    ----------
+    arcs_turn
+        Whether C may turn during an arc at a feed in mm/min.
+    shortest : minutes
+        Least time of a move that follows another one without a stop.
     """
     faults = np.zeros(len(moves.code), np.uint8)
     for row in range(len(moves.code)):
@@ -77,7 +96,7 @@ def feed_faults(moves: MoveColumns, tools: ToolColumns, arcs_turn: bool) -> Any:
         if math.isnan(own) or math.isnan(length):
             continue
         if moves.inverse[row]:
-            if _has_wrong_time(moves, tools, row):
+            if _has_wrong_time(moves, tools, shortest, row):
                 faults[row] |= WRONG_FEED
             continue
         # A move that is not timed has the feed of its F word.

@@ -398,6 +398,7 @@ class _Interpretation:
             rested=np.array(rested, np.bool_),
             waited=np.array(waited, np.float64),
             uses_tool_table=False,
+            shortest=self._wiring.refill,
             dwell=self._state.dwell,
             switches=Switches(
                 line=np.array(switch[0], np.int32),

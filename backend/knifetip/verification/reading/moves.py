@@ -63,6 +63,8 @@ class Moves:
     resolution: float = 0.0
     #: greatest shift of a height by the rounding of coordinates (mm); 0 if it is negligible
     height_resolution: float = 0.0
+    #: least duration of a move that another one follows without a stop (s); 0 if there is none
+    shortest: float = 0.0
 
 
 class ProgramReader(Protocol):
