@@ -39,11 +39,13 @@ function imports(): Import[] {
     .filter((name) => /\.tsx?$/.test(name) && name.includes("/"))
     .flatMap((file) => {
       const text = readFileSync(join(SRC, file), "utf8");
-      return [...text.matchAll(/(?:from|import)\s+"([^"]+)"/g)].map(([, found = ""]) => ({
-        file,
-        layer: file.split("/")[0] ?? "",
-        target: found.startsWith(".") ? relative(SRC, join(SRC, dirname(file), found)) : found,
-      }));
+      return [...text.matchAll(/(?:from\s+|import\s+|import\()"([^"]+)"/g)].map(
+        ([, found = ""]) => ({
+          file,
+          layer: file.split("/")[0] ?? "",
+          target: found.startsWith(".") ? relative(SRC, join(SRC, dirname(file), found)) : found,
+        }),
+      );
     });
 }
 

@@ -1,39 +1,35 @@
 /** The page: drawings, with side panels and the canvas between them, or the station of a machine. */
 
 import { useEffect, useRef } from "react";
-import { DocumentPanel } from "../panels/DocumentPanel";
 import { DrawingsPanel } from "../panels/DrawingsPanel";
-import { HistoryPage } from "../panels/HistoryPage";
-import { ImportPanel } from "../panels/ImportPanel";
-import { InspectorPanel } from "../panels/InspectorPanel";
-import { JobPanel } from "../panels/JobPanel";
-import { LayersPanel } from "../panels/LayersPanel";
-import { LearnedPanel } from "../panels/LearnedPanel";
-import { LineTypesPanel } from "../panels/LineTypesPanel";
 import { MachinePanel } from "../panels/MachinePanel";
 import { NotificationList } from "../panels/NotificationList";
 import { OperatorDialog } from "../panels/OperatorForm";
-import { OrderPanel } from "../panels/OrderPanel";
 import { PreparationBanner } from "../panels/PreparationBanner";
-import { ProfileEditor } from "../panels/ProfileEditor";
 import { ProgressOverlay } from "../panels/ProgressOverlay";
-import { QuestionsPanel } from "../panels/QuestionsPanel";
 import { QueuePanel } from "../panels/QueuePanel";
 import { ShortcutsDialog } from "../panels/ShortcutsDialog";
-import { UnitPanel } from "../panels/UnitPanel";
+import { useMe } from "../state/accounts";
 import { syncDrawing } from "../state/drawingSync";
 import { subscribeToEvents, useDrawing } from "../state/queries";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 import { DrawingError } from "./DrawingError";
 import { DropZone } from "./DropZone";
-import { LibraryPage } from "./LibraryPage";
-import { Picture } from "./Picture";
+import { Part } from "./Part";
 import { syncWithAddress } from "./routes";
-import { StationPage } from "./StationPage";
 import { listenToKeys, type PictureCommands } from "./shortcuts";
 import { TopBar } from "./TopBar";
-import { WebhooksPage } from "./WebhooksPage";
+import {
+  DrawingPanels,
+  HistoryPage,
+  JobPanels,
+  LibraryPage,
+  Picture,
+  prefetch,
+  StationPage,
+  WebhooksPage,
+} from "./views";
 import { Welcome } from "./Welcome";
 
 export function App() {
@@ -46,9 +42,30 @@ export function App() {
       for (const end of ends) end();
     };
   }, []);
-  if (library) return <LibraryPage />;
-  if (webhooks) return <WebhooksPage />;
-  return station === null ? <DrawingPage /> : <StationPage key={station} machine={station} />;
+  const paired = useMe()?.kind === "device";
+  // A device at a machine opens the station page next.
+  useEffect(() => {
+    if (paired) prefetch("station");
+  }, [paired]);
+  if (library)
+    return (
+      <Part key="library" as="page">
+        <LibraryPage />
+      </Part>
+    );
+  if (webhooks)
+    return (
+      <Part key="webhooks" as="page">
+        <WebhooksPage />
+      </Part>
+    );
+  if (station !== null)
+    return (
+      <Part key={station} as="page">
+        <StationPage machine={station} />
+      </Part>
+    );
+  return <DrawingPage />;
 }
 
 /** The page on which drawings are prepared and jobs are sent. */
@@ -56,12 +73,16 @@ function DrawingPage() {
   const picture = useRef<PictureCommands | null>(null);
   const drawing = useUiStore((ui) => ui.drawing);
   const history = useUiStore((ui) => ui.history);
-  const editing = useUiStore((ui) => ui.editedProfile);
+  const uploading = useUiStore((ui) => ui.upload !== null);
   const leftOpen = useUiStore((ui) => ui.leftOpen);
   const rightOpen = useUiStore((ui) => ui.rightOpen);
   const { error } = useDrawing();
 
   useEffect(() => listenToKeys(() => picture.current), []);
+  // The drawing is shown when it has been read.
+  useEffect(() => {
+    if (uploading) prefetch("drawing");
+  }, [uploading]);
 
   const ready = useRef((keys: PictureCommands | null) => {
     picture.current = keys;
@@ -77,13 +98,9 @@ function DrawingPage() {
         aria-label="Job, queue and machine"
       >
         {drawing !== null && (
-          <>
-            <InspectorPanel />
-            <OrderPanel />
-            <div className={css.openJob}>
-              <JobPanel />
-            </div>
-          </>
+          <Part as="side">
+            <JobPanels />
+          </Part>
         )}
         <QueuePanel />
         <MachinePanel />
@@ -92,32 +109,29 @@ function DrawingPage() {
         className={`${css.side} ${css.left}`}
         hidden={!leftOpen || history}
         aria-label="Drawings, line types and import"
+        onPointerEnter={() => prefetch("drawing")}
       >
         {drawing === null ? (
           <DrawingsPanel />
-        ) : editing !== null ? (
-          <ProfileEditor name={editing} />
         ) : (
-          <>
-            <DocumentPanel />
-            <QuestionsPanel />
-            <LearnedPanel />
-            <LineTypesPanel />
-            <LayersPanel />
-            <UnitPanel />
-            <ImportPanel />
-          </>
+          <Part as="side">
+            <DrawingPanels />
+          </Part>
         )}
       </aside>
       <main className={css.stage}>
         {history ? (
-          <HistoryPage />
+          <Part key="history" as="middle">
+            <HistoryPage />
+          </Part>
         ) : drawing === null ? (
           <Welcome />
         ) : error !== null ? (
           <DrawingError error={error} />
         ) : (
-          <Picture onReady={ready.current} />
+          <Part key="drawing" as="middle">
+            <Picture onReady={ready.current} />
+          </Part>
         )}
       </main>
       <PreparationBanner />

@@ -9,11 +9,14 @@ import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { queryClient } from "../state/queries";
 import { App } from "./App";
+import { openAddress } from "./routes";
 import { theme } from "./theme";
 
 const root = document.getElementById("root");
 if (root === null) throw new Error("The page has no element #root.");
 
+// Before the first rendering, so that no other view is seen or fetched.
+openAddress();
 createRoot(root).render(
   <StrictMode>
     <MantineProvider theme={theme} defaultColorScheme="auto">

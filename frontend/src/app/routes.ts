@@ -45,11 +45,14 @@ export function hashOf({ drawing, job, station, library, webhooks, history }: Ro
   return job === null ? page : `${page}/jobs/${encodeURIComponent(job)}`;
 }
 
+/** Open what the address names. */
+export const openAddress = (): void =>
+  useUiStore.getState().openRoute(routeOf(window.location.hash));
+
 /** Keep address and store equal until the returned function is called. */
 export function syncWithAddress(): () => void {
-  const read = () => useUiStore.getState().openRoute(routeOf(window.location.hash));
-  read();
-  window.addEventListener("hashchange", read);
+  openAddress();
+  window.addEventListener("hashchange", openAddress);
   const stop = useUiStore.subscribe((page, before) => {
     const hash = hashOf(page);
     if (hash === hashOf(before) || window.location.hash === hash) return;
@@ -60,6 +63,6 @@ export function syncWithAddress(): () => void {
   });
   return () => {
     stop();
-    window.removeEventListener("hashchange", read);
+    window.removeEventListener("hashchange", openAddress);
   };
 }

@@ -1,0 +1,93 @@
+/** A part of the page that is fetched when it is first shown: see `views`. */
+
+import { Button, Skeleton } from "@mantine/core";
+import { Component, type ReactNode, Suspense } from "react";
+import css from "./app.module.css";
+import { PartNotFetched } from "./views";
+
+interface PartProps {
+  /**
+   * What it is: a whole page with its own main landmark, the middle of a page, or a side panel,
+   * which leaves it to the middle to report that the part cannot be fetched.
+   */
+  readonly as: "page" | "middle" | "side";
+  readonly children: ReactNode;
+}
+
+/** Shows its children as soon as they have been fetched, and until then that they are loading. */
+export function Part({ as, children }: PartProps) {
+  if (as === "side")
+    return (
+      <FetchFailure instead={null}>
+        <Suspense fallback={<LoadingPanel />}>{children}</Suspense>
+      </FetchFailure>
+    );
+  const Frame = as === "page" ? "main" : "div";
+  const loading = (
+    <Frame className={css.loading}>
+      <div role="status">
+        <h1>Loading</h1>
+      </div>
+    </Frame>
+  );
+  const failed = (
+    <Frame className={css.notFetched} data-testid="not-fetched">
+      <NotFetched />
+    </Frame>
+  );
+  return (
+    <FetchFailure instead={failed}>
+      <Suspense fallback={loading}>{children}</Suspense>
+    </FetchFailure>
+  );
+}
+
+/** About as high as the panels that follow, so that what is below moves little. */
+function LoadingPanel() {
+  return (
+    <div className={css.loadingPanel} aria-hidden>
+      <Skeleton height={20} width="60%" />
+      <Skeleton height={36} />
+      <Skeleton height={36} />
+      <Skeleton height={120} />
+    </div>
+  );
+}
+
+/** The server does not answer, or has been updated and has other files now: reloading helps. */
+function NotFetched() {
+  return (
+    <div role="alert">
+      <h1>This part of the page cannot be loaded</h1>
+      <p>The server does not respond, or it has been updated since the page was opened.</p>
+      <Button variant="default" onClick={() => window.location.reload()}>
+        Reload the page
+      </Button>
+    </div>
+  );
+}
+
+interface FailureProps {
+  readonly instead: ReactNode;
+  readonly children: ReactNode;
+}
+
+interface FailureState {
+  readonly error: unknown;
+}
+
+/** Shows something else instead of children that cannot be fetched; other errors are passed on. */
+class FetchFailure extends Component<FailureProps, FailureState> {
+  override state: FailureState = { error: null };
+
+  static getDerivedStateFromError(error: unknown): FailureState {
+    return { error };
+  }
+
+  override render() {
+    const { error } = this.state;
+    if (error === null) return this.props.children;
+    if (error instanceof PartNotFetched) return this.props.instead;
+    throw error;
+  }
+}

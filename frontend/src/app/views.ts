@@ -1,0 +1,44 @@
+/**
+ * Parts of the page that the start page does without: each is fetched when it is first shown.
+ *
+ * `prefetch` fetches a part before that, once it is likely to be wanted.
+ */
+
+import { type ComponentType, lazy } from "react";
+
+const FETCH = {
+  drawing: () => import("./OpenDrawing"),
+  station: () => import("./StationPage"),
+  library: () => import("./LibraryPage"),
+  webhooks: () => import("./WebhooksPage"),
+  history: () => import("../panels/HistoryPage"),
+} as const;
+
+/** A part of the page cannot be fetched. */
+export class PartNotFetched extends Error {}
+
+const part = <Module, Props>(
+  fetch: () => Promise<Module>,
+  choose: (module: Module) => ComponentType<Props>,
+) =>
+  lazy(() =>
+    fetch().then(
+      (module) => ({ default: choose(module) }),
+      (cause: unknown) => {
+        throw new PartNotFetched("A part of the page cannot be fetched.", { cause });
+      },
+    ),
+  );
+
+export const DrawingPanels = part(FETCH.drawing, (module) => module.DrawingPanels);
+export const JobPanels = part(FETCH.drawing, (module) => module.JobPanels);
+export const Picture = part(FETCH.drawing, (module) => module.Picture);
+export const StationPage = part(FETCH.station, (module) => module.StationPage);
+export const LibraryPage = part(FETCH.library, (module) => module.LibraryPage);
+export const WebhooksPage = part(FETCH.webhooks, (module) => module.WebhooksPage);
+export const HistoryPage = part(FETCH.history, (module) => module.HistoryPage);
+
+/** Fetch a part of the page; a failure is shown when the part is wanted. */
+export function prefetch(view: keyof typeof FETCH): void {
+  FETCH[view]().catch(() => undefined);
+}
