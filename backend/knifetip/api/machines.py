@@ -99,13 +99,26 @@ async def state_hands_clear(service: ServiceDep, name: MachineName) -> HandsClea
     """State that hands are clear of a machine.
 
     Operations that move the machine need such a statement that is younger than a minute. It ends
-    when a job starts or is resumed. A request can contain the statement itself, for this request
-    only: `hands_clear`.
+    when a job starts or is resumed, and when it is withdrawn. A request can contain the statement
+    itself, for this request only: `hands_clear`.
     """
     await _check_machine(service, name)
     seconds = await service.threads.reports(service.store.stations.state_hands_clear, name)
     until = service.store.database.clock() + seconds
     return HandsClearOut(until=rfc3339(until), seconds=seconds)
+
+
+@router.delete("/{name}/hands-clear", status_code=204)
+@requires(AccessScope.STATION)
+async def withdraw_hands_clear(service: ServiceDep, name: MachineName) -> None:
+    """Withdraw the statement that hands are clear of a machine, whoever has made it.
+
+    Operations that move the machine are refused from now on, until it is stated again. A motion
+    that was asked for before goes on: `hold` of the job or `stop_jog` of the machine ends it. The
+    status is 204 also if nothing was stated.
+    """
+    await _check_machine(service, name)
+    await service.threads.reports(service.store.stations.withdraw_hands_clear, name)
 
 
 @router.post("/{name}/operations", status_code=202)

@@ -270,6 +270,17 @@ class StationStore:
             _station(session, machine).hands_clear = self._db.timer()
         return HANDS_CLEAR
 
+    def withdraw_hands_clear(self, machine: str) -> None:
+        """End the statement that hands are clear of a machine, if there is one.
+
+        Parameters
+        ----------
+        machine
+            Name of the machine.
+        """
+        with self._db.writing(urgent=True) as session:
+            end_hands_clear(session, machine)
+
     def ask(
         self, machine: str, request: Mapping[str, Any], *, hands_clear: bool = False
     ) -> Operation:
@@ -505,9 +516,10 @@ def require_hands_clear(
 
 
 def end_hands_clear(session: Session, machine: str) -> None:
-    """End the statement that hands are clear of a machine, as a job starts or goes on.
+    """End the statement that hands are clear of a machine.
 
-    When the job has ended, a person takes the sheet from the table.
+    It ends when a person withdraws it, and as a job starts or goes on: when the job has ended, a
+    person takes the sheet from the table.
 
     Parameters
     ----------

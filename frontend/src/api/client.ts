@@ -396,6 +396,12 @@ export const service = {
     dataOf(
       api.POST("/api/v1/machines/{name}/hands-clear", { params: byName(name), ...nowOrNever() }),
     ),
+  withdrawHandsClear: async (name: string): Promise<void> => {
+    await api.DELETE("/api/v1/machines/{name}/hands-clear", {
+      params: byName(name),
+      ...nowOrNever(),
+    });
+  },
   renewJog: (name: string, id: string): Promise<Operation> =>
     dataOf(
       api.POST("/api/v1/machines/{name}/operations/{id}/renew", {

@@ -1082,13 +1082,23 @@ export interface paths {
          * @description State that hands are clear of a machine.
          *
          *     Operations that move the machine need such a statement that is younger than a minute. It ends
-         *     when a job starts or is resumed. A request can contain the statement itself, for this request
-         *     only: `hands_clear`.
+         *     when a job starts or is resumed, and when it is withdrawn. A request can contain the statement
+         *     itself, for this request only: `hands_clear`.
          *
          *     Needs the scope `station`.
          */
         post: operations["state_hands_clear"];
-        delete?: never;
+        /**
+         * Withdraw Hands Clear
+         * @description Withdraw the statement that hands are clear of a machine, whoever has made it.
+         *
+         *     Operations that move the machine are refused from now on, until it is stated again. A motion
+         *     that was asked for before goes on: `hold` of the job or `stop_jog` of the machine ends it. The
+         *     status is 204 also if nothing was stated.
+         *
+         *     Needs the scope `station`.
+         */
+        delete: operations["withdraw_hands_clear"];
         options?: never;
         head?: never;
         patch?: never;
@@ -2198,8 +2208,9 @@ export interface paths {
          * @description Report that a job has ended, with its outcome.
          *
          *     The server interrupts a job if it receives no heartbeats from the gateway.  The gateway may
-         *     still report the end of the interrupted job: the outcome ``done`` ends the job, and any other
-         *     outcome corrects the last executed line and the message of the job.
+         *     still report the end of the interrupted job: the outcome ``done`` ends the job, ``returned`` and
+         *     ``refused`` put it back into the queue if no program line was executed, and any other outcome
+         *     corrects the last executed line and the message of the job.
          *
          *     Needs the scope `gateway`.
          */
@@ -3321,6 +3332,12 @@ export interface components {
              * @default 20
              */
             wait: number;
+            /**
+             * Announces Begin
+             * @description Whether the gateway sends no program line before a heartbeat with `begun` is answered. If its lease expires before that, the job returns to the queue; otherwise it becomes `interrupted`
+             * @default false
+             */
+            announces_begin: boolean;
         };
         /**
          * CleaningCounts
@@ -4637,6 +4654,12 @@ export interface components {
              * @default false
              */
             awaits_end: boolean;
+            /**
+             * Begun
+             * @description Whether the first program line is sent as soon as this heartbeat is answered, or was sent before
+             * @default true
+             */
+            begun: boolean;
         };
         /**
          * HeartbeatOut
@@ -11950,11 +11973,19 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "gateway.server-silent-before-start";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "gateway.started-in-dry-run";
             arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "gateway.switched-off";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "gateway.switched-off-before-begin";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -13459,6 +13490,14 @@ export interface components {
             arguments: {
                 copy: number;
                 copies: number;
+                cause: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "job.interrupted-in-first-line";
+            arguments: {
+                lines: number;
+                copy: components["schemas"]["Message"] | null;
                 cause: components["schemas"]["Message"];
             };
         } | {
@@ -30500,6 +30539,147 @@ export interface operations {
                 };
             };
             /** @description Unprocessable Entity: `request.invalid`, `request.not-storable`, `request.key-reused` */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too Many Requests: `limit.too-many-requests` */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Internal Server Error: `server.internal-error` */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Service Unavailable: `server.busy`, `server.database-damaged`, `server.database-silent`, `server.stopping`, `limit.too-many-connections` */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Insufficient Storage: `limit.disk-low`, `limit.disk-full` */
+            507: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    withdraw_hands_clear: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                /**
+                 * @description Name of the machine in the library
+                 * @example demo-table
+                 */
+                name: string;
+            };
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description Successful Response */
+            204: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content?: never;
+            };
+            /** @description Bad Request: `request.no-host` */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unauthorized: `request.key-needed`, `request.wrong-key` */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Forbidden: `request.scope-missing`, `request.local-only`, `request.foreign-page`, `request.foreign-origin`, `request.not-marked` */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Not Found: `library.unknown` */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Timeout: `limit.too-slow` */
+            408: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Request Entity Too Large: `request.body-too-large` */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unsupported Media Type: `request.html-form` */
+            415: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Misdirected Request: `request.wrong-host` */
+            421: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/problem+json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Unprocessable Entity: `request.invalid`, `request.not-storable` */
             422: {
                 headers: {
                     [name: string]: unknown;

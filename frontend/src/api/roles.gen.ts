@@ -5,6 +5,7 @@ export const SCOPES_FOR = {
   "DELETE /api/v1/drawings/{id}": ["designer", "order"],
   "DELETE /api/v1/keys/{id}": ["admin"],
   "DELETE /api/v1/machines/{name}": ["admin"],
+  "DELETE /api/v1/machines/{name}/hands-clear": ["station"],
   "DELETE /api/v1/profiles/{name}": ["designer"],
   "DELETE /api/v1/tools/{name}": ["admin"],
   "DELETE /api/v1/webhooks/{id}": ["admin", "webhooks"],

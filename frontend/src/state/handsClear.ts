@@ -37,19 +37,38 @@ export const handsReason = (operation: OperationName, { left }: HandsClear): str
 /** Time between two updates of the time that is left (ms). */
 const TICK = 250;
 
+/** Make the statement on the server, and then on this page. */
+export const stateHandsClear = (machine: string): Promise<void> =>
+  reportFailure("Hands clear", async () => {
+    const asked = Date.now();
+    const { seconds } = await service.stateHandsClear(machine);
+    useHandsStatement.getState().make(machine, asked + seconds * 1000);
+  });
+
+/** Take the statement back on this page, and on the server: from there on nothing moves by it. */
+export function withdrawHandsClear(machine: string): Promise<void> {
+  useHandsStatement.getState().end();
+  return reportFailure("Take back hands clear", () => service.withdrawHandsClear(machine));
+}
+
 /** The statement about one machine. It ends after a minute, and with the motion that it permits. */
 export function useHandsClear(machine: string, station: Station | undefined): HandsClear {
   const statement = useHandsStatement();
   const [now, setNow] = useState(0);
   const moving = isMoving(station);
   const moved = useRef(false);
-  const { until, make, end } = statement;
+  const { until, end } = statement;
   useEffect(() => {
     if (moved.current && !moving) end();
     moved.current = moving;
   }, [moving, end]);
   // Who leaves the page no longer looks at the machine.
-  useEffect(() => end, [end]);
+  useEffect(
+    () => () => {
+      if (useHandsStatement.getState().until !== 0) void withdrawHandsClear(machine);
+    },
+    [machine],
+  );
   useEffect(() => {
     if (until === 0) return;
     const timer = setInterval(() => {
@@ -62,16 +81,8 @@ export function useHandsClear(machine: string, station: Station | undefined): Ha
   return {
     left: counts ? Math.max(Math.ceil((until - now) / 1000), 1) : 0,
     toggle: () => {
-      if (counts) {
-        end();
-        return;
-      }
-      const asked = Date.now();
-      void reportFailure("Hands clear", async () => {
-        const { seconds } = await service.stateHandsClear(machine);
-        setNow(Date.now());
-        make(machine, asked + seconds * 1000);
-      });
+      setNow(Date.now());
+      void (counts ? withdrawHandsClear(machine) : stateHandsClear(machine));
     },
   };
 }

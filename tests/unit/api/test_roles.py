@@ -46,7 +46,7 @@ LEAST = {
     "operator": """
         release_job recheck_job confirm_job hold_job resume_job confirm_end finish_job requeue_job
         scrap_job move_job change_job transfer_job continue_job ask_for_operation record_tool_change
-        set_tool_life state_hands_clear renew_jog
+        set_tool_life state_hands_clear withdraw_hands_clear renew_jog
     """,
     "admin": """
         save_machine delete_machine save_board delete_board save_tool delete_tool
@@ -68,7 +68,7 @@ GATEWAY = {
 #: What only people with the role and keys with the scope ``station`` may do.
 AT_MACHINE = {
     *("confirm_job", "resume_job", "confirm_end"),
-    *("ask_for_operation", "state_hands_clear", "renew_jog"),
+    *("ask_for_operation", "state_hands_clear", "withdraw_hands_clear", "renew_jog"),
 }
 #: What a key with the scope ``station`` may do beside that.
 STOPPING = {"hold_job", "cancel_job"}

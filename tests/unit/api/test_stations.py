@@ -169,6 +169,21 @@ def test_an_operation_that_moves_needs_hands_clear(client: httpx.Client) -> None
     assert client.post("/api/machines/no-such/hands-clear").status_code == 404
 
 
+def test_a_statement_that_hands_are_clear_is_withdrawn(client: httpx.Client) -> None:
+    machine = "sample-table"  # no other test states anything there
+    report(client, machine=machine)
+    statement, route = f"/api/machines/{machine}/hands-clear", f"/api/machines/{machine}/operations"
+    assert client.post(statement).status_code == 200
+    assert client.delete(statement).status_code == 204
+    refused = client.post(route, json={"operation": "home"})
+    assert (refused.status_code, refused.json()["code"]) == (409, "operation.hands-not-clear")
+    # It is withdrawn, whoever has made it, also if there is none.
+    assert client.delete(statement).status_code == 204
+    assert client.delete("/api/machines/no-such/hands-clear").status_code == 404
+    assert client.post(statement).status_code == 200
+    assert client.post(route, json={"operation": "home"}).status_code == 202
+
+
 def test_the_gateway_learns_which_jog_is_held(client: httpx.Client) -> None:
     report(client)
     id = ask(client, **JOG).json()["id"]

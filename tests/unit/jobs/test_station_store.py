@@ -332,6 +332,11 @@ def test_what_moves_the_machine_needs_hands_clear_of_the_last_minute(
     # The statement in a request counts for no other one.
     with pytest.raises(WrongState, match="hands are clear"):
         store.stations.ask(MACHINE, request_)
+    # A statement that was withdrawn counts no more.
+    store.stations.state_hands_clear(MACHINE)
+    store.stations.withdraw_hands_clear(MACHINE)
+    with pytest.raises(WrongState, match="hands are clear"):
+        store.stations.ask(MACHINE, request_)
 
 
 @pytest.mark.parametrize(
