@@ -144,6 +144,7 @@ def _claim_next(service: ServiceDep, claimant: ClaimIn) -> Job | None:
             claimant.gateway,
             manual=manual,
             feeds=not manual,
+            announces=claimant.announces_begin,
             worn=partial(worn_stations, service),
         )
     except MachineBusy:
@@ -184,6 +185,7 @@ async def heartbeat(service: ServiceDep, report: HeartbeatIn) -> HeartbeatOut:
             seconds_left=report.seconds_left,
             phase=report.phase,
             awaits_end=report.awaits_end,
+            begun=report.begun,
         ),
         partial(worn_stations, service),
     )
@@ -196,8 +198,9 @@ async def finish(service: ServiceDep, report: FinishIn) -> JobOut:
     """Report that a job has ended, with its outcome.
 
     The server interrupts a job if it receives no heartbeats from the gateway.  The gateway may
-    still report the end of the interrupted job: the outcome ``done`` ends the job, and any other
-    outcome corrects the last executed line and the message of the job.
+    still report the end of the interrupted job: the outcome ``done`` ends the job, ``returned`` and
+    ``refused`` put it back into the queue if no program line was executed, and any other outcome
+    corrects the last executed line and the message of the job.
     """
     return await service.threads.reports(_finish_job, service, report)
 

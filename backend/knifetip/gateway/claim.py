@@ -18,7 +18,10 @@ outgoing connections.  It decides the following by itself:
   present phase of the run (``JobRun.begin_phase``).  Otherwise a late answer, meant for an earlier
   hold, could start the next copy before its sheet is on the table.
 - A job that fails before a line of its program was sent returns to the queue with the reason
-  (``refused``).  It is not claimed again before an operator has asked for it.
+  (``refused``).  It is not claimed again before an operator has asked for it.  The first line is
+  sent after the check run, when the server has answered a heartbeat that announces it and the
+  journal contains it: then the server, which sees the lease expire, and the gateway that takes over
+  know a job of which nothing was executed.
 - The end of a job is recorded in the journal and reported until the server has answered.  After a
   restart, a job whose end is not recorded is reported as ``done`` only if the journal records that
   every copy was executed to its last line.
@@ -245,8 +248,9 @@ class _GatewayLoop:
                 outcome, cause = "cancelled", Message("gateway.cancelled", line=run.line)
             except JobWithdrawn:
                 # The server may still record this report, as evidence of where the machine stopped.
+                outcome = outcome if run.begun else "returned"
                 cause = Message(
-                    "gateway.job-withdrawn-before-start" if run.waiting else "gateway.job-withdrawn"
+                    "gateway.job-withdrawn" if run.begun else "gateway.job-withdrawn-before-start"
                 )
                 _log.warning("Job %s: %s", claim.job, cause)
             except (KnifetipError, OSError) as error:

@@ -7,7 +7,7 @@ journal.  The requests of the server are carried out, as described in ``claim``.
 from __future__ import annotations
 
 import asyncio
-from contextlib import aclosing
+from contextlib import aclosing, suppress
 from functools import partial
 
 from knifetip import tracing
@@ -21,7 +21,7 @@ from knifetip.errors import (
 from knifetip.gateway.controller import Controller, OverridingController, State
 from knifetip.gateway.copy_events import CopyEvents
 from knifetip.gateway.interpreter import tool_offsets
-from knifetip.gateway.job_run import JobRun
+from knifetip.gateway.job_run import JobReturned, JobRun
 from knifetip.gateway.job_server import GatewaySettings, JobServer
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.machine_link import MachineLink
@@ -31,6 +31,7 @@ from knifetip.gateway.operations import OperableController
 from knifetip.gateway.station import MachineStation
 from knifetip.gateway.stream import Progress, stream
 from knifetip.gateway.takeover import Recalls
+from knifetip.messages import Message
 from knifetip.model.machine import Station
 from knifetip.tracing import SpanKind
 
@@ -79,6 +80,8 @@ class CopyRunner:
             The server withdrew the job.
         JobCancelled
             The operator cancelled the job.
+        JobReturned
+            The server did not answer before the first line.
         GatewayRefused
             The server refuses the key of this gateway.
         KnifetipError, OSError
@@ -120,11 +123,11 @@ class CopyRunner:
             check=copy == 0,
             interval=min(self._beat / 2.0, 0.1),
             time_left=run.time_left,
+            begin=partial(self._begin, run, copy),
             sending=partial(self._journal.sending, run.claim.job, copy),
         )
         progress: Progress | None = None
         base, program, observed = controller.sent, "", True
-        self._journal.begin_copy(run.claim.job)
         run.line_at_most = None
         try:
             async with aclosing(updates) as progress_updates:
@@ -154,6 +157,33 @@ class CopyRunner:
             run.line_at_most = max(run.line, 0 if observed else controller.sent - base)
             if progress is not None:
                 self._record_stop(run, progress, controller)
+
+    async def _begin(self, run: JobRun, copy: int) -> None:
+        """Record that the first line of a copy is sent next, on the server and in the journal.
+
+        Without these records the server, when the lease expires, and the next gateway return the
+        job to the queue.
+
+        Raises
+        ------
+        JobWithdrawn, JobCancelled, GatewayRefused, OSError
+            As for ``run``.
+        JobReturned
+            The server did not answer within the lease.
+        """
+        run.begins = True
+        while copy == 0:
+            run.raise_if_withdrawn()
+            self._server.raise_if_refused(run)
+            left = run.lease_end - _now()
+            if left < 0.0:
+                raise JobReturned(Message("gateway.server-silent-before-start"))
+            if run.begin_stored:
+                break
+            run.answered.clear()
+            with suppress(TimeoutError):
+                await asyncio.wait_for(run.answered.wait(), left + 0.01)
+        self._journal.begin_copy(run.claim.job, copy)
 
     def _record_stop(self, run: JobRun, last: Progress, controller: Controller) -> None:
         """Record the position at which the machine came to rest.

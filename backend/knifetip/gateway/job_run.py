@@ -77,6 +77,8 @@ class JobRun:
         self.waiting = (
             claim.confirm
         )  #: the operator has not confirmed yet; nothing is sent to the machine
+        self.begins = False  #: the heartbeats announce that the program begins
+        self.begin_stored = False  #: the server has answered one of these heartbeats
         self.begun = False  #: a line of the program may have been executed
         self.held = False
         self.between_copies = False  #: waits for the next sheet; the controller holds nothing
@@ -111,6 +113,7 @@ class JobRun:
             "seconds_left": self.seconds_left,
             "phase": self.phase,
             "awaits_end": self.awaits_end,
+            "begun": self.begins,
         }
 
     def begin_phase(self) -> None:
@@ -124,7 +127,7 @@ class JobRun:
         if self.requested in _GOES_ON:
             self.requested = ""
 
-    def apply_answer(self, command: str, held: bool, phase: int) -> None:
+    def apply_answer(self, command: str, *, held: bool, phase: int, begun: bool = False) -> None:
         """Store the command with which the server answered a heartbeat.
 
         Parameters
@@ -138,7 +141,10 @@ class JobRun:
             ``end`` are ignored.
         phase
             Phase that the heartbeat reported; ``resume`` and ``end`` are ignored in any other one.
+        begun
+            Whether the heartbeat announced that the program begins.
         """
+        self.begin_stored = self.begin_stored or begun
         if command == "cancel":
             self.cancelled = True
         elif command == "start":

@@ -107,6 +107,7 @@ class JobServer:
             "gateway": self._settings.name,
             "machine": self._settings.machine.name,
             "wait": self._settings.wait,
+            "announces_begin": True,
         }
         if self._settings.machine.version:
             body["machine_version"] = self._settings.machine.version
@@ -241,7 +242,10 @@ class JobServer:
                 response = answer.json()
                 run.lease_end = asked + float(response["lease"])
                 run.apply_answer(
-                    str(response["command"]), bool(body["held"]), int(str(body["phase"]))
+                    str(response["command"]),
+                    held=bool(body["held"]),
+                    phase=int(str(body["phase"])),
+                    begun=bool(body["begun"]),
                 )
             await asyncio.sleep(self._settings.beat)
 

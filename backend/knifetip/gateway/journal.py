@@ -45,7 +45,7 @@ class Unfinished:
     copies_done: int = 0  #: executed to their last line
     line: int = 0  #: executed lines of the copy that was under way
     line_at_most: int | None = None  #: lines that may have been executed; None if not known
-    copy_begun: bool = True  #: a copy may be under way
+    copy_begun: bool = True  #: a line of the copy that is under way may have been sent
     #: most lines of this copy that were sent, by a controller that takes them one by one; None if
     #: not known
     sent_at_most: int | None = None
@@ -76,9 +76,10 @@ def default_path(machine: str, server: str) -> Path:
 class Journal:
     """A file to which events of jobs are appended; if its path is None, nothing is stored.
 
-    ``begin``, ``dry_run`` and ``rest`` raise ``OSError`` if the file cannot be written, so that the
-    machine does not begin.  The other events are omitted with a warning then: a cut must not be
-    interrupted because a disk is full, and the end of a job must still be reported to the server.
+    ``begin``, ``begin_copy`` of the first copy, ``dry_run`` and ``rest`` raise ``OSError`` if the
+    file cannot be written, so that the machine does not begin.  The other events are omitted with a
+    warning then: a cut must not be interrupted because a disk is full, and the end of a job must
+    still be reported to the server.
     """
 
     def __init__(self, path: Path | None) -> None:
@@ -94,7 +95,7 @@ class Journal:
                 _end_last_line(path)
 
     def begin(self, job: str, epoch: int, sha256: str, lines: int, copies: int = 1) -> None:
-        """Record that a job starts, before any line is sent.
+        """Record that a job starts, before the check run of its program.
 
         Parameters
         ----------
@@ -122,6 +123,8 @@ class Journal:
                 "sha256": sha256,
                 "lines": lines,
                 "copies": copies,
+                # Earlier versions recorded the begin of the first copy before its check run.
+                "copy_begun": False,
             },
             safe=True,
         )
@@ -204,9 +207,27 @@ class Journal:
         except (OSError, ValueError, KeyError, TypeError):
             return None
 
-    def begin_copy(self, job: str) -> None:
-        """Record that a copy begins, before any line of it is sent."""
-        self._append_if_possible({"event": "copy-begin", "job": job}, safe=True)
+    def begin_copy(self, job: str, copy: int = 0) -> None:
+        """Record that a copy begins, after the check run and before any line of it is sent.
+
+        Parameters
+        ----------
+        job
+            Id of the job.
+        copy
+            Number of the copy, from 0.
+
+        Raises
+        ------
+        OSError
+            The begin of the first copy cannot be written: after a kill -9, the job would be taken
+            for one of which nothing was executed.
+        """
+        row: dict[str, object] = {"event": "copy-begin", "job": job}
+        if copy == 0:
+            self._append(row, safe=True)
+        else:
+            self._append_if_possible(row, safe=True)
 
     def program(self, job: str, name: str) -> None:
         """Record the name by which the controller knows the program that it executes now."""
@@ -378,11 +399,14 @@ def _apply(unfinished: Unfinished | None, row: dict[str, Any]) -> Unfinished | N
             str(row.get("sha256", "")),
             int(row["lines"]),
             int(row.get("copies", 1)),
+            copy_begun=bool(row.get("copy_begun", True)),
         )
     if unfinished is None or row["job"] != unfinished.job:
         return unfinished
     if event == "line":
         unfinished.line = int(row["executed"])
+        # Also if its begin could not be recorded.
+        unfinished.copy_begun = unfinished.copy_begun or unfinished.line > 0
     elif event == "copy":
         unfinished.copies_done, unfinished.line = int(row["copies_done"]), 0
         unfinished.program, unfinished.copy_begun = "", False

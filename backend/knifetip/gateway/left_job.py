@@ -1,7 +1,8 @@
 """left_job: how a job ended that was under way when its gateway was switched off.
 
 The journal has a lower bound of its executed lines.  A controller that recalls its program reports
-how far it is (``takeover``); for the others the journal has an upper bound, too.
+how far it is (``takeover``); for the others the journal has an upper bound, too.  A job of which
+certainly no line was executed returns to the queue.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from knifetip.gateway.interpreter import Interpreter, tool_offsets
 from knifetip.gateway.job_run import JobEnd
 from knifetip.gateway.job_server import JobServer
 from knifetip.gateway.journal import Unfinished
-from knifetip.gateway.takeover import Recalls, has_ended
+from knifetip.gateway.takeover import Found, Recalls, has_ended
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
 
@@ -46,11 +47,15 @@ async def end_of(
 
     if left.outcome:
         return end(left.outcome, left.cause, left.line, left.copies_done, left.line_at_most)
+    found = _found(left, controller)
+    unbegun = not left.copy_begun or (found is not None and not found.begun)
+    if unbegun and left.copies_done == 0:
+        return end("refused", Message("gateway.switched-off-before-begin"), 0, 0, 0)
     ended = Message("gateway.switched-off-before-report")
     if left.copies_done >= left.copies:
         return end("done", ended, left.line, left.copies_done, left.line)
     off = Message("gateway.switched-off")
-    executed = await _executed(left, controller, server, machine)
+    executed = None if found is None else await _executed(left, found, server, machine)
     if executed is None:
         # Between two copies nothing was sent of the next one.
         at_most = left.sent_at_most if left.copy_begun else 0
@@ -63,13 +68,18 @@ async def end_of(
     return end("done", ended, left.lines, done, left.lines)
 
 
-async def _executed(
-    left: Unfinished, controller: object, server: JobServer, machine: Machine
-) -> int | None:
-    """Return how many lines of the copy that ran last were executed; None if not known."""
+def _found(left: Unfinished, controller: object) -> Found | None:
+    """Return what a controller shows of the program that ran last; None if it shows another one."""
     found = controller.found if isinstance(controller, Recalls) else None
     if found is None or not left.program or found.program != left.program:
         return None
+    return found
+
+
+async def _executed(
+    left: Unfinished, found: Found, server: JobServer, machine: Machine
+) -> int | None:
+    """Return how many lines of the copy that ran last were executed; None if not known."""
     if found.executed is not None:
         return found.executed if left.line <= found.executed <= left.lines else None
     if found.rest is None:

@@ -16,7 +16,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import math
-from collections.abc import AsyncGenerator, Callable, Mapping
+from collections.abc import AsyncGenerator, Awaitable, Callable, Mapping
 from dataclasses import dataclass
 
 from knifetip.errors import (
@@ -98,6 +98,7 @@ async def stream(
     check: bool = True,
     interval: float = 0.1,
     time_left: TimeLeft | None = None,
+    begin: Callable[[], Awaitable[None]] | None = None,
     sending: Callable[[int], None] | None = None,
 ) -> AsyncGenerator[Progress, None]:
     """Run a program; yield the progress every ``interval`` seconds.
@@ -120,6 +121,9 @@ async def stream(
     time_left
         Estimates the remaining time; that of the copies before this one, so that it has learned
         from them.  None for an estimate from the limits of the axes.
+    begin
+        Called after the check run, before the first line is sent; an error of it ends the run, of
+        which nothing was executed.  None for no call.
     sending
         Called before lines are sent to a ``LineController``, with the number of the last line that
         is sent before the next call; None for no call.
@@ -168,7 +172,9 @@ async def stream(
     time_left.begin(sum(durations))
     base = status
     controller.observer = corridor
-    feeding = asyncio.create_task(_feed(text, controller, corridor, check, sending), name="feed")
+    feeding = asyncio.create_task(
+        _feed(text, controller, corridor, check, begin, sending), name="feed"
+    )
     try:
         while True:
             status = await controller.status()
@@ -327,6 +333,7 @@ async def _feed(
     controller: Controller,
     corridor: Corridor,
     check: bool,
+    begin: Callable[[], Awaitable[None]] | None,
     sending: Callable[[int], None] | None,
 ) -> None:
     if check:
@@ -334,6 +341,8 @@ async def _feed(
             await controller.check(lines_of(text))
         except ControllerRejected as refused:
             raise CheckRefused(refused.message) from refused
+    if begin is not None:
+        await begin()
     if isinstance(controller, ProgramController):
         corridor.check_rest(await controller.run(text))
         return

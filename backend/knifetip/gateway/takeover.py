@@ -28,6 +28,7 @@ class Found:
     executed: int | None = None  #: its executed lines; None if not known
     #: position at rest after the program, if nothing else has moved the machine since; else None
     rest: Pose | None = None
+    begun: bool = True  #: False if it is certain that no line of it was begun
 
 
 @runtime_checkable

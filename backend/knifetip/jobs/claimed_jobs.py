@@ -9,6 +9,7 @@ from sqlalchemy.orm import Session
 
 from knifetip.jobs.database import Database, rows
 from knifetip.jobs.job import Actor, ActorKind, Confirmation, State, action_between
+from knifetip.jobs.machine_runs import delete_run
 from knifetip.jobs.tables import Job
 from knifetip.jobs.transitions import Transitions, stale_epoch_error
 from knifetip.messages import Message
@@ -74,6 +75,39 @@ class ClaimedJobs:
         event = Message("job.started" if confirmed else "job.started-unconfirmed")
         self.move(session, row, State.RUNNING, event, **changes)
         return self._transitions.lock(session, row.id)
+
+    def put_back(
+        self, session: Session, row: Job, actor: Actor, cause: Message, *, refused: bool = False
+    ) -> None:
+        """Put a job of which no line was executed back into the queue, at its former position.
+
+        The job may be ``interrupted``, if this is known late.  The parameters are those of
+        ``give_back``.
+        """
+        if row.state == State.QUEUED:
+            self.give_back(session, row, actor, cause, refused=refused)
+            return
+        if row.state == State.INTERRUPTED:
+            delete_run(session, row.id)
+        self._transitions.move(
+            session,
+            row.id,
+            action_between(State(row.state), State.QUEUED),
+            actor,
+            return_event(cause, refused=refused),
+            epoch=row.epoch,
+            new_epoch=row.epoch + 1,
+            check_refusal=cause if refused else None,
+            owner="",
+            lease=0.0,
+            line=0,
+            position=None,
+            stopped_at=None,
+            message=None,
+            seconds_left=None,
+            requested_action="",
+            confirmation=Confirmation.NONE.value,
+        )
 
     def give_back(
         self, session: Session, row: Job, actor: Actor, cause: Message, *, refused: bool = False

@@ -25,7 +25,7 @@ from knifetip.jobs.claimed_jobs import (
 )
 from knifetip.jobs.database import Database
 from knifetip.jobs.heartbeats import GatewayReport, Heartbeats
-from knifetip.jobs.job import CLOCK, LEASED, Action, Actor, ActorKind, Confirmation, State
+from knifetip.jobs.job import CLOCK, ENDED, LEASED, Action, Actor, ActorKind, Confirmation, State
 from knifetip.jobs.job_ends import JobEnds
 from knifetip.jobs.left_sheet import unfinished_sheet
 from knifetip.jobs.machine_queues import CLAIMED, MachineQueues, lock_queue, next_queued
@@ -59,6 +59,7 @@ class GatewayStore:
         *,
         manual: bool,
         feeds: bool = False,
+        announces: bool = False,
         worn: WornStations = no_worn_stations,
     ) -> Job | None:
         """Assign the next queued job of a machine to a gateway, and return the job.
@@ -83,6 +84,9 @@ class GatewayStore:
             Whether the machine feeds its sheets itself.  The operator must then confirm the first
             sheet of each batch (see ``batches``), a job with a worn tool, and a job before which an
             unfinished sheet may lie on the table.
+        announces
+            Whether the gateway sends no line of the program before a heartbeat with ``begun`` is
+            answered.
         worn
             Returns the stations whose tools are at the end of their lives.
 
@@ -121,7 +125,8 @@ class GatewayStore:
                         or unfinished_sheet(session, row) != ""
                     )
                 )
-                self._assign(session, row, gateway, confirm, feeds)
+                about = {"feeds": feeds, "begun": not announces}
+                self._assign(session, row, gateway, confirm, about)
                 return self._transitions.lock(session, id)
         except IntegrityError as reason:
             raise _busy_error(machine, self._machines.jobs_on_tables().get(machine, "")) from reason
@@ -139,7 +144,9 @@ class GatewayStore:
         with self._db.reading() as session:
             return unfinished_sheet(session, row)
 
-    def _assign(self, session: Session, row: Job, gateway: str, confirm: bool, feeds: bool) -> None:
+    def _assign(
+        self, session: Session, row: Job, gateway: str, confirm: bool, about: dict[str, Any]
+    ) -> None:
         changes: dict[str, Any] = {
             "epoch": row.epoch + 1,
             "owner": gateway,
@@ -151,9 +158,9 @@ class GatewayStore:
             "position": None,
             "copies_before": row.copies_done,
             "phase": 0,
-            "feeds": feeds,
             "awaits_end": False,
             "stopped_at": None,
+            **about,
         }
         if confirm:
             changes |= {"confirmation": Confirmation.AWAITED.value, "updated": self._db.clock()}
@@ -175,7 +182,7 @@ class GatewayStore:
             new_epoch=changes.pop("epoch"),
             **changes,
         )
-        if feeds:
+        if about["feeds"]:
             self._transitions.write_event(
                 session,
                 "job",
@@ -242,9 +249,11 @@ class GatewayStore:
     ) -> Job:
         """Store a gateway's report that a job has ended, and return the job.
 
-        A repeated report has no effect.  The last owner may also report after its lease has expired
-        and the job has become ``interrupted``.  The outcome ``done`` then moves the job to
-        ``done``; any other outcome only updates the stored progress and the message of the job.
+        A repeated report has no effect.  The last owner may also report after its lease has
+        expired.  If the job has become ``interrupted``, the outcome ``done`` then moves it to
+        ``done``, and a report that no line was executed returns it to the queue; any other outcome
+        only updates the stored progress and the message of the job.  If the job has returned to the
+        queue, ``refused`` corrects the reason.
 
         Parameters
         ----------
@@ -281,14 +290,21 @@ class GatewayStore:
                 return row
             late = row.state == State.INTERRUPTED and epoch == row.owner_epoch
             owned = row.epoch == epoch and (row.state in LEASED or is_claimed(row))
+            refused = outcome == "refused"
+            unstated = Message("gateway.no-reason" if refused else "job.nothing-sent")
+            if returned and epoch == row.owner_epoch and _waits_for_check(row):
+                if refused:
+                    self._correct_refusal(session, row, cause or unstated)
+                return self._transitions.lock(session, id)
             if not (late or owned):
                 raise stale_epoch_error(id, row.state, row.epoch, epoch)
-            executed = row.line if line is None else line
-            # A late report only states that no line was executed.
-            if returned and not (late or copies_done or executed):
-                refused = outcome == "refused"
-                unstated = Message("gateway.no-reason" if refused else "job.nothing-sent")
-                self._return(session, row, cause or unstated, refused=refused)
+            executed = max(row.line, line or 0, 0 if place is None else place.at_most or 0)
+            unbegun = not (copies_done or executed)
+            if returned and unbegun and not (late and _is_continued(session, row)):
+                owner = Actor(ActorKind.GATEWAY, row.owner)
+                # What was interrupted is not begun again without a person.
+                refused = refused or late
+                self._claimed.put_back(session, row, owner, cause or unstated, refused=refused)
                 return self._transitions.lock(session, id)
             if row.state == State.QUEUED:
                 row = self._claimed.start(session, row)
@@ -300,41 +316,32 @@ class GatewayStore:
             )
             return self._transitions.lock(session, id)
 
-    def _return(self, session: Session, row: Job, cause: Message, *, refused: bool) -> None:
-        """Put a job of which no line was executed back into the queue, at its former position.
-
-        Parameters
-        ----------
-        session, row
-            Session of the transaction, and the job.
-        cause
-            Reason that the gateway reports.
-        refused
-            Whether the job waits for an operator before it is claimed again.
-        """
-        owner = Actor(ActorKind.GATEWAY, row.owner)
-        if row.state == State.QUEUED:
-            self._claimed.give_back(session, row, owner, cause, refused=refused)
-            return
-        self._transitions.move(
+    def _correct_refusal(self, session: Session, row: Job, cause: Message) -> None:
+        """Store the reason why a job that has returned to the queue was not begun."""
+        if cause == row.check_refusal:
+            return  # a repeated report
+        self._claimed.change(session, row, {"check_refusal": cause, "updated": self._db.clock()})
+        # The owner of a job in the queue is not stored.
+        self._transitions.write_event(
             session,
+            "job",
             row.id,
-            Action.RETURN,
-            owner,
-            return_event(cause, refused=refused),
-            epoch=row.epoch,
-            new_epoch=row.epoch + 1,
-            check_refusal=cause if refused else None,
-            owner="",
-            lease=0.0,
-            line=0,
-            position=None,
-            stopped_at=None,
-            message=None,
-            seconds_left=None,
-            requested_action="",
-            confirmation=Confirmation.NONE.value,
+            State.QUEUED,
+            Actor(ActorKind.GATEWAY),
+            return_event(cause, refused=True),
+            row.machine,
         )
+
+
+def _waits_for_check(row: Job) -> bool:
+    """Return whether a job has returned to the queue and waits for an operator to try it again."""
+    return row.state == State.QUEUED and not is_claimed(row) and row.check_refusal is not None
+
+
+def _is_continued(session: Session, row: Job) -> bool:
+    """Return whether another job that continues a job is under way, and so relies on its sheet."""
+    rest = sa.select(Job.id).where(Job.resumes == row.id, Job.state.not_in(ENDED))
+    return session.scalar(rest.limit(1)) is not None
 
 
 def _busy_error(machine: str, job: str) -> MachineBusy:

@@ -41,6 +41,8 @@ class GatewayReport:
     phase: int = 0
     #: the program is handed over, and a person must confirm that the machine has executed it
     awaits_end: bool = False
+    #: a line of the program is sent as soon as this report is answered, or was sent already
+    begun: bool = True
 
 
 class Heartbeats:
@@ -179,6 +181,7 @@ class Heartbeats:
             "confirmation": confirmation,
             "requested_action": requested,
             "awaits_end": report.awaits_end,
+            "begun": row.begun or report.begun,
         }
         goal = State.HELD if report.held else State.RUNNING
         event = Message("job.at-line", line=report.line)

@@ -78,6 +78,9 @@ def interruption(
             cause=cause,
         )
         return Interruption(at, most, done, message)
+    if at == 0 < row.lines:
+        message = Message("job.interrupted-in-first-line", lines=row.lines, copy=copy, cause=cause)
+        return Interruption(at, most, done, message)
     message = Message(
         "job.interrupted-at-end" if fully_executed else "job.interrupted",
         line=at,

@@ -7,7 +7,8 @@
 A program that is refused only for shortfalls becomes ready when an operator accepts them.
 
 The program repeats a failed compile by itself.  It does not repeat a failed cut, since the board is
-used up and a blade may be in it: only an operator returns a job from ``interrupted`` to the queue.
+used up and a blade may be in it: only an operator returns a job from ``interrupted`` to the queue,
+or a late report of its gateway that nothing was executed.
 Another job may make the rest of the sheet, or the whole program again: when that job is queued, the
 interrupted job becomes ``continued`` and no longer occupies the table.  A late report of the last
 owner may move an interrupted job to ``done`` or correct its message, but
@@ -15,7 +16,9 @@ it never restarts the job.
 
 A machine may refuse a program in its check run, or fail before it executes anything.  The job is
 then ``queued`` again with the reason (``check_refusal``), frees the table, and is not claimed until
-an operator lets it be tried again.
+an operator lets it be tried again.  A gateway announces that it begins the program, and sends the
+first line when the server has stored this (``Job.begun``).  The expiry of a lease can therefore
+return a job, too.
 
 On a machine with manual feed, a gateway claims a queued job and waits: the job stays ``queued``
 until the operator has confirmed the sheet (see ``Confirmation``).  The gateway sends nothing to the
@@ -178,11 +181,12 @@ TRANSITIONS: tuple[Transition, ...] = (
     Transition(State.HELD, Action.FINISH, State.DONE, (_GATEWAY,)),
     Transition(State.HELD, Action.INTERRUPT, State.INTERRUPTED, (_GATEWAY, _CLOCK)),
     Transition(State.HELD, Action.CANCEL, State.CANCELLED, (_GATEWAY,)),
-    Transition(State.INTERRUPTED, Action.REQUEUE, State.QUEUED, (_OPERATOR,)),
+    # The gateway reports late that no line was executed; an operator lets the job be tried again.
+    Transition(State.INTERRUPTED, Action.REQUEUE, State.QUEUED, (_OPERATOR, _GATEWAY)),
     Transition(State.INTERRUPTED, Action.SCRAP, State.SCRAPPED, (_OPERATOR,)),
     # No line of the program was executed.
-    Transition(State.RUNNING, Action.RETURN, State.QUEUED, (_GATEWAY,)),
-    Transition(State.HELD, Action.RETURN, State.QUEUED, (_GATEWAY,)),
+    Transition(State.RUNNING, Action.RETURN, State.QUEUED, (_GATEWAY, _CLOCK)),
+    Transition(State.HELD, Action.RETURN, State.QUEUED, (_GATEWAY, _CLOCK)),
     # When the job that continues it is released, by the operator or as ordered.
     Transition(State.INTERRUPTED, Action.REST, State.CONTINUED, (_OPERATOR, _WORKER)),
     # Late report of the gateway that the whole program was executed.

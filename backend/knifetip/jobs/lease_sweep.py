@@ -40,7 +40,8 @@ class LeaseSweep:
     def run(self, *, gateways: bool = True) -> bool:
         """Take back each job whose lease has expired; return whether any job has a lease.
 
-        A job on a table becomes ``interrupted``, never ``queued``.  A claimed job that has not been
+        A job on a table becomes ``interrupted``, unless its gateway has not begun the program: it
+        then returns to the queue, and waits for an operator.  A claimed job that has not been
         started returns to the queue.  A job that was being compiled is compiled again.
 
         Parameters
@@ -78,7 +79,10 @@ class LeaseSweep:
 
     def _move(self, session: Session, row: Job) -> None:
         """Move a job whose lease has expired to the state that follows."""
-        if row.state in LEASED:
+        if row.state in LEASED and not row.begun:
+            silent = silent_gateway_message(row.owner)
+            self._claimed.put_back(session, row, CLOCK, silent, refused=True)
+        elif row.state in LEASED:
             stop = interruption(row, Message("job.gateway-lost", gateway=row.owner))
             self._transitions.move(
                 session,

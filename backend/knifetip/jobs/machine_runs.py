@@ -34,11 +34,13 @@ def record_run(session: Session, id: str, action: Action, now: float) -> None:
     elif action in (Action.FINISH, Action.INTERRUPT, Action.CANCEL):
         end_run(session, id, now)
     elif action is Action.RETURN:
-        # Nothing was executed, so there was no run.
-        epoch = sa.select(Job.owner_epoch).where(Job.id == id).scalar_subquery()
-        session.execute(
-            sa.delete(MachineRun).where(MachineRun.job == id, MachineRun.epoch == epoch)
-        )
+        delete_run(session, id)
+
+
+def delete_run(session: Session, id: str) -> None:
+    """Delete the last run of a job: nothing was executed in it."""
+    epoch = sa.select(Job.owner_epoch).where(Job.id == id).scalar_subquery()
+    session.execute(sa.delete(MachineRun).where(MachineRun.job == id, MachineRun.epoch == epoch))
 
 
 def _begin(session: Session, id: str, now: float) -> None:

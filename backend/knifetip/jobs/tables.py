@@ -265,6 +265,8 @@ class Job(Base):
     feeds: Mapped[bool] = mapped_column(default=False)  #: the machine feeds the sheets itself
     #: the program is handed over, and a person must confirm that the machine has executed it
     awaits_end: Mapped[bool] = mapped_column(default=False)
+    #: a line of the program may have been executed since the last claim
+    begun: Mapped[bool] = mapped_column(default=True)
     #: context of the trace of its order, for its compile and its run; empty for none
     traceparent: Mapped[str] = mapped_column(sa.String(tracing.LENGTH), default="")
     #: details of the order: see ``order_details``

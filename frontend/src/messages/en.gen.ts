@@ -1539,12 +1539,20 @@ export const TEXTS = {
     "text": "The gateway {gateway} uses version {version} of the machine {machine}, whose newest version is {newest}.",
     "hint": "Load the definition of the machine again, or restart the gateway."
   },
+  "gateway.server-silent-before-start": {
+    "text": "The server did not answer before the program was to begin. Nothing was sent to the machine.",
+    "hint": "Check the network connection of the gateway."
+  },
   "gateway.started-in-dry-run": {
     "text": "The job was started while the machine ran above the board. Nothing of the job was sent to the machine.",
     "hint": "Queue the job again, and start it when the machine is at rest."
   },
   "gateway.switched-off": {
     "text": "The gateway (the program that sends jobs to the machine) was stopped.",
+    "hint": ""
+  },
+  "gateway.switched-off-before-begin": {
+    "text": "The gateway (the program that sends jobs to the machine) was switched off before the program was begun. No line of it was executed.",
     "hint": ""
   },
   "gateway.switched-off-before-report": {
@@ -2682,6 +2690,10 @@ export const TEXTS = {
   "job.interrupted-between-copies": {
     "text": "The job was interrupted after copy {copy} of {copies}, before the first program line of the next copy. {cause}",
     "hint": "{cause:hint} Check the table. Then either queue the job again for the remaining copies, or mark the job finished, or scrap it."
+  },
+  "job.interrupted-in-first-line": {
+    "text": "The job was interrupted before its first program line of {lines} was complete{copy}. It is not known whether the machine has moved. {cause}",
+    "hint": "{cause:hint} Check the table. If the sheet is untouched and has not moved, continue it or queue the job again. Otherwise scrap the job."
   },
   "job.interrupted-unobserved": {
     "text": "The job was interrupted at program line {line} of {lines} or later{copy}: {most}. {cause}",

@@ -163,7 +163,9 @@ async def test_a_job_is_claimed_run_and_finished() -> None:
     async with table() as server:
         await gateway(office, server)
         assert server.table.position == (560.0, 100.0, 20.0, 0.0)
-    assert office.claims == [{"gateway": "table-7", "machine": "demo-table", "wait": 0.1}]
+    assert office.claims == [
+        {"gateway": "table-7", "machine": "demo-table", "wait": 0.1, "announces_begin": True}
+    ]
     assert office.finished == [
         {
             "job": "job-1",
@@ -253,11 +255,14 @@ async def test_a_resume_that_comes_late_does_not_start_the_next_copy() -> None:
         return "resume"
 
     office.command = command
+    begun: list[Beat] = []
     async with table() as server:
 
         async def delayed(beat: Beat) -> None:
-            while not beat["held"] and not released(server.table):
+            # The program begins when its announcement is answered.
+            while not beat["held"] and begun and not released(server.table):
                 await asyncio.sleep(0.005)
+            begun.extend([beat] if beat["begun"] else [])
             await asyncio.sleep(0.1 if not beat["held"] else 0.0)
 
         office.delayed = delayed
@@ -272,7 +277,7 @@ def test_an_answer_to_a_report_of_an_earlier_phase_does_not_resume() -> None:
     run.held = True
     before = run.heartbeat()
     run.begin_phase()  # the program is handed over while the server answers
-    run.apply_answer("resume", bool(before["held"]), run.phase - 1)
+    run.apply_answer("resume", held=bool(before["held"]), phase=run.phase - 1)
     assert run.requested == ""
     run.apply_answer("resume", held=True, phase=run.phase)
     assert run.requested == "resume"
@@ -720,6 +725,72 @@ async def test_a_gateway_that_is_switched_off_in_the_check_run_gives_the_job_bac
         assert server.table.time == 0.0
     (end,) = office.finished
     assert (end["outcome"], end["why"]["code"]) == ("returned", "gateway.switched-off")
+
+
+async def test_the_first_line_waits_until_the_server_knows_that_it_begins(tmp_path: Path) -> None:
+    office = Office()
+    path = tmp_path / "journal"
+    async with table() as server:
+        before: list[tuple[float, bool]] = []
+
+        async def delayed(beat: Beat) -> None:
+            if beat["begun"] and not before:
+                await asyncio.sleep(0.1)
+                left = Journal(path).unfinished()
+                before.append((server.table.time, left is not None and left.copy_begun))
+
+        office.delayed = delayed
+        await gateway(office, server, journal=path)
+    # Neither has the machine moved until then, nor is the begin in the journal.
+    assert before == [(0.0, False)]
+    assert office.finished[0]["outcome"] == "done"
+
+
+async def test_a_server_that_is_silent_until_the_lease_ends_gets_the_job_back_unbegun() -> None:
+    office = Office(lease=0.5)
+    async with table() as server:
+
+        async def silent(beat: Beat) -> None:
+            if beat["begun"]:
+                await asyncio.sleep(1.0)  # more than the gateway waits for an answer
+
+        office.delayed = silent
+        await gateway(office, server)
+        assert server.table.time == 0.0
+    (end,) = office.finished
+    assert (end["outcome"], end["line"], end["line_at_most"]) == ("returned", 0, 0)
+    assert end["why"]["code"] == "gateway.server-silent-before-start"
+
+
+async def test_a_job_that_is_withdrawn_in_its_check_run_is_returned() -> None:
+    office = Office()
+    async with table() as server:
+
+        async def withdraw(_: driver.Grbl) -> None:
+            office.stale = True
+
+        await gateway(office, server, connect=CheckRun(server, withdraw))
+        assert server.table.time == 0.0
+    (end,) = office.finished
+    assert (end["outcome"], end["why"]["code"]) == (
+        "returned",
+        "gateway.job-withdrawn-before-start",
+    )
+
+
+async def test_a_job_whose_begin_cannot_be_recorded_is_not_begun(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(journal: Journal, job: str, copy: int = 0) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Journal, "begin_copy", full)
+    office = Office()
+    async with table() as server:
+        await gateway(office, server, journal=tmp_path / "journal")
+        assert server.table.time == 0.0
+    (end,) = office.finished
+    assert (end["outcome"], end["why"]["code"]) == ("refused", "gateway.system-error")
 
 
 async def test_a_failure_after_the_first_line_was_sent_interrupts_the_job() -> None:

@@ -193,6 +193,64 @@ async def test_a_board_is_asked_and_stops_where_its_lines_are_known(tmp_path: Pa
     assert report["line_at_most"] == report["line"]
 
 
+async def test_a_job_whose_gateway_was_killed_in_the_check_run_returns_to_the_queue(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "journal"
+    digest = hashlib.sha256(LONG).hexdigest()
+    Journal(path).begin("job-1", 3, digest, LINES)
+    async with table(speed=40.0) as server:
+
+        async def connect(safe: SafeState, stop_motion: bool) -> Controller:
+            return await grbl.dial(server.address, safe, stop_motion=stop_motion, poll=0.02)
+
+        report = await report_of(path, GRBL, connect)
+    assert (report["outcome"], report["line"], report["line_at_most"]) == ("refused", 0, 0)
+    assert report["why"]["code"] == "gateway.switched-off-before-begin"
+
+
+async def test_of_a_journal_of_an_earlier_version_it_is_not_known_whether_it_was_begun(
+    tmp_path: Path,
+) -> None:
+    path = tmp_path / "journal"
+    Journal(path).begin("job-1", 3, hashlib.sha256(LONG).hexdigest(), LINES)
+    path.write_text(path.read_text().replace(', "copy_begun": false', ""))
+    left = Journal(path).unfinished()
+    assert left is not None
+    assert left.copy_begun
+
+
+@pytest.mark.parametrize("moved", [False, True])
+async def test_a_board_tells_a_program_that_it_has_not_begun(
+    tmp_path: Path, *, moved: bool
+) -> None:
+    """It has the first lines, and begins only with half a queue of them."""
+    program = strips(3)
+    async with await board_simulator.serve(TABLE, speed=2.0) as server:
+        first = await mcx314.dial(server.address, SAFE, poll=0.02)
+        number = await first._connection.request(f"BEGIN {program.count(bytes([10]))}")
+        name = first._connection.name_of(number.removeprefix("PROGRAM="))
+        head = "|".join(program.decode().splitlines()[:4])
+        await first._connection.request(f"LOAD {number.removeprefix('PROGRAM=')} 1 {head}")
+        if moved:
+            assert server.board.program is not None
+            server.board.program.done = 1  # its first line was executed
+        path = tmp_path / "journal"
+        journal = Journal(path)
+        digest = hashlib.sha256(program).hexdigest()
+        journal.begin("job-1", 3, digest, program.count(b"\n"))
+        journal.begin_copy("job-1")
+        journal.program("job-1", name)
+        await first.close()
+
+        async def connect(safe: SafeState, stop_motion: bool) -> Controller:
+            return await mcx314.dial(server.address, safe, stop_motion=stop_motion, poll=0.02)
+
+        report = await report_of(path, TABLE, connect)
+    expected = ("interrupted", 1) if moved else ("refused", 0)
+    assert (report["outcome"], report["line"]) == expected
+
+
 async def test_of_a_plotter_nothing_but_a_lower_bound_is_known(tmp_path: Path) -> None:
     path = tmp_path / "journal"
     journal_of(path, b"PU;\n" * 40, 8)

@@ -21,6 +21,7 @@ from knifetip.errors import (
 from knifetip.gateway.controller import SafeState, State
 from knifetip.gateway.mcx314 import connection, simulator
 from knifetip.gateway.mcx314.board_link import LinkFaults
+from knifetip.gateway.mcx314.connection import RunningProgram
 from knifetip.gateway.mcx314.driver import Mcx314, dial
 from knifetip.gateway.mcx314.link import Link
 from knifetip.gateway.mcx314.simulator import BoardServer
@@ -429,6 +430,33 @@ async def test_the_board_refuses_lines_and_the_machine_is_made_safe(
             await run_to_end(strips(1).replace(old, new, 1), controller)
         assert server.board.position[2] == 20.0
         assert server.board.outputs == set()
+        # The board has reported that it had begun no line.
+        assert controller.sent == 0
+
+
+@pytest.mark.parametrize("way", ["reset", "begun", "discarded"])
+async def test_a_board_that_cannot_tell_whether_it_has_begun_counts_as_begun(way: str) -> None:
+    text = strips(1).replace(b"LINE Z-920 V40000", b"LINE Z-920 V400001", 1)
+    async with connected() as (server, controller):
+        board, load = server.board, controller._load
+
+        async def failing(text: bytes, program: RunningProgram) -> None:
+            try:
+                await load(text, program)
+            except ControllerRejected:
+                if way == "reset":
+                    board.reset()
+                elif way == "discarded":
+                    board._execution.abort()
+                    board._execution.work()
+                elif board.program is not None:
+                    board.program.done = 1
+                raise
+
+        controller._load = failing  # type: ignore[method-assign]
+        with pytest.raises(ControllerError):
+            await run_to_end(text, controller)
+        assert controller.sent == text.count(b"\n")
 
 
 async def test_another_device_is_refused() -> None:

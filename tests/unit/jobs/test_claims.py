@@ -264,7 +264,10 @@ def test_a_repeated_finish_does_no_harm(store: Store) -> None:
     again = store.gateways.finish(
         job.id, job.epoch, "interrupted", stored("A belt tore."), place=EXACT
     )
-    assert str(again.message) == "The job was interrupted at program line 0 of 231. A belt tore."
+    assert str(again.message) == (
+        "The job was interrupted before its first program line of 231 was complete. It is not "
+        "known whether the machine has moved. A belt tore."
+    )
     assert course(store, job.id).count("interrupted") == 1
 
 
@@ -387,14 +390,132 @@ def test_a_refused_program_leaves_the_table_and_waits_for_a_person(store: Store)
     assert again.id == job.id
 
 
-def test_a_late_report_of_a_refused_program_states_that_nothing_was_executed(
+def checking(store: Store) -> Job:
+    """A job whose gateway announces the begin of the program, and has not begun it."""
+    queued(store)
+    job = store.gateways.claim("table", "gateway", manual=True, announces=True)
+    assert job is not None
+    confirm(store, job.id)
+    unbegun = GatewayReport(line=0, waiting=True, begun=False)
+    assert store.gateways.heartbeat(job.id, job.epoch, unbegun) == "start"
+    return job
+
+
+BEFORE_BEGIN = GatewayReport(line=0, begun=False)
+
+
+def test_a_gateway_that_is_lost_in_its_check_run_leaves_the_job_in_the_queue(
+    store: Store, clock: Clock
+) -> None:
+    job = checking(store)
+    assert store.gateways.heartbeat(job.id, job.epoch, BEFORE_BEGIN) == "continue"
+    assert store.jobs.get(job.id).state == "running"
+    clock.now += LEASE + 1.0
+    store.leases.run()
+    row = store.jobs.get(job.id)
+    assert (row.state, row.message, row.stopped_at) == ("queued", None, None)
+    assert row.check_refusal is not None
+    assert row.check_refusal.code == "job.gateway-fell-silent"
+    assert store.machines.jobs_on_tables() == {}
+    # A person lets it be tried again, and confirms the sheet again.
+    assert store.gateways.claim("table", "gateway", manual=True) is None
+    store.operators.recheck(job.id)
+    again = store.gateways.claim("table", "gateway", manual=True)
+    assert again is not None
+    assert (again.id, again.confirmation) == (job.id, "awaited")
+    with pytest.raises(StaleEpoch):
+        store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=0))
+
+
+@pytest.mark.parametrize("announces", [True, False])
+def test_a_gateway_that_may_have_begun_leaves_an_interrupted_job(
+    store: Store, clock: Clock, *, announces: bool
+) -> None:
+    """A gateway that does not announce the begin may have begun at any time."""
+    job = checking(store) if announces else running(store)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=0, begun=announces))
+    # What was begun once stays so, whatever a later report states.
+    store.gateways.heartbeat(job.id, job.epoch, BEFORE_BEGIN)
+    clock.now += LEASE + 1.0
+    store.leases.run()
+    assert store.jobs.get(job.id).state == "interrupted"
+
+
+def test_a_late_report_of_a_refused_program_returns_an_interrupted_job_to_the_queue(
     store: Store, clock: Clock
 ) -> None:
     job = running(store)
     clock.now += LEASE + 1.0
     store.leases.run()
+    assert store.jobs.get(job.id).state == "interrupted"
+    for _ in range(2):  # it is repeated
+        row = store.gateways.finish(
+            job.id, job.epoch, "refused", stored("No."), line=0, place=EXACT
+        )
+        assert (row.state, str(row.check_refusal), row.message) == ("queued", "No.", None)
+    assert store.machines.jobs_on_tables() == {}
+    assert course(store, job.id)[-2:] == ["interrupted", "queued"]
+
+
+def test_an_interrupted_job_that_is_returned_late_waits_for_a_person(
+    store: Store, clock: Clock
+) -> None:
+    job = running(store)
+    clock.now += LEASE + 1.0
+    store.leases.run()
+    row = store.gateways.finish(job.id, job.epoch, "returned", stored("No server."), line=0)
+    assert (row.state, str(row.check_refusal)) == ("queued", "No server.")
+
+
+def test_a_late_reason_replaces_that_of_the_expired_lease(store: Store, clock: Clock) -> None:
+    job = checking(store)
+    clock.now += LEASE + 1.0
+    store.leases.run()
+    row = store.gateways.finish(job.id, job.epoch, "returned", stored("Gone."), line=0)
+    assert row.check_refusal is not None
+    assert row.check_refusal.code == "job.gateway-fell-silent"
+    row = store.gateways.finish(job.id, job.epoch, "refused", stored("Error 20."), line=0)
+    assert (row.state, str(row.check_refusal)) == ("queued", "Error 20.")
+    # Not any more when a person has decided.
+    store.operators.recheck(job.id)
+    with pytest.raises(StaleEpoch):
+        store.gateways.finish(job.id, job.epoch, "refused", stored("Error 20."), line=0)
+
+
+@pytest.mark.parametrize(("line", "at_most", "copies"), [(4, 0, 0), (0, 1, 0), (0, 0, 1)])
+def test_a_late_report_of_executed_lines_leaves_the_job_interrupted(
+    store: Store, clock: Clock, line: int, at_most: int, copies: int
+) -> None:
+    job = running(store)
+    clock.now += LEASE + 1.0
+    store.leases.run()
+    place = StopPlace(at_most=at_most)
+    row = store.gateways.finish(
+        job.id, job.epoch, "refused", stored("No."), line=line, copies_done=copies, place=place
+    )
+    assert (row.state, row.check_refusal) == ("interrupted", None)
+
+
+def test_a_late_report_does_not_contradict_the_lines_of_heartbeats(
+    store: Store, clock: Clock
+) -> None:
+    job = running(store)
+    store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=3))
+    clock.now += LEASE + 1.0
+    store.leases.run()
     row = store.gateways.finish(job.id, job.epoch, "refused", stored("No."), line=0, place=EXACT)
-    assert (row.state, row.check_refusal, executed_at_most(row)) == ("interrupted", None, 0)
+    assert (row.state, row.check_refusal) == ("interrupted", None)
+
+
+def test_a_late_report_leaves_a_job_whose_sheet_is_continued(store: Store, clock: Clock) -> None:
+    job = running(store)
+    clock.now += LEASE + 1.0
+    store.leases.run()
+    rest = ordered(store)
+    with store.database.writing() as session:
+        session.execute(sa.update(Job).where(Job.id == rest.id).values(resumes=job.id))
+    row = store.gateways.finish(job.id, job.epoch, "refused", stored("No."), line=0, place=EXACT)
+    assert (row.state, row.check_refusal) == ("interrupted", None)
 
 
 def test_a_job_of_which_something_was_executed_is_not_returned(store: Store) -> None:

@@ -36,10 +36,11 @@ def test_only_an_operator_who_accepts_shortfalls_leads_out_of_a_refusal() -> Non
     ]
 
 
-def test_only_an_operator_returns_an_interrupted_job_to_the_queue() -> None:
+def test_an_interrupted_job_is_left_by_an_operator_or_a_late_report() -> None:
     leaving = {row.target: {*row.actors} for row in TRANSITIONS if row.source == "interrupted"}
     assert leaving == {
-        State.QUEUED: {ActorKind.OPERATOR},
+        # A late report that nothing was executed: an operator lets it be tried again.
+        State.QUEUED: {ActorKind.OPERATOR, ActorKind.GATEWAY},
         State.SCRAPPED: {ActorKind.OPERATOR},
         # A worker releases the job that continues this one, if the operator ordered it so.
         State.CONTINUED: {ActorKind.OPERATOR, ActorKind.WORKER},

@@ -567,5 +567,5 @@ def test_an_interrupted_job_cannot_be_cancelled_away_from_its_table(store: Store
     assert caught.value.hint == hint_of(store.jobs.get(job.id))
     assert caught.value.hint.startswith(
         "Look for the cause in the log of the gateway. Check the "
-        "table. If the sheet has not moved, continue it"
+        "table. If the sheet is untouched and has not moved, continue it"
     )

@@ -28,6 +28,12 @@ class ClaimIn(JsonBody):
     wait: float = Field(
         default=20.0, ge=0.0, le=60.0, description="Maximum time to wait for a job (s)"
     )
+    announces_begin: bool = Field(
+        default=False,
+        description="Whether the gateway sends no program line before a heartbeat with `begun` is "
+        "answered. If its lease expires before that, the job returns to the queue; otherwise it "
+        "becomes `interrupted`",
+    )
 
 
 class Claim(BaseModel):
@@ -88,6 +94,11 @@ class HeartbeatIn(JsonBody):
         default=False,
         description="Whether the whole program was handed over to a controller that reports "
         "nothing, so that a person must confirm that the machine has executed it",
+    )
+    begun: bool = Field(
+        default=True,
+        description="Whether the first program line is sent as soon as this heartbeat is answered, "
+        "or was sent before",
     )
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected, ControllerReset
@@ -42,6 +44,7 @@ class RunningProgram:
     number: int  #: number that the board has given it
     before: int  #: lines of earlier programs
     lines: int
+    name: str = ""  #: as ``name_of``
     line: int = 0  #: line being executed, from 1; 0 if none was begun
     done: int = 0  #: lines executed
 
@@ -66,6 +69,7 @@ class BoardConnection(ProgramConnection[RunningProgram]):
         self.pulses: Pose = (1.0, 1.0, 1.0, 1.0)  #: per mm and degree, as the board states
         self.queue = 0  #: program lines that the board holds
         self._boot = ""
+        self._unbegun: RunningProgram | None = None  # aborted before its first line
 
     # -- opening and closing ----------------------------------------------------------------------
 
@@ -133,8 +137,24 @@ class BoardConnection(ProgramConnection[RunningProgram]):
         return rest
 
     async def abort(self) -> None:
-        """Decelerate to a stop and discard the program or the move."""
+        """Decelerate to a stop and discard the program or the move.
+
+        A program is held first: the board then begins no line, and reports whether it has begun
+        one, which it forgets when it discards the program.
+        """
+        if self.program is not None:
+            with suppress(ControllerRejected):
+                await self.request("HOLD")
+            fields = _fields_of(await self.request("STATUS"))
+            name = f"{fields.get('BOOT')}/{fields.get('PROGRAM')}"
+            if name == self.program.name and is_unbegun(fields):
+                self._unbegun = self.program
         await self.request("ABORT")
+
+    def has_not_begun(self, program: RunningProgram, rest: Status) -> bool:
+        """Return whether the board has reported that it had begun no line of an aborted program."""
+        del rest
+        return self._unbegun is program
 
     async def report(self) -> Status:
         """Request a status report and return it.
@@ -225,6 +245,21 @@ class BoardConnection(ProgramConnection[RunningProgram]):
     def not_at_rest(self, seconds: float) -> ControllerError:
         """Return the error for a machine that is not at rest after some seconds."""
         return ControllerError("mcx314.not-at-rest", name=self.name, seconds=seconds)
+
+
+def is_unbegun(fields: Mapping[str, str]) -> bool:
+    """Return whether a report shows a held program of which certainly no line was begun.
+
+    The first line of a program states its format, so a program that moves anything has executed a
+    line before.
+
+    Parameters
+    ----------
+    fields
+        Words of the report, by their keys.
+    """
+    at_rest = fields.get("STATE") == "HOLD" and fields.get("STILL") == "1"
+    return at_rest and fields.get("DONE") == "0" and fields.get("LINE") in ("0", "1")
 
 
 def _fields_of(answer: str) -> dict[str, str]:

@@ -15,7 +15,12 @@ from collections.abc import Iterable
 from knifetip.errors import ControllerError, ControllerRejected
 from knifetip.gateway.controller import SafeState, State, Status
 from knifetip.gateway.mcx314 import recovery
-from knifetip.gateway.mcx314.connection import NO_PROGRAM, BoardConnection, RunningProgram
+from knifetip.gateway.mcx314.connection import (
+    NO_PROGRAM,
+    BoardConnection,
+    RunningProgram,
+    is_unbegun,
+)
 from knifetip.gateway.mcx314.frames import LONGEST
 from knifetip.gateway.mcx314.instructions import AXES, BadLine, Name, parse
 from knifetip.gateway.mcx314.interpreter import Mcx314Interpreter
@@ -53,7 +58,10 @@ class Mcx314(Mcx314Operations):
             await wait_until_still(connection)
         # The board forgets a program that it has given up.
         number, done = connection.fields["PROGRAM"], int(connection.fields["DONE"])
-        return Found(connection.name_of(number), executed=done) if number != "0" else None
+        if number == "0":
+            return None
+        begun = not is_unbegun(connection.fields)
+        return Found(connection.name_of(number), executed=done, begun=begun)
 
     # -- programs ---------------------------------------------------------------------------------
 
@@ -93,10 +101,11 @@ class Mcx314(Mcx314Operations):
         lines = text.count(b"\n")
         answer = await self._guarded(f"BEGIN {lines}")
         number = int(answer.removeprefix("PROGRAM="))
-        program = RunningProgram(number, connection.executed, lines)
+        name = connection.name_of(number)
+        program = RunningProgram(number, connection.executed, lines, name)
         connection.sent += lines
         connection.program = program
-        self._program_name = connection.name_of(number)
+        self._program_name = name
         await self._load(text, program)
         while program.done < lines:
             await self._next_report()

@@ -35,6 +35,15 @@ MESSAGES: Final[Entries] = {
         "The server withdrew the job from the gateway before the job was started. Nothing was "
         "sent to the machine.",
     ),
+    "gateway.server-silent-before-start": entry(
+        "The server did not answer before the program was to begin. Nothing was sent to the "
+        "machine.",
+        "Check the network connection of the gateway.",
+    ),
+    "gateway.switched-off-before-begin": entry(
+        "The gateway (the program that sends jobs to the machine) was switched off before the "
+        "program was begun. No line of it was executed.",
+    ),
     "gateway.access-refused": entry(
         "The server {server} refuses this gateway: {reason}",
         "Create a key with knifetip key create NAME --scope gateway, give it to the gateway with "

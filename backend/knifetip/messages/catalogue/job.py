@@ -160,6 +160,15 @@ MESSAGES: Final[Entries] = {
         copy="message?",
         cause="message",
     ),
+    "job.interrupted-in-first-line": entry(
+        "The job was interrupted before its first program line of {lines} was complete{copy}. It "
+        "is not known whether the machine has moved. {cause}",
+        "{cause:hint} Check the table. If the sheet is untouched and has not moved, continue it or "
+        "queue the job again. Otherwise scrap the job.",
+        lines="count",
+        copy="message?",
+        cause="message",
+    ),
     "job.interrupted-unobserved": entry(
         "The job was interrupted at program line {line} of {lines} or later{copy}: {most}. {cause}",
         "{cause:hint} Look at the sheet: it shows which tracks are made. To continue it, state "
