@@ -10941,10 +10941,37 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "cutter.narrower-slits";
+            arguments: {
+                count: number;
+                width: number;
+                diameter: number;
+                title: string;
+            };
+        } | {
+            /** @constant */
             code: "cutter.short-lead";
             arguments: {
                 lead: number;
                 radius: number;
+            };
+        } | {
+            /** @constant */
+            code: "cutter.thinner-chosen";
+            arguments: {
+                diameter: number;
+                station: number;
+                thickest: number;
+            };
+        } | {
+            /** @constant */
+            code: "cutter.thinner-needed";
+            arguments: {
+                own: number;
+                total: number;
+                diameter: number;
+                title: string;
+                count: number;
             };
         } | {
             /** @constant */
@@ -14638,6 +14665,15 @@ export interface components {
                 edge: number;
                 x: number;
                 y: number;
+            };
+        } | {
+            /** @constant */
+            code: "milling.drawn-twice";
+            arguments: {
+                count: number;
+                distance: number;
+                edge: number;
+                other: number;
             };
         } | {
             /** @constant */
