@@ -11,6 +11,7 @@ import { Permitted } from "../panels/Permitted";
 import { savingOf } from "../state/accounts";
 import { refreshLibrary, SHELF_TITLES, SHELF_WORDS } from "../state/definitions";
 import { slugOf } from "../state/draft";
+import { byTitle } from "../state/naturalOrder";
 import { queries } from "../state/queries";
 
 const SHELVES = Object.keys(SHELF_TITLES) as Shelf[];
@@ -49,9 +50,8 @@ export function LibraryPage() {
         {SHELVES.map((shelf) => (
           <section key={shelf}>
             <h2>{SHELF_TITLES[shelf]}</h2>
-            {entries
-              .filter((one) => one.shelf === shelf)
-              .map(({ name, title, shipped, version }) => (
+            {byTitle(entries.filter((one) => one.shelf === shelf)).map(
+              ({ name, title, shipped, version }) => (
                 <button
                   key={name}
                   type="button"
@@ -63,7 +63,8 @@ export function LibraryPage() {
                   <span>{title || name}</span>
                   <span className={css.mark}>{shipped ? "supplied" : `own · v${version}`}</span>
                 </button>
-              ))}
+              ),
+            )}
             <Permitted request={savingOf(shelf)}>
               <FileButton accept=".toml" onChange={(file) => void importFile(shelf, file)}>
                 {(props) => (

@@ -2,7 +2,7 @@
 
 import { IconPlugConnected, IconPlugConnectedX } from "@tabler/icons-react";
 import type { Job, Machine, Station } from "../api/client";
-import { AXES, ageText, titleOf } from "../state/station";
+import { AXES, ageText, titleOf, turnsTools } from "../state/station";
 import { OperatorButton } from "./OperatorForm";
 import css from "./station.module.css";
 
@@ -31,7 +31,7 @@ export function StationHeader({ machine, station, job, reached }: Props) {
           </small>
         )}
       </div>
-      <Position station={reached ? station : undefined} />
+      <Position machine={machine} station={reached ? station : undefined} />
       <div className={css.links}>
         <span
           className={css.chip}
@@ -52,12 +52,18 @@ export function StationHeader({ machine, station, job, reached }: Props) {
   );
 }
 
-/** Position of the axes in the coordinates of programs. */
-function Position({ station }: { station: Station | undefined }) {
+interface PositionProps {
+  readonly machine: Machine;
+  readonly station: Station | undefined;
+}
+
+/** Position of the axes in the coordinates of programs; C only if an axis turns the tools. */
+function Position({ machine, station }: PositionProps) {
   const position = station?.position ?? null;
+  const axes = AXES.filter((axis) => axis !== "C" || turnsTools(machine));
   return (
     <dl className={css.position} aria-label="Position of the axes" data-testid="station-position">
-      {AXES.map((axis, at) => (
+      {axes.map((axis, at) => (
         <div key={axis}>
           <dt>{axis}</dt>
           <dd>

@@ -10,6 +10,7 @@ import {
   useQuery,
 } from "@tanstack/react-query";
 import {
+  type Board,
   type DrawingSummary,
   type HistoryFilter,
   type ImportReportRow,
@@ -25,6 +26,7 @@ import type { Page } from "../api/restApi";
 import { type DeliveryState, webhookService } from "../api/webhooks";
 import { buildTimeline } from "../geometry/timeline";
 import { hasProgram, isFinal } from "./jobs";
+import { byTitle } from "./naturalOrder";
 import { hasChanged } from "./queue";
 import { useUiStore } from "./store";
 
@@ -277,7 +279,8 @@ export const useKnownStation = (machine: string): Station | undefined =>
   useQuery({ ...queries.station(machine), enabled: false }).data;
 export const useServiceStatus = () => useQuery(queries.status());
 export const useFormats = () => useQuery(queries.formats());
-export const useBoards = () => useQuery(queries.boards());
+/** The boards, ordered by their titles. */
+export const useBoards = () => useQuery({ ...queries.boards(), select: byTitle<Board> });
 /** Function that returns the title of a board, or its name while the boards are not known. */
 export function useBoardTitles(): (name: string) => string {
   const { data: boards } = useBoards();

@@ -1,0 +1,12 @@
+/** Order of titles for people: numbers by their value, 5 mm before 10 mm. */
+
+const ORDER = new Intl.Collator("en", { numeric: true });
+
+interface Titled {
+  readonly name: string;
+  readonly title: string;
+}
+
+/** The same entries, ordered by their titles, or by their names where they have none. */
+export const byTitle = <Entry extends Titled>(entries: readonly Entry[]): Entry[] =>
+  [...entries].sort((a, b) => ORDER.compare(a.title || a.name, b.title || b.name));
