@@ -339,6 +339,31 @@ class SlowLine(Wire):
             await super().write(b"?")
 
 
+class Discarding(Wire):
+    """After the banner that ends a check, it discards all lines until a report is requested."""
+
+    deaf = False
+
+    async def write(self, data: bytes) -> None:
+        if data == b"?":
+            self.deaf = False
+        elif self.deaf:
+            return
+        await super().write(data)
+        if data == b"$C\n" and self.lines.count("$C") == 2:
+            self.deaf = True
+            self.say(BANNER)
+
+
+async def test_a_program_begins_when_the_controller_answers_again_after_its_check() -> None:
+    async with opened(Discarding()) as controller:
+        await controller.check([b"G21", b"M30"])
+        await controller.send(b"G21", 1)
+        await controller.drain()
+        assert controller.fault is None
+        assert controller.acknowledged == 1
+
+
 async def test_a_controller_that_answers_lines_of_the_check_slowly_is_not_silent() -> None:
     wire = SlowLine()
     async with opened(wire, silence=1.0) as controller:

@@ -242,6 +242,8 @@ class Grbl(GrblOperations):
             await self.drain()
             # The controller resets itself when it leaves check mode.
             await connection.reset_by(b"$C", "controller.check-end-not-confirmed")
+            # It may still discard what arrives until it answers.
+            await connection.report()
         except ControllerAlarm as alarm:
             if alarm.message.arguments.get("code") != answers.SOFT_LIMIT:
                 raise
