@@ -41,7 +41,7 @@ def stated(toolpath: Toolpath, machine: Machine) -> float:
     """Return the time for which the machine is expected to move (s)."""
     still = machine.settle + linuxcnc.CHANGE
     changes = 1 + np.count_nonzero(np.diff(toolpath.tool))
-    return float(durations(toolpath, machine).sum()) - changes * still
+    return float(durations(toolpath, machine).sum()) - linuxcnc.START - changes * still
 
 
 async def moving(program: bytes, machine: Machine) -> float:

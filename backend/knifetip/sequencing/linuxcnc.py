@@ -31,6 +31,8 @@ BLENDED: Final = 0.005
 HALT: Final = 0.003
 #: Time that a blend arc takes beside the moves, which it hardly shortens (s): measured.
 BLEND: Final = 0.003
+#: Time from the start of a program to its first line (s): measured.
+START: Final = 0.25
 #: Time that a change of the station takes beside its dwell (s): measured.
 CHANGE: Final = 0.1
 
@@ -66,7 +68,7 @@ def linuxcnc(moves: Moves, rests: Bool, toolpath: Toolpath, machine: Machine) ->
     halts[1:] |= exact_stops(toolpath, moves.limits.travel, moves.limits.seconds, machine)[:-1]
     times = _plan(_tangents(moves), moves.arcs, moves.limits, moves.rapid, moves.hardest, halts)
     changed = np.flatnonzero(toolpath.tool[1:] != toolpath.tool[:-1]) + 1
-    times[0] += CHANGE
+    times[0] += START + CHANGE
     times[changed] += CHANGE
     result: F64 = times
     return result

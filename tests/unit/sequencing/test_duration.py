@@ -109,9 +109,9 @@ def test_a_change_to_a_router_waits_for_its_spindle() -> None:
 
 
 def on_linuxcnc(*moves: tuple[Motion, float, float, float, float, float]) -> list[float]:
-    """Return the times of moves on LinuxCNC (s), without that of the change of the station."""
+    """Return the times of moves on LinuxCNC (s), without start and change of the station."""
     seconds = durations(path(*moves), replace(QUICK, dialect="linuxcnc"))
-    seconds[0] -= linuxcnc.CHANGE
+    seconds[0] -= linuxcnc.START + linuxcnc.CHANGE
     return list(seconds)
 
 
@@ -134,7 +134,7 @@ def test_linuxcnc_overlaps_moves_in_which_c_turns() -> None:
     first, second = (F, 3, 3, 0, 90, 24000), (F, 0, 6, 0, 180, 24000)
     both = duration(path(first, second, bulge=[quarter, quarter]), table)
     one = duration(path(first, bulge=[quarter]), table)
-    still = linuxcnc.CHANGE + linuxcnc.HALT
+    still = linuxcnc.START + linuxcnc.CHANGE + linuxcnc.HALT
     assert 1.9 * (one - still) < both - still < 2.0 * (one - still)
 
 

