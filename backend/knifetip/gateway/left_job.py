@@ -50,7 +50,7 @@ async def end_of(
     found = _found(left, controller)
     unbegun = not left.copy_begun or (found is not None and not found.begun)
     if unbegun and left.copies_done == 0:
-        return end("refused", Message("gateway.switched-off-before-begin"), 0, 0, 0)
+        return end("returned", Message("gateway.switched-off-before-begin"), 0, 0, 0)
     ended = Message("gateway.switched-off-before-report")
     if left.copies_done >= left.copies:
         return end("done", ended, left.line, left.copies_done, left.line)

@@ -87,7 +87,8 @@ class ClaimedJobs:
         if row.state == State.QUEUED:
             self.give_back(session, row, actor, cause, refused=refused)
             return
-        if row.state == State.INTERRUPTED:
+        late = row.state == State.INTERRUPTED
+        if late:
             delete_run(session, row.id)
         self._transitions.move(
             session,
@@ -96,7 +97,8 @@ class ClaimedJobs:
             actor,
             return_event(cause, refused=refused),
             epoch=row.epoch,
-            new_epoch=row.epoch + 1,
+            # An interrupted job has no owner that could still report.
+            new_epoch=row.epoch if late else row.epoch + 1,
             check_refusal=cause if refused else None,
             owner="",
             lease=0.0,

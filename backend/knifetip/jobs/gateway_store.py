@@ -253,7 +253,7 @@ class GatewayStore:
         expired.  If the job has become ``interrupted``, the outcome ``done`` then moves it to
         ``done``, and a report that no line was executed returns it to the queue; any other outcome
         only updates the stored progress and the message of the job.  If the job has returned to the
-        queue, ``refused`` corrects the reason.
+        queue, ``refused`` lets it wait there for an operator.
 
         Parameters
         ----------
@@ -292,7 +292,7 @@ class GatewayStore:
             owned = row.epoch == epoch and (row.state in LEASED or is_claimed(row))
             refused = outcome == "refused"
             unstated = Message("gateway.no-reason" if refused else "job.nothing-sent")
-            if returned and epoch == row.owner_epoch and _waits_for_check(row):
+            if returned and _was_returned(row, epoch):
                 if refused:
                     self._correct_refusal(session, row, cause or unstated)
                 return self._transitions.lock(session, id)
@@ -317,7 +317,7 @@ class GatewayStore:
             return self._transitions.lock(session, id)
 
     def _correct_refusal(self, session: Session, row: Job, cause: Message) -> None:
-        """Store the reason why a job that has returned to the queue was not begun."""
+        """Store the reason why the machine refused a job that has returned to the queue."""
         if cause == row.check_refusal:
             return  # a repeated report
         self._claimed.change(session, row, {"check_refusal": cause, "updated": self._db.clock()})
@@ -333,9 +333,10 @@ class GatewayStore:
         )
 
 
-def _waits_for_check(row: Job) -> bool:
-    """Return whether a job has returned to the queue and waits for an operator to try it again."""
-    return row.state == State.QUEUED and not is_claimed(row) and row.check_refusal is not None
+def _was_returned(row: Job, epoch: int) -> bool:
+    """Return whether a job has returned to the queue after a claim, and nothing followed."""
+    unclaimed = row.state == State.QUEUED and not is_claimed(row)
+    return unclaimed and row.owner_epoch == epoch == row.epoch - 1
 
 
 def _is_continued(session: Session, row: Job) -> bool:

@@ -41,8 +41,8 @@ class LeaseSweep:
         """Take back each job whose lease has expired; return whether any job has a lease.
 
         A job on a table becomes ``interrupted``, unless its gateway has not begun the program: it
-        then returns to the queue, and waits for an operator.  A claimed job that has not been
-        started returns to the queue.  A job that was being compiled is compiled again.
+        then returns to the queue, as a claimed job does that has not been started.  A job that was
+        being compiled is compiled again.
 
         Parameters
         ----------
@@ -81,7 +81,7 @@ class LeaseSweep:
         """Move a job whose lease has expired to the state that follows."""
         if row.state in LEASED and not row.begun:
             silent = silent_gateway_message(row.owner)
-            self._claimed.put_back(session, row, CLOCK, silent, refused=True)
+            self._claimed.put_back(session, row, CLOCK, silent)
         elif row.state in LEASED:
             stop = interruption(row, Message("job.gateway-lost", gateway=row.owner))
             self._transitions.move(

@@ -228,7 +228,8 @@ class OperatorStore:
             row = self._transitions.lock(session, id)
             if row.state != State.QUEUED or row.check_refusal is None:
                 raise WrongState("job.nothing-refused", job=id, state=row.state)
-            self._change(session, id, check_refusal=None)
+            # A late repetition of the refusal is ignored.
+            self._change(session, id, check_refusal=None, epoch=row.epoch + 1)
             event = Message("job.rechecked")
             self._transitions.write_event(
                 session, "job", id, row.state, OPERATOR, event, row.machine

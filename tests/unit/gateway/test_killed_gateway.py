@@ -205,7 +205,7 @@ async def test_a_job_whose_gateway_was_killed_in_the_check_run_returns_to_the_qu
             return await grbl.dial(server.address, safe, stop_motion=stop_motion, poll=0.02)
 
         report = await report_of(path, GRBL, connect)
-    assert (report["outcome"], report["line"], report["line_at_most"]) == ("refused", 0, 0)
+    assert (report["outcome"], report["line"], report["line_at_most"]) == ("returned", 0, 0)
     assert report["why"]["code"] == "gateway.switched-off-before-begin"
 
 
@@ -247,7 +247,7 @@ async def test_a_board_tells_a_program_that_it_has_not_begun(
             return await mcx314.dial(server.address, safe, stop_motion=stop_motion, poll=0.02)
 
         report = await report_of(path, TABLE, connect)
-    expected = ("interrupted", 1) if moved else ("refused", 0)
+    expected = ("interrupted", 1) if moved else ("returned", 0)
     assert (report["outcome"], report["line"]) == expected
 
 

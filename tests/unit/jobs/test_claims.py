@@ -414,12 +414,9 @@ def test_a_gateway_that_is_lost_in_its_check_run_leaves_the_job_in_the_queue(
     store.leases.run()
     row = store.jobs.get(job.id)
     assert (row.state, row.message, row.stopped_at) == ("queued", None, None)
-    assert row.check_refusal is not None
-    assert row.check_refusal.code == "job.gateway-fell-silent"
+    assert "stopped responding" in str(store.events.of_job(job.id)[-1].message)
     assert store.machines.jobs_on_tables() == {}
-    # A person lets it be tried again, and confirms the sheet again.
-    assert store.gateways.claim("table", "gateway", manual=True) is None
-    store.operators.recheck(job.id)
+    # A person confirms the sheet again.
     again = store.gateways.claim("table", "gateway", manual=True)
     assert again is not None
     assert (again.id, again.confirmation) == (job.id, "awaited")
@@ -467,17 +464,28 @@ def test_an_interrupted_job_that_is_returned_late_waits_for_a_person(
     assert (row.state, str(row.check_refusal)) == ("queued", "No server.")
 
 
-def test_a_late_reason_replaces_that_of_the_expired_lease(store: Store, clock: Clock) -> None:
+def test_a_late_refusal_lets_a_returned_job_wait_for_a_person(store: Store, clock: Clock) -> None:
     job = checking(store)
     clock.now += LEASE + 1.0
     store.leases.run()
     row = store.gateways.finish(job.id, job.epoch, "returned", stored("Gone."), line=0)
-    assert row.check_refusal is not None
-    assert row.check_refusal.code == "job.gateway-fell-silent"
-    row = store.gateways.finish(job.id, job.epoch, "refused", stored("Error 20."), line=0)
-    assert (row.state, str(row.check_refusal)) == ("queued", "Error 20.")
+    assert (row.state, row.check_refusal) == ("queued", None)
+    for _ in range(2):  # it is repeated
+        row = store.gateways.finish(job.id, job.epoch, "refused", stored("Error 20."), line=0)
+        assert (row.state, str(row.check_refusal)) == ("queued", "Error 20.")
+    events = store.events.of_job(job.id)
+    assert sum("Error 20." in str(event.message) for event in events) == 1
     # Not any more when a person has decided.
     store.operators.recheck(job.id)
+    with pytest.raises(StaleEpoch):
+        store.gateways.finish(job.id, job.epoch, "refused", stored("Error 20."), line=0)
+
+
+def test_a_late_refusal_does_not_reach_a_new_claim(store: Store, clock: Clock) -> None:
+    job = checking(store)
+    clock.now += LEASE + 1.0
+    store.leases.run()
+    assert store.gateways.claim("table", "gateway", manual=True) is not None
     with pytest.raises(StaleEpoch):
         store.gateways.finish(job.id, job.epoch, "refused", stored("Error 20."), line=0)
 
