@@ -71,7 +71,7 @@ def _knife_starts(operation: Operation, closed: Bool) -> ContourStarts:
     corner = lifting_corners(operation, blade)
     owner = paths.path_of
     smooth = closed & (np.bincount(owner[corner], minlength=len(paths)) == 0)
-    depth = np.minimum(operation.depth[:, 0], operation.caliper)
+    depth = np.minimum(operation.depth[:, -1], operation.caliper)
     shortest = np.maximum(SHORTEST_START, _OVERRUN_FACTOR * blade.lead(1.0) * depth)
     allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth, operation.endable))
     allowed[paths.first[:-1]] |= ~closed

@@ -103,9 +103,30 @@ def knife_toolpath(operation: Operation) -> Toolpath:
         # The head of a drag knife swings around its tip; without a trail it only turns.
         swing=np.where(down, 0.0, np.tan(np.radians(turned) / 4.0)) * (blade.trail > 0.0),
         motion=motion,
+        slowing=_slowing(start_pose, end_pose, paths.bulge, blade),
         drags=blade.free,
         swivel_z=operation.caliper - blade.swivel_depth if blade.swivel_depth > 0.0 else -math.inf,
     ).to_toolpath(operation)
+
+
+def _slowing(start: F64, end: F64, bulge: F64, blade: Knife) -> F64:
+    """Return the part of the feed with which the head moves along each of n segments, (n,).
+
+    Below ``slow_radius`` it falls in proportion to the radius, so that a blade which the machine
+    turns does not turn faster.
+
+    Parameters
+    ----------
+    start, end : (n, 4)
+        Poses of the head at the ends of each segment.
+    bulge : (n,)
+        Bulge of the path of the head along each segment.
+    """
+    if blade.slow_radius == 0.0 or blade.free:
+        return np.ones(len(bulge))
+    radius = arc.radius(start[:, :2], end[:, :2], bulge)
+    result: F64 = np.minimum(1.0, radius / blade.slow_radius)
+    return result
 
 
 def _without_short_cuts(operation: Operation, blade: Knife) -> Operation:
@@ -115,7 +136,7 @@ def _without_short_cuts(operation: Operation, blade: Knife) -> Operation:
     if operation.line_type not in (LineType.CUT, LineType.HALF_CUT):
         return operation
     paths = operation.paths
-    lead = blade.lead(1.0) * operation.depth[paths.first[1:] - 1, 0]
+    lead = blade.lead(1.0) * operation.depth[paths.first[1:] - 1, -1]
     short = (operation.finish == End.FREE) & (paths.lengths <= lead)
     if not short.any():
         return operation
@@ -205,7 +226,8 @@ def _adjust_ends(
     """
     finish = operation.finish
     last = origin[paths.first[1:] - 1]
-    depth = operation.depth[last, 0]
+    # All passes have the path of the last one, in which the blade reaches farthest.
+    depth = operation.depth[last, -1]
     lead = blade.lead(1.0) * depth
     overrun = blade.lead(1.0) * np.minimum(depth, operation.caliper)
     length = paths.lengths

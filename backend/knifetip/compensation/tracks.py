@@ -88,6 +88,9 @@ class Strokes:
     swing: F64 = field(default_factory=lambda: np.zeros(0))
     #: (n,) Motion of each segment: FEED (by default), LEAD_IN or LEAD_OUT
     motion: U8 = field(default_factory=lambda: np.zeros(0, np.uint8))
+    #: (n,) part of the feed of the operation with which the tool moves along each segment; 1 by
+    #: default
+    slowing: F64 = field(default_factory=lambda: np.zeros(0))
     drags: bool = False  #: the swing drags the tool round at its feed; no axis turns it
     #: height of the tip from which a tool that drags is turned, if it is above the stroke (mm)
     swivel_z: float = -math.inf
@@ -96,6 +99,8 @@ class Strokes:
         count = len(self.bulge)
         if len(self.swing) != count:
             object.__setattr__(self, "swing", np.zeros(count))
+        if len(self.slowing) != count:
+            object.__setattr__(self, "slowing", np.ones(count))
         if len(self.motion) != count:
             object.__setattr__(self, "motion", np.full(count, Motion.FEED, np.uint8))
 
@@ -135,7 +140,7 @@ class Strokes:
             self.source,
             self.swing,
             self.motion,
-            operation.feed,
+            operation.feed * self.slowing,
             operation.plunge,
             operation.feed if self.drags else operation.swivel,
             _FEED if self.drags else _SWIVEL,
@@ -169,7 +174,7 @@ def _write_moves(
     source: I32_1,
     swing: F64_1,
     motion: U8_1,
-    feed: float,
+    feed: F64_1,
     plunge: float,
     swivel: float,
     swivel_motion: int,
@@ -195,9 +200,11 @@ def _write_moves(
         Number of the track, and row of the edge in the dieline.
     swing : (n,)
         Bulge of the path of the head while the tool turns in the board before the stroke.
-    feed, plunge, swivel
-        Feeds for moves along a path and for plunges and lifts (mm/min), and for swivels
-        (degrees/min; mm/min if the swing drags the tool round).
+    feed : (n,) mm/min
+        Feed of each stroke.
+    plunge, swivel
+        Feeds for plunges and lifts (mm/min), and for swivels (degrees/min; mm/min if the swing
+        drags the tool round).
     swivel_motion
         ``Motion`` of swivels.
     swivel_z : mm
@@ -268,7 +275,7 @@ def _write_moves(
             row += 1
         if travels[i]:
             poses[row] = end[i]
-            kind[row], speed[row], bent[row] = motion[i], feed, bulge[i]
+            kind[row], speed[row], bent[row] = motion[i], feed[i], bulge[i]
             row += 1
         if up[i]:
             poses[row] = above_end[i]

@@ -46,6 +46,9 @@ class Language:
     setting_lines: str = ""
     linear_axes: str = "XYZ"  #: letters of the words that move linear axes (mm)
     rotary_axes: str = "C"  #: letters of the words that turn rotary axes (degrees)
+    #: whether programs set the depth and the heading of a tool; otherwise the controller does, and
+    #: a knife makes one pass at one feed
+    sets_pose: bool = True
     #: digital outputs of a controller whose machine does not state them; 0 if that differs
     default_outputs: int = 0
 

@@ -36,7 +36,17 @@ class LimitsTable(Table):
 
     feed: NotNegative = Field(0.0, description="greatest feed (mm/min); 0: no limit")
     step: NotNegative = Field(
-        0.0, description="greatest depth of one pass of a cutter (mm); 0: no limit"
+        0.0, description="greatest depth of one pass of a cutter or a knife (mm); 0: no limit"
+    )
+    slow_radius: NotNegative = Field(
+        0.0,
+        description="radius of a curve below which the feed of a knife is lower in proportion to "
+        "the radius (mm); 0: nowhere",
+    )
+    blade: Annotated[Literal["", "fixed", "oscillating"], LISTED] = Field(
+        "",
+        description="kind of knife that suits the board: a fixed or an oscillating blade; empty: "
+        "any",
     )
 
 
@@ -97,7 +107,7 @@ class BoardFile(Table):
         {}, description="deflection of each tool, by the name of its station"
     )
     limits: dict[str, LimitsTable] = Field(
-        {}, description="feed and depth of a pass of each kind of tool, such as knife or cutter"
+        {}, description="limits of each kind of tool, such as knife or cutter, in the board"
     )
 
     @field_validator("crease_along", "crease_across", "groove_depth", "half_cut_depth")
@@ -143,6 +153,7 @@ class BoardFile(Table):
                 Deflection(tool, most.x, most.y) for tool, most in self.deflection.items()
             ),
             limits=tuple(
-                ToolLimits(kind, most.feed, most.step) for kind, most in self.limits.items()
+                ToolLimits(kind, most.feed, most.step, most.slow_radius, most.blade)
+                for kind, most in self.limits.items()
             ),
         )

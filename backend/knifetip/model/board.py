@@ -20,11 +20,15 @@ class Deflection:
 
 @dataclass(frozen=True, slots=True)
 class ToolLimits:
-    """How fast and how deep the tools of one kind may work in a board."""
+    """How fast and how deep the tools of one kind may work in a board, and which of them suits."""
 
     kind: str  #: word of the kind of tool in TOML files, such as "knife"
     feed: float = 0.0  #: greatest feed in the board (mm/min); 0: no limit
-    step: float = 0.0  #: greatest depth of one pass of a cutter (mm); 0: no limit
+    step: float = 0.0  #: greatest depth of one pass of a cutter or a knife (mm); 0: no limit
+    #: radius of a curve below which the feed of a knife is lower in proportion (mm); 0: nowhere
+    slow_radius: float = 0.0
+    #: kind of knife that suits the board: "oscillating", "fixed", or "" for any
+    blade: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from typing import Any, Final
 
 from knifetip.model.board import Board
 from knifetip.model.dieline import LineType
-from knifetip.model.tool import KINDS, Cutter, Planner, Switching, Tool, kind_of
+from knifetip.model.tool import KINDS, Cutter, Knife, Planner, Switching, Tool, kind_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -229,8 +229,12 @@ class Machine:
         return None
 
     def for_board(self, board: Board) -> Machine:
-        """Return the machine with its tools limited to the feeds and depths of a board."""
-        stations = tuple(_limited(station, board) for station in self.stations)
+        """Return the machine with its tools limited to the feeds and depths of a board.
+
+        The knives that suit the board are the first, so that one of them makes the cuts.
+        """
+        limited = [_limited(station, board) for station in self.stations]
+        stations = tuple(sorted(limited, key=lambda station: not suits(station.tool, board)))
         return self if stations == self.stations else replace(self, stations=stations)
 
     def carriage_of(self, station: Station) -> Carriage:
@@ -251,6 +255,14 @@ class Machine:
         raise KeyError(number)
 
 
+def suits(tool: Tool, board: Board) -> bool:
+    """Return whether a tool is no knife, or a knife of the kind that suits a board."""
+    if not isinstance(tool, Knife):
+        return True
+    blade = next((one.blade for one in board.limits if one.kind == kind_of(tool).name), "")
+    return not blade or tool.oscillating == (blade == "oscillating")
+
+
 def _limited(station: Station, board: Board) -> Station:
     """Return a station whose tool works within the limits of a board."""
     tool: Any = station.tool
@@ -258,6 +270,8 @@ def _limited(station: Station, board: Board) -> Station:
         if limits.kind == kind_of(tool).name:
             if 0.0 < limits.feed < tool.feed:
                 tool = replace(tool, feed=limits.feed)
-            if isinstance(tool, Cutter) and limits.step:
+            if isinstance(tool, Cutter | Knife) and limits.step:
                 tool = replace(tool, step=min(limits.step, tool.step or limits.step))
+            if isinstance(tool, Knife) and limits.slow_radius > tool.slow_radius:
+                tool = replace(tool, slow_radius=limits.slow_radius)
     return station if tool is station.tool else replace(station, tool=tool)

@@ -44,7 +44,9 @@ class Operation:
     line_type: LineType
     tool: Tool
     station: int  #: number of the station in the T word
-    depth: F64  #: (n, passes) depth of each pass below the top face of the board (mm)
+    #: (n, passes) depth of each pass below the top face of the board (mm); a knife makes only the
+    #: first of these passes, and the next ones are operations of their own
+    depth: F64
     caliper: float  #: thickness of the board (mm)
     clearance: float  #: height of the tip above the board where plunging begins (mm)
     feed: float  #: mm/min

@@ -17,6 +17,7 @@ from knifetip.geometry.path import (
 )
 from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.tolerance import ANGLE, GAP
+from knifetip.languages.registry import find_language
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Knife
@@ -82,7 +83,8 @@ def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) 
             level = _levels(operation, index, layers)
             path_rank = rank[index[operation.source[operation.paths.first[:-1]]]]
             # Levels are less than the number of cuts.
-            operations += _split_by_rank(operation, path_rank * len(rows) + level)
+            for number, part in _split_by_rank(operation, path_rank * len(rows) + level):
+                operations += [(number, one) for one in _in_passes(part, cuts.depth, setup)]
     operations.sort(key=lambda rank_and_operation: rank_and_operation[0])
     return [operation for _, operation in operations]
 
@@ -133,8 +135,29 @@ def _split_by_rank(operation: Operation, rank: I64) -> list[tuple[int, Operation
     return parts
 
 
-def plan_half_cuts(outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setup) -> Operation:
-    """Return the operation that cuts edges of a dieline to the board's half-cut depth with a knife.
+def _in_passes(operation: Operation, depth: float, setup: Setup) -> list[Operation]:
+    """Return an operation of a knife once for each pass, in working order.
+
+    The knife makes the first of the passes in ``Operation.depth``; the others, of which the last
+    one is ``depth`` mm deep, determine its ends.  Where programs do not set depth and heading, the
+    knife makes one pass at one feed.
+    """
+    knife = setup.station.tool
+    assert isinstance(knife, Knife)
+    if not find_language(setup.machine.dialect).sets_pose:
+        return [replace(operation, tool=replace(knife, slow_radius=0.0))]
+    depths = knife.passes(depth)
+    count = len(operation.source)
+    return [
+        replace(operation, depth=np.tile(depths[first:], (count, 1)))
+        for first in range(len(depths))
+    ]
+
+
+def plan_half_cuts(
+    outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setup
+) -> list[Operation]:
+    """Return the operations that cut edges of a dieline to the board's half-cut depth with a knife.
 
     Parameters
     ----------
@@ -146,7 +169,7 @@ def plan_half_cuts(outline: BoardOutline, dieline: Dieline, rows: I32, setup: Se
         Machine, board and station of the knife.
     """
     cuts = _Cuts(LineType.HALF_CUT, rows, setup.board.half_cut_depth)
-    return _cut(outline, dieline, cuts, setup)
+    return _in_passes(_cut(outline, dieline, cuts, setup), cuts.depth, setup)
 
 
 def _cut(outline: BoardOutline, dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
@@ -259,8 +282,8 @@ def _ends_on_cuts(paths: Paths, source: I32, dieline: Dieline) -> Bool:
     return on_cut
 
 
-def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
-    """Return the operation that cuts edges of a dieline as perforations, with the board's dash
+def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
+    """Return the operations that cut edges of a dieline as perforations, with the board's dash
     length.
 
     Parameters
@@ -274,7 +297,8 @@ def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> Operation:
     dashes, segment = _split_into_dashes(paths, *setup.board.perforation)
     depth = np.full((len(segment), 1), setup.through_depth)
     ends = end_kinds(dashes, np.zeros(2 * len(dashes), np.bool_), End.FREE)
-    return setup.operation(LineType.PERFORATION, dashes, source[segment], depth, ends)
+    operation = setup.operation(LineType.PERFORATION, dashes, source[segment], depth, ends)
+    return _in_passes(operation, setup.through_depth, setup)
 
 
 def _split_into_dashes(paths: Paths, cut: float, gap: float) -> tuple[Paths, I32]:

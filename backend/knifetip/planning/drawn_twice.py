@@ -141,7 +141,7 @@ def _connected(ends: F64, rows: I64, first: I64) -> I64:
     vertex = np.unique(points, axis=0, return_inverse=True)[1].reshape(-1, 2)
     inside = np.isin(rows, first)
     while True:
-        reached = np.isin(vertex, vertex[inside]).any(axis=1)
+        reached: Bool = np.asarray(np.isin(vertex, vertex[inside]).any(axis=1))
         if np.array_equal(reached, inside):
             result: I64 = rows[inside]
             return result

@@ -90,6 +90,7 @@ verify.cutter-at-rest              tools
 verify.deep-swivel                 checks.blade_swivels
 verify.drawn-twice                 checks.near_lines
 verify.feed-of-other-axis          checks.motion_checks
+verify.fixed-blade                 checks.knife_passes
 verify.flank-inside                checks.groove_check
 verify.flank-outside               checks.groove_check
 verify.flank-through-cut           checks.groove_check
@@ -124,13 +125,14 @@ verify.no-station                  checks.motion_checks
 verify.not-worked                  checks.check_base, checks.milling_check
 verify.off-curve                   checks.check_base, checks.milling_check
 verify.off-line                    checks.check_base
+verify.one-pass                    checks.knife_passes
 verify.oscillation-on              checks.motion_checks
 verify.other-placement             verify
 verify.outline-begun               checks.work_order
 verify.output                      checks.output_checks
 verify.output-off                  checks.motion_checks
 verify.pass-alone                  checks.milling_check
-verify.pass-too-deep               checks.groove_check, checks.milling_check
+verify.pass-too-deep               checks.groove_check, checks.knife_passes, checks.milling_check
 verify.past-end                    checks.stray_work
 verify.past-open-cut               checks.milling_paths
 verify.past-stop                   checks.stray_work

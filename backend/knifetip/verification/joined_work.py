@@ -61,7 +61,7 @@ def join_work(
     parts, lines_before, tracks = [], 0, 0
     for work, traced in zip(earlier, earlier_paths, strict=True):
         ranges = work.lines + work.repeated if with_repeated else work.lines
-        kept = _select_rows(traced, _are_in_ranges(traced, ranges))
+        kept = traced.select(_are_in_ranges(traced, ranges))
         parts.append(_renumbered(kept, lines_before, tracks))
         lines_before += work.text.count(b"\n") + 1
         tracks += int(traced.track.max(initial=-1)) + 1
@@ -83,11 +83,6 @@ def _are_in_ranges(paths: TipPaths, ranges: Sequence[tuple[int, int]]) -> Bool:
     for first, last in ranges:
         inside |= (paths.line >= first) & (paths.line <= last)
     return inside
-
-
-def _select_rows(paths: TipPaths, keep: Bool) -> TipPaths:
-    """Return the tip paths for which the mask ``keep``, (n,), is True."""
-    return TipPaths(**{field.name: getattr(paths, field.name)[keep] for field in fields(TipPaths)})
 
 
 def _renumbered(paths: TipPaths, lines: int, tracks: int) -> TipPaths:

@@ -18,7 +18,7 @@ by Δz tan θ to the right.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -75,6 +75,10 @@ class TipPaths:
     track: I32  #: (n,) number of the track; paths that no lift separates have one number
     line: I32  #: (n,) 1-based line of the program
     blend: F64  #: (n,) mm, by which the controller may round corners
+
+    def select(self, keep: Bool) -> TipPaths:
+        """Return the paths for which the mask ``keep``, (n,), is True."""
+        return TipPaths(**{one.name: getattr(self, one.name)[keep] for one in fields(TipPaths)})
 
     def ends(self) -> tuple[F64, F64]:
         """Return the start points and the end points of the paths, (n, 2) mm each."""

@@ -76,6 +76,7 @@ class ExpectedTool:
     swivel: float = MAX_TURN  #: greatest turn of C in place in the board (degrees)
     max_turn: float = 180.0  #: greatest turn of C that is ever needed (degrees)
     follows_path: bool = True  #: C follows the direction of the path
+    slow_radius: float = 0.0  #: mm, radius of a curve below which the feed is lower in proportion
     speed: float = 1.0  #: S word of M3, unless the station has its own
     needs_spindle: bool = False  #: the spindle is on while the tool cuts; if False, it is off
     stopped_code: str = ""  #: code of the message if M3 is not in force
@@ -108,6 +109,8 @@ def _knife(tool: Knife) -> ExpectedTool:
         circles_tip=tool.trail > 0.0,
         trails=tool.free,
         swivel=360.0 if tool.free else tool.swivel + ANGLE_TOLERANCE,
+        # The machine does not turn a free blade, so its turn has no speed.
+        slow_radius=0.0 if tool.free else tool.slow_radius,
         needs_spindle=tool.oscillating,
         stopped_code="verify.knife-at-rest",
     )

@@ -28,6 +28,7 @@ from knifetip.verification.checks.board_move_check import check_board_moves
 from knifetip.verification.checks.carriage_check import check_carriages
 from knifetip.verification.checks.check_context import CheckContext, EdgeFigures
 from knifetip.verification.checks.edge_checks import check_edges
+from knifetip.verification.checks.knife_passes import check_knife_passes, last_passes
 from knifetip.verification.checks.near_lines import check_near_lines
 from knifetip.verification.checks.output_checks import check_switching
 from knifetip.verification.checks.overlap_check import check_overlaps
@@ -136,9 +137,10 @@ def verify(
         work.lines_before,
         swivels,
     )
-    check_edges(context, work.paths)
+    check_knife_passes(context, executed)
+    check_edges(context, last_passes(context, work))
     check_rims(context, work.paths)
-    check_work_order(context, executed.paths)
+    check_work_order(context, last_passes(context, executed))
     check_repeated_work(context, work)
     check_near_lines(context)
     findings.extend(work.own_line(finding) for finding in joined_findings.sorted())

@@ -7260,9 +7260,20 @@ export interface components {
             feed: number;
             /**
              * Step
-             * @description Greatest depth of one pass of a cutter (mm); 0: no limit
+             * @description Greatest depth of one pass of a cutter or a knife (mm); 0: no limit
              */
             step: number;
+            /**
+             * Slow Radius
+             * @description Radius of a curve below which the feed of a knife is lower in proportion to the radius (mm); 0: nowhere
+             */
+            slow_radius: number;
+            /**
+             * Blade
+             * @description Kind of knife that suits the board; empty: any
+             * @enum {string}
+             */
+            blade: "" | "fixed" | "oscillating";
         };
         /**
          * ToolOut
@@ -8785,6 +8796,18 @@ export interface components {
              * @default 0
              */
             park_heading: number;
+            /**
+             * Step
+             * @description maximum depth of one pass (mm); 0: one pass
+             * @default 0
+             */
+            step: number;
+            /**
+             * Slow Radius
+             * @description radius of a curve below which the feed is lower in proportion to the radius (mm); 0: nowhere
+             * @default 0
+             */
+            slow_radius: number;
         };
         /**
          * LaserTable
@@ -9266,7 +9289,7 @@ export interface components {
             };
             /**
              * Limits
-             * @description feed and depth of a pass of each kind of tool, such as knife or cutter
+             * @description limits of each kind of tool, such as knife or cutter, in the board
              * @default {}
              */
             limits: {
@@ -9304,10 +9327,23 @@ export interface components {
             feed: number;
             /**
              * Step
-             * @description greatest depth of one pass of a cutter (mm); 0: no limit
+             * @description greatest depth of one pass of a cutter or a knife (mm); 0: no limit
              * @default 0
              */
             step: number;
+            /**
+             * Slow Radius
+             * @description radius of a curve below which the feed of a knife is lower in proportion to the radius (mm); 0: nowhere
+             * @default 0
+             */
+            slow_radius: number;
+            /**
+             * Blade
+             * @description kind of knife that suits the board: a fixed or an oscillating blade; empty: any
+             * @default
+             * @enum {string}
+             */
+            blade: "" | "fixed" | "oscillating";
         };
         /**
          * ToolFile
@@ -9505,6 +9541,18 @@ export interface components {
              * @default 0
              */
             park_heading: number;
+            /**
+             * Step
+             * @description maximum depth of one pass (mm); 0: one pass
+             * @default 0
+             */
+            step: number;
+            /**
+             * Slow Radius
+             * @description radius of a curve below which the feed is lower in proportion to the radius (mm); 0: nowhere
+             * @default 0
+             */
+            slow_radius: number;
         };
         /**
          * LaserTable
@@ -17570,6 +17618,12 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "verify.fixed-blade";
+            arguments: {
+                station: number;
+            };
+        } | {
+            /** @constant */
             code: "verify.flank-inside";
             arguments: {
                 distance: number;
@@ -17821,6 +17875,13 @@ export interface components {
                 distance: number;
                 rounding: number;
                 tolerance: number;
+            };
+        } | {
+            /** @constant */
+            code: "verify.one-pass";
+            arguments: {
+                step: number;
+                depth: number;
             };
         } | {
             /** @constant */
@@ -32051,7 +32112,9 @@ export interface operations {
                      *           {
                      *             "kind": "LINE",
                      *             "feed": 12.5,
-                     *             "step": 12.5
+                     *             "step": 12.5,
+                     *             "slow_radius": 12.5,
+                     *             "blade": ""
                      *           }
                      *         ]
                      *       }
@@ -32207,7 +32270,9 @@ export interface operations {
                      *         {
                      *           "kind": "LINE",
                      *           "feed": 12.5,
-                     *           "step": 12.5
+                     *           "step": 12.5,
+                     *           "slow_radius": 12.5,
+                     *           "blade": ""
                      *         }
                      *       ]
                      *     }
@@ -33912,6 +33977,8 @@ export interface operations {
                      *     half_cut_depth = 0.8
                      *     perforation = [3.0, 2.0]
                      *     short_crease = "press"
+                     *     # Blade: makers of tables recommend an oscillating knife (Zünd: EOT) for corrugated and foam board.
+                     *     limits = { knife = { blade = "oscillating" } }
                      */
                     "application/toml": string;
                 };

@@ -5315,6 +5315,10 @@ export const TEXTS = {
     "text": "Station {station} is on a further carriage and moves at a feed (G94), which a controller may apply to the travel of the gantry alone.",
     "hint": "State the time of the move (G93)."
   },
+  "verify.fixed-blade": {
+    "text": "The board is best cut by an oscillating blade, and the knife of station {station} is fixed: it pushes thick or soft board together.",
+    "hint": "Choose a machine with an oscillating knife, or cut a sample first."
+  },
   "verify.flank-inside": {
     "text": "The flank of the V-groove meets the top face of the board {distance:.4f} mm too close to the centre line of the groove. The tolerance is {tolerance:g} mm.",
     "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile the job again."
@@ -5458,6 +5462,10 @@ export const TEXTS = {
   "verify.off-line": {
     "text": "The path of the {tool:tool} is {distance:.4f} mm away from the edge that it should follow, and the controller may round corners by another {rounding:.4f} mm. The tolerance is {tolerance:g} mm.",
     "hint": "Increase the tolerance, or report an internal error with the program file."
+  },
+  "verify.one-pass": {
+    "text": "The board should be cut in passes of at most {step:g} mm, but programs for this controller do not set the depth: the knife cuts {depth:g} mm in one pass.",
+    "hint": "Run the program several times, with less pressure on the knife at first."
   },
   "verify.oscillation-on": {
     "text": "Station {station} processes the board while the oscillation is on, although its tool must not oscillate.",

@@ -33,7 +33,16 @@ class ToolLimitsOut(BaseModel):
 
     kind: str = Field(description="Kind of tool, such as knife or cutter")
     feed: float = Field(description="Greatest feed in the board (mm/min); 0: no limit")
-    step: float = Field(description="Greatest depth of one pass of a cutter (mm); 0: no limit")
+    step: float = Field(
+        description="Greatest depth of one pass of a cutter or a knife (mm); 0: no limit"
+    )
+    slow_radius: float = Field(
+        description="Radius of a curve below which the feed of a knife is lower in proportion to "
+        "the radius (mm); 0: nowhere"
+    )
+    blade: Annotated[Literal["", "fixed", "oscillating"], LISTED] = Field(
+        description="Kind of knife that suits the board; empty: any"
+    )
 
 
 class BoardOut(BaseModel):

@@ -11,6 +11,7 @@ LANGUAGE = Language(
     reader="knifetip.verification.reading.hpgl:READER",
     timing="knifetip.sequencing.look_ahead:look_ahead",
     driver="knifetip.gateway.hpgl.driver:dial",
+    sets_pose=False,
     no_driver=Message("hpgl.send-by-hand"),
     settings="knifetip.languages.hpgl.settings:read_settings",
     settings_table="knifetip.languages.hpgl.settings:ControllerTable",

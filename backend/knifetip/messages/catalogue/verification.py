@@ -237,6 +237,12 @@ MESSAGES: Final[Entries] = {
         distance="number",
         length="number",
     ),
+    "verify.fixed-blade": entry(
+        "The board is best cut by an oscillating blade, and the knife of station {station} is "
+        "fixed: it pushes thick or soft board together.",
+        "Choose a machine with an oscillating knife, or cut a sample first.",
+        station="count",
+    ),
     "verify.flank-inside": entry(
         "The flank of the V-groove meets the top face of the board {distance:.4f} mm too "
         "close to the centre line of the groove. The tolerance is {tolerance:g} mm.",
@@ -419,6 +425,13 @@ MESSAGES: Final[Entries] = {
         distance="number",
         rounding="number",
         tolerance="number",
+    ),
+    "verify.one-pass": entry(
+        "The board should be cut in passes of at most {step:g} mm, but programs for this "
+        "controller do not set the depth: the knife cuts {depth:g} mm in one pass.",
+        "Run the program several times, with less pressure on the knife at first.",
+        step="number",
+        depth="number",
     ),
     "verify.other-placement": entry(
         "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places "

@@ -6,10 +6,12 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum, StrEnum
-from typing import TYPE_CHECKING, Annotated, ClassVar, Literal, TypeAlias
+from typing import TYPE_CHECKING, Annotated, ClassVar, Final, Literal, TypeAlias
 
+import numpy as np
 from annotated_types import Ge, Gt
 
+from knifetip.geometry.columns import F64
 from knifetip.messages import Message
 
 #: Types of dimensions with limits, which the library checks when it loads a machine.
@@ -69,6 +71,28 @@ class Footprint:
     left: float = 0.0  #: from the head's axis to the tip, to the left of C (mm)
     behind: float = 0.0  #: from the head's axis to the tip, backwards along C (mm)
     any_height: bool = False  #: whether the mark is the same at every height of the tip
+
+
+#: Maximum number of passes; more indicate an error in the step of a tool.
+_MAX_PASSES: Final = 200
+
+
+def pass_depths(cut_depth: float, step: float) -> F64:
+    """Return the depths of the k passes of a cut, (k,) mm, ascending.
+
+    All passes have the same increment.  It is at most ``step``, but larger if more than 200 passes
+    would be necessary.
+
+    Parameters
+    ----------
+    cut_depth : mm
+        Depth of the cut, which the last pass has.
+    step : mm
+        Maximum depth of one pass; 0 for one pass.
+    """
+    count = 1 if step == 0.0 else min(_MAX_PASSES, int(np.ceil(cut_depth / step - 1e-9)))
+    depths: F64 = cut_depth * np.arange(1, count + 1) / count
+    return depths
 
 
 class Tool(ABC):

@@ -3,17 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar, Final
-
-import numpy as np
+from typing import ClassVar
 
 from knifetip.geometry.columns import F64
 from knifetip.messages import Message
-from knifetip.model.tool.base import NotNegative, Positive
+from knifetip.model.tool.base import NotNegative, Positive, pass_depths
 from knifetip.model.tool.disc import DiscTool
-
-#: Maximum number of passes; more indicate an error in the ``step`` of the tool.
-_MAX_PASSES: Final = 200
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,11 +48,6 @@ class Cutter(DiscTool):
     def passes(self, cut_depth: float) -> F64:
         """Return the depths of the k passes of a cut that is ``cut_depth`` mm deep, (k,) (mm).
 
-        All passes have the same increment.  It is at most ``step``, a field of the cutter, but
-        larger if more than 200 passes would be necessary.  If ``step`` is 0, there is one pass.
+        See ``pass_depths``; the maximum depth of a pass is ``step``, a field of the cutter.
         """
-        count = (
-            1 if self.step == 0.0 else min(_MAX_PASSES, int(np.ceil(cut_depth / self.step - 1e-9)))
-        )
-        depths: F64 = cut_depth * np.arange(1, count + 1) / count
-        return depths
+        return pass_depths(cut_depth, self.step)

@@ -8,8 +8,17 @@ from typing import Annotated
 
 from annotated_types import Ge, Lt
 
+from knifetip.geometry.columns import F64
 from knifetip.messages import Message
-from knifetip.model.tool.base import Footprint, NotNegative, Positive, Reversal, TipCircle, Tool
+from knifetip.model.tool.base import (
+    Footprint,
+    NotNegative,
+    Positive,
+    Reversal,
+    TipCircle,
+    Tool,
+    pass_depths,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +47,9 @@ class Knife(Tool):
     swivel_depth: NotNegative = 0.0
     #: heading of a free blade at the start and at the end of each program (degrees)
     park_heading: float = 0.0
+    step: NotNegative = 0.0  #: maximum depth of one pass (mm); 0: one pass
+    #: radius of a curve below which the feed is lower in proportion to the radius (mm); 0: nowhere
+    slow_radius: NotNegative = 0.0
 
     @property
     def fault(self) -> Message | None:
@@ -70,6 +82,13 @@ class Knife(Tool):
     def has_lead(self) -> bool:
         """Whether the knife has a lead-in or a lead-out in the waste at outer contours."""
         return self.lead_in > 0.0 or self.lead_out > 0.0
+
+    def passes(self, cut_depth: float) -> F64:
+        """Return the depths of the k passes of a cut that is ``cut_depth`` mm deep, (k,) (mm).
+
+        See ``pass_depths``; the maximum depth of a pass is ``step``, a field of the knife.
+        """
+        return pass_depths(cut_depth, self.step)
 
     def lead(self, thickness: float) -> float:
         """Return how far the cut in the top face is ahead of the cut in the bottom face (mm).

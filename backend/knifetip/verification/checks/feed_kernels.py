@@ -14,6 +14,10 @@ from knifetip.verification.kinematics import LEVEL
 
 #: Greatest relative error of a feed: programs print six significant digits.
 FEED_TOLERANCE: Final = 1e-5
+#: Greatest relative error of a feed that depends on the radius of a curve, which follows from the
+#: rounded ends of a move and from its chord; and how many roundings of a point count besides.
+SLOWING_ERROR: Final = 0.02
+SLOWING_ROUNDINGS: Final = 2.0
 #: Greatest error of a time: relative, and by rounded coordinates of the move (mm).
 TIME_TOLERANCE: Final = 1e-4
 LENGTH_TOLERANCE: Final = 5e-4
@@ -32,11 +36,25 @@ UNTIMED_CARRIAGE: Final = 4
 
 
 @inline_kernel
+def _slowing(moves: MoveColumns, tools: ToolColumns, row: int) -> float:
+    """Return the part of the tool's feed with which it follows a curve, at most 1."""
+    slow = tools.slow_radius[moves.station[row]]
+    turn = math.radians(abs(moves.end[row, 3] - moves.start[row, 3]))
+    if slow == 0.0 or turn == 0.0 or rests_tip(moves, tools, row):
+        return 1.0
+    length: float = path_length(moves.start, moves.end, moves.centre, moves.sweep, row)
+    part: float = min(1.0, length / (turn * slow))
+    return part
+
+
+@inline_kernel
 def _own_feed(moves: MoveColumns, tools: ToolColumns, row: int) -> float:
     """Return the tool's feed for a move (mm/min): the plunge feed if the height changes."""
-    level = abs(moves.end[row, 2] - moves.start[row, 2]) <= LEVEL
     station = moves.station[row]
-    feed: float = tools.feed[station] if level else tools.plunge[station]
+    if abs(moves.end[row, 2] - moves.start[row, 2]) > LEVEL:
+        plunge: float = tools.plunge[station]
+        return plunge
+    feed: float = tools.feed[station] * _slowing(moves, tools, row)
     return feed
 
 
@@ -66,18 +84,24 @@ def _is_tight(moves: MoveColumns, tools: ToolColumns, row: int) -> bool:
 
 
 @inline_kernel
-def _has_wrong_time(moves: MoveColumns, tools: ToolColumns, shortest: float, row: int) -> bool:
+def _has_wrong_time(
+    moves: MoveColumns, tools: ToolColumns, shortest: float, resolution: float, row: int
+) -> bool:
     minutes, least, swivel = _times(moves, tools, row)
-    error = TIME_TOLERANCE * least
+    slows = _slowing(moves, tools, row) < 1.0
+    error = (SLOWING_ERROR if slows else TIME_TOLERANCE) * least
     if not swivel:
-        error += LENGTH_TOLERANCE / _own_feed(moves, tools, row)
+        rounding = SLOWING_ROUNDINGS * resolution if slows else 0.0
+        error += (LENGTH_TOLERANCE + rounding) / _own_feed(moves, tools, row)
     if least < minutes <= SLOWED * shortest and not swivel and _is_tight(moves, tools, row):
         return False
     return abs(minutes - least) > error and not (minutes <= MIN_MINUTES and minutes > least)
 
 
 @kernel
-def feed_faults(moves: MoveColumns, tools: ToolColumns, arcs_turn: bool, shortest: float) -> Any:
+def feed_faults(
+    moves: MoveColumns, tools: ToolColumns, arcs_turn: bool, shortest: float, resolution: float
+) -> Any:
     """Return the faults of the feeds of n moves, (n,) as bits of the module's constants.
 
     Parameters
@@ -86,6 +110,8 @@ def feed_faults(moves: MoveColumns, tools: ToolColumns, arcs_turn: bool, shortes
         Whether C may turn during an arc at a feed in mm/min.
     shortest : minutes
         Least time of a move that follows another one without a stop.
+    resolution : mm
+        Greatest shift of a point by the rounding of coordinates.
     """
     faults = np.zeros(len(moves.code), np.uint8)
     for row in range(len(moves.code)):
@@ -96,11 +122,12 @@ def feed_faults(moves: MoveColumns, tools: ToolColumns, arcs_turn: bool, shortes
         if math.isnan(own) or math.isnan(length):
             continue
         if moves.inverse[row]:
-            if _has_wrong_time(moves, tools, shortest, row):
+            if _has_wrong_time(moves, tools, shortest, resolution, row):
                 faults[row] |= WRONG_FEED
             continue
         # A move that is not timed has the feed of its F word.
-        if abs(moves.feed[row] - own) > FEED_TOLERANCE * own:
+        slows = _slowing(moves, tools, row) < 1.0
+        if abs(moves.feed[row] - own) > (SLOWING_ERROR if slows else FEED_TOLERANCE) * own:
             faults[row] |= WRONG_FEED
         turns = abs(moves.end[row, 3] - moves.start[row, 3]) > 0.0
         if turns and not (arcs_turn and moves.sweep[row] != 0.0):

@@ -103,7 +103,9 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Finding
     """
     columns = move_columns(moves, tip)
     tools = tool_columns(machine)
-    faults = feed_faults(columns, tools, moves.uses_tool_table, moves.shortest / 60.0)
+    faults = feed_faults(
+        columns, tools, moves.uses_tool_table, moves.shortest / 60.0, moves.resolution
+    )
     if not faults.any():
         return
     rows = np.flatnonzero(faults & WRONG_FEED)[:MAX_FINDINGS]

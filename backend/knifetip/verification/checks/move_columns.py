@@ -45,6 +45,7 @@ class ToolColumns(NamedTuple):
     swivel: F64_1  #: degrees, greatest turn in place in the board
     max_turn: F64_1  #: degrees, greatest turn that is ever needed
     follows_path: Bool_1  #: C follows the direction of the path
+    slow_radius: F64_1  #: mm, radius of a curve below which the feed is lower in proportion
     other_carriage: Bool_1  #: the station is not on the first carriage
 
 
@@ -71,6 +72,7 @@ def tool_columns(machine: Machine) -> ToolColumns:
         swivel=np.array([*(tool.swivel for tool in tools), 0.0]),
         max_turn=np.array([*(tool.max_turn for tool in tools), 0.0]),
         follows_path=np.array([*(tool.follows_path for tool in tools), False]),
+        slow_radius=np.array([*(tool.slow_radius for tool in tools), 0.0]),
         other_carriage=np.array([*(not one.is_first for one in carriages), False]),
     )
 

@@ -1,0 +1,95 @@
+"""Check the passes in which a knife cuts thick board, and leave out all but the last of each cut.
+
+The steps between the passes are limited by the knife and the board: a tip path may be deeper than
+the paths before it along the same line by at most one step.  The checks of edges then see the last
+pass only.  A pass that no deeper one repeats stays, so that it must be a half-cut of the drawing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from knifetip.messages import Message
+from knifetip.model.machine import suits
+from knifetip.model.tool import Knife
+from knifetip.model.verdict import Severity
+from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
+from knifetip.verification.checks.pass_depth import too_deep_spans
+from knifetip.verification.columns import F64, Bool
+from knifetip.verification.curves.intervals import uncovered_curves
+from knifetip.verification.curves.overlap import find_overlaps
+from knifetip.verification.findings import MAX_FINDINGS
+from knifetip.verification.joined_work import JoinedWork
+from knifetip.verification.kinematics import TipPaths
+
+
+def check_knife_passes(context: CheckContext, work: JoinedWork) -> None:
+    """Add a finding for each tip path of a knife that is more than one step deeper than those
+    before it, and a note for each knife that does not suit the board.
+
+    A program that does not set the depth of the knife has a note instead of such findings.
+    """
+    paths = work.paths
+    for index, station in enumerate(context.machine.stations):
+        rows = np.flatnonzero(paths.station == index)
+        if not isinstance(station.tool, Knife) or len(rows) == 0:
+            continue
+        if not suits(station.tool, context.board) and not station.tool.oscillating:
+            note = Message("verify.fixed-blade", station=station.number)
+            context.findings.add("planned", note, 0.0, severity=Severity.NOTE)
+        step = station.tool.step
+        if step == 0.0:
+            continue
+        deepest = context.board.caliper + context.machine.into_mat
+        if "Z" not in context.programmed:
+            if deepest > step:
+                note = Message("verify.one-pass", step=step, depth=deepest)
+                context.findings.add("planned", note, deepest, severity=Severity.NOTE)
+            continue
+        deep = context.board.caliper - paths.z[rows]
+        found, spans = too_deep_spans(paths.curve[rows], deep, step, context.tolerance)
+        size = np.diff(spans)[:, 0]
+        for k in np.flatnonzero(size > context.tolerance)[:MAX_FINDINGS]:
+            depth = float(deep[found[k]])
+            message = Message(
+                "verify.pass-too-deep", tool="knife", depth=depth, length=size[k], step=step
+            )
+            line = int(paths.line[rows[found[k]]])
+            context.findings.add("depth", message, depth - step, line=line)
+
+
+def last_passes(context: CheckContext, work: JoinedWork) -> TipPaths:
+    """Return the tip paths of all programs without those that a later pass of a knife repeats."""
+    paths = work.paths
+    kept = np.ones(len(paths.z), np.bool_)
+    for index, station in enumerate(context.machine.stations):
+        if isinstance(station.tool, Knife) and station.tool.step > 0.0:
+            rows = np.flatnonzero(paths.station == index)
+            kept[rows] = ~_are_repeated(paths.curve[rows], -paths.z[rows], context.tolerance)
+    return paths.select(kept)
+
+
+def _are_repeated(curve: F64, deep: F64, near: float) -> Bool:
+    """Return the mask of n tip paths along whose whole length a later one is deeper, (n,).
+
+    Parameters
+    ----------
+    curve : (n, 6)
+        Tip paths in the order of the program: lines and arcs as rows of six numbers (see
+        ``curves.curve``).
+    deep : (n,) mm
+        Depth of each tip path below any height.
+    near : mm
+        Greatest distance between two passes of the same cut.
+    """
+    overlaps = find_overlaps(curve, curve, np.zeros(len(curve)), curve[:, 5], near)
+    later = overlaps.edge > overlaps.curve
+    later &= deep[overlaps.edge] > deep[overlaps.curve] + DEPTH_TOLERANCE
+    repeated = np.zeros(len(curve), np.bool_)
+    repeated[overlaps.curve[later]] = True
+    deeper = replace(overlaps, curve=overlaps.curve[later], along=overlaps.along[later])
+    rows, spans = uncovered_curves(deeper, curve)
+    repeated[rows[np.diff(spans)[:, 0] > near]] = False
+    return repeated
