@@ -79,6 +79,7 @@ def subjects() -> tuple[Subject, ...]:
         *_of_nested(),
         *_of_tables(),
         *_of_bends(),
+        *_of_passes(),
         *_of_routers(),
         *_of_lasers(),
         _of_plotter(),
@@ -150,6 +151,18 @@ def _of_bends() -> list[Subject]:
         bulge={2: QUARTER, 4: QUARTER, 6: QUARTER, 7: 0.3, 8: QUARTER, 9: 0.5},
     )  # fmt: skip
     return _made("bends", rounded, table, board)
+
+
+def _of_passes() -> list[Subject]:
+    """Return programs in which a knife cuts thick board in passes."""
+    cut = dieline(
+        (LineType.CUT, edges(
+            ((100, 100), (220, 100)), ((220, 100), (220, 160)), ((220, 160), (200, 180)),
+            ((200, 180), (100, 180)), ((100, 180), (100, 100)), ((130, 120), (130, 160)),
+        )),
+        bulge={2: QUARTER},
+    )  # fmt: skip
+    return _made("knife in passes", cut, load.machine("demo-table"), load.board("greyboard-4.0"))
 
 
 def _of_routers() -> list[Subject]:

@@ -105,6 +105,21 @@ def test_a_shallow_pass_beside_the_cut_is_found() -> None:
     ).accepted
 
 
+def test_the_blade_is_turned_in_every_pass() -> None:
+    """A blade across its line tears the board, at any depth."""
+    used = board(step=3.0)
+    made = compiled(used)
+    lines = made.program.text.decode().splitlines()
+    plunge = next(row for row, words in enumerate(lines) if "Z2.3500" in words)
+    turn = next(row for row in range(plunge, 0, -1) if re.search(r"C-?[\d.]+", lines[row]))
+    lines[turn] = re.sub(r"C(-?[\d.]+)", lambda m: f"C{float(m[1]) + 90.0:.4f}", lines[turn])
+    changed = "".join(f"{line}\n" for line in lines).encode()
+    assert "verify.not-worked" not in codes(changed, made, used)
+    assert not pipeline.verify(
+        changed, BLANK, made.placement, load.machine("demo-table"), used
+    ).accepted
+
+
 def test_a_controller_without_depths_makes_one_pass_and_the_verdict_has_a_note() -> None:
     used = board("greyboard-2.0", step=1.0)
     made = compiled(used, "flat-cutter-hpgl")

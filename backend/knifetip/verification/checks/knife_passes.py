@@ -2,12 +2,13 @@
 
 The steps between the passes are limited by the knife and the board: a tip path may be deeper than
 the paths before it along the same line by at most one step.  The checks of edges then see the last
-pass only.  A pass that no deeper one repeats stays, so that it must be a half-cut of the drawing.
+pass only, and its verdict is that of the passes with the same direction and headings.  A pass that
+no such deeper one repeats stays, so that it must be a half-cut of the drawing.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from typing import Final
 
 import numpy as np
 
@@ -17,12 +18,15 @@ from knifetip.model.tool import Knife
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.check_context import DEPTH_TOLERANCE, CheckContext
 from knifetip.verification.checks.pass_depth import too_deep_spans
-from knifetip.verification.columns import F64, Bool
-from knifetip.verification.curves.intervals import uncovered_curves
+from knifetip.verification.columns import Bool
+from knifetip.verification.curves.curve import point_at
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.joined_work import JoinedWork
 from knifetip.verification.kinematics import TipPaths
+
+#: Greatest difference between the headings of two passes of the same cut (degrees).
+_SAME_HEADING: Final = 0.1
 
 
 def check_knife_passes(context: CheckContext, work: JoinedWork) -> None:
@@ -67,29 +71,34 @@ def last_passes(context: CheckContext, work: JoinedWork) -> TipPaths:
     for index, station in enumerate(context.machine.stations):
         if isinstance(station.tool, Knife) and station.tool.step > 0.0:
             rows = np.flatnonzero(paths.station == index)
-            kept[rows] = ~_are_repeated(paths.curve[rows], -paths.z[rows], context.tolerance)
+            kept[rows] = ~_are_repeated(paths.select(paths.station == index), context.tolerance)
     return paths.select(kept)
 
 
-def _are_repeated(curve: F64, deep: F64, near: float) -> Bool:
-    """Return the mask of n tip paths along whose whole length a later one is deeper, (n,).
+def _are_repeated(paths: TipPaths, near: float) -> Bool:
+    """Return the mask of n tip paths that a later one repeats at a greater depth, (n,).
+
+    The later path has the same direction and the same headings, so that the checks of edges are
+    valid for both.
 
     Parameters
     ----------
-    curve : (n, 6)
-        Tip paths in the order of the program: lines and arcs as rows of six numbers (see
-        ``curves.curve``).
-    deep : (n,) mm
-        Depth of each tip path below any height.
+    paths
+        The tip paths of one knife in the order of the program.
     near : mm
         Greatest distance between two passes of the same cut.
     """
-    overlaps = find_overlaps(curve, curve, np.zeros(len(curve)), curve[:, 5], near)
+    size = paths.curve[:, 5]
+    overlaps = find_overlaps(paths.curve, paths.curve, np.zeros(len(size)), size, near)
     later = overlaps.edge > overlaps.curve
-    later &= deep[overlaps.edge] > deep[overlaps.curve] + DEPTH_TOLERANCE
-    repeated = np.zeros(len(curve), np.bool_)
-    repeated[overlaps.curve[later]] = True
-    deeper = replace(overlaps, curve=overlaps.curve[later], along=overlaps.along[later])
-    rows, spans = uncovered_curves(deeper, curve)
-    repeated[rows[np.diff(spans)[:, 0] > near]] = False
+    later &= paths.z[overlaps.edge] < paths.z[overlaps.curve] - DEPTH_TOLERANCE
+    one, other = overlaps.curve[later], overlaps.edge[later]
+    same = np.ones(len(one), np.bool_)
+    for part in (0.0, 0.5, 1.0):
+        points = point_at(paths.curve, part * size)
+        same &= np.hypot(*(points[one] - points[other]).T) <= near
+    turn = np.abs((paths.heading[one] - paths.heading[other] + 180.0) % 360.0 - 180.0)
+    same &= (turn <= _SAME_HEADING).all(axis=1)
+    repeated = np.zeros(len(size), np.bool_)
+    repeated[one[same]] = True
     return repeated
