@@ -362,9 +362,9 @@ async def test_the_pieces_of_a_jog_follow_each_other(machine: Machine) -> None:
     async with driver(machine) as controller:
         await controller.home()
         start = machine.position()
-        await controller.jog("X", 50.0, 6000.0)
+        await controller.jog("X", 50.0, 1200.0)
         await asyncio.to_thread(wait_until, lambda: machine.position()[0] > start[0] + 10.0)
-        await controller.jog("X", 50.0, 6000.0)
+        await controller.jog("X", 50.0, 1200.0)
         assert machine.position()[0] < start[0] + 50.0
         await asyncio.to_thread(wait_until, lambda: machine.position()[0] > start[0] + 60.0)
         await wait_until_still(controller)

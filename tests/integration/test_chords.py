@@ -90,9 +90,13 @@ def test_the_stated_time_is_that_of_the_chords(dialect: str) -> None:
     times = durations(toolpath, machine)
     assert times.shape == (len(toolpath),)
     assert duration(toolpath, machine) == pytest.approx(times.sum())
-    # Speeds may jump a little where chords meet; on an arc the acceleration is limited.
     usual = durations(toolpath, curved)
     arcs = toolpath.bulge != 0.0
     assert times[~arcs].sum() == pytest.approx(usual[~arcs].sum(), rel=0.01)
-    assert times[arcs].sum() == pytest.approx(usual[arcs].sum(), rel=0.1)
-    assert times[arcs].sum() != pytest.approx(usual[arcs].sum(), rel=0.01)
+    if dialect == "linuxcnc":
+        # It slows down at each joint of two moves in which C turns.
+        assert times[arcs].sum() > 1.3 * usual[arcs].sum()
+    else:
+        # Speeds may jump a little where chords meet; on an arc the acceleration is limited.
+        assert times[arcs].sum() == pytest.approx(usual[arcs].sum(), rel=0.1)
+        assert times[arcs].sum() != pytest.approx(usual[arcs].sum(), rel=0.01)

@@ -96,6 +96,9 @@ def test_a_gateway_that_never_comes_back_leaves_an_interrupted_job(database: Pat
     first = Running(database, speed=0.2)
     job = order_job(first.client, upload_drawing(first.client, square())["id"], release=True)["id"]
     wait_for_state(first.client, job, "running", confirm=True)
+    # Until then it is not begun, and would return to the queue.
+    while first.client.get(f"/api/jobs/{job}").json()["line"] == 0:
+        time.sleep(0.05)
     first.kill()
     with Running(database, simulator=False) as client:
         found = wait_for_state(client, job, "interrupted", seconds=40.0)
