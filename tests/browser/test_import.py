@@ -237,6 +237,10 @@ def test_a_profile_is_edited_exported_and_imported_as_toml(page: Page, screensho
     page.get_by_test_id("redo").click()
     page.get_by_test_id("redo").click()
     expect(page.get_by_label("Layer name of rule 1")).to_have_value("INN*")
+    # Unsaved edits remain in the editor.
+    page.get_by_role("button", name="Back").click()
+    page.get_by_test_id("edit-profile").click()
+    expect(page.get_by_label("Layer name of rule 1")).to_have_value("INN*")
     page.get_by_test_id("save-profile").click()
     expect(page.get_by_role("heading", name="Bolt")).to_be_visible()
     expect(page.get_by_test_id("undo")).to_be_enabled()

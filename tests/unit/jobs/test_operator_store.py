@@ -362,6 +362,10 @@ def test_a_claim_that_its_gateway_returns_is_queued_and_never_interrupted(store:
         job.id, job.epoch, "returned", stored("The controller is not idle.")
     )
     assert (row.state, row.confirmation, row.epoch) == ("queued", "", job.epoch + 1)
+    events = len(store.events.of_job(job.id))
+    assert store.gateways.finish(job.id, job.epoch, "returned") == row  # the answer was lost
+    assert len(store.events.of_job(job.id)) == events
+    assert store.gateways.claim("table", "another", manual=True) is not None
     with pytest.raises(StaleEpoch):
         store.gateways.finish(job.id, job.epoch, "returned")
 
