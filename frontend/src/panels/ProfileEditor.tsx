@@ -9,7 +9,7 @@ import { addRule, type Draft, moveRule, newRule, removeRule, updateRule } from "
 import { pluralize } from "../state/format";
 import { type PreviewState, usePreview } from "../state/preview";
 import { useProfileDraft, versionKey } from "../state/profileDraft";
-import { saveDraft, unusedName } from "../state/profiles";
+import { saveDraft, showSaved, unusedName } from "../state/profiles";
 import { useDrawing, useProfiles } from "../state/queries";
 import { useUiStore } from "../state/store";
 import { InheritedRules } from "./InheritedRules";
@@ -78,7 +78,7 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
   const save = async () => {
     const taken = profiles.map((one) => one.name);
     const target = profile.shipped ? unusedName(draft.title, taken) : profile.name;
-    if (await saveDraft(target, draft)) set({ editedProfile: target });
+    if (await saveDraft(target, draft)) showSaved(target, profile.name);
   };
   const inherited = draft.extends !== null && (
     <InheritedRules

@@ -4,7 +4,7 @@ import { ActionIcon, Tooltip } from "@mantine/core";
 import { IconDownload, IconTrash, IconUpload } from "@tabler/icons-react";
 import { useRef } from "react";
 import { type Profile, service } from "../api/client";
-import { deleteProfile, importProfile } from "../state/profiles";
+import { deleteProfile, importProfile, showSaved } from "../state/profiles";
 import { useUiStore } from "../state/store";
 
 export function ProfileFiles({ profile }: { profile: Profile }) {
@@ -45,7 +45,7 @@ export function ProfileFiles({ profile }: { profile: Profile }) {
           const [file] = event.currentTarget.files ?? [];
           event.currentTarget.value = "";
           if (file !== undefined)
-            void importProfile(file).then((name) => name !== null && set({ editedProfile: name }));
+            void importProfile(file).then((name) => name !== null && showSaved(name, profile.name));
         }}
       />
       {!profile.shipped && (

@@ -49,6 +49,12 @@ export async function importProfile(file: File): Promise<string | null> {
   return done ? name : null;
 }
 
+/** Show the saved profile in the editor, unless the user has left the editor meanwhile. */
+export function showSaved(saved: string, edited: string): void {
+  const { editedProfile, set } = useUiStore.getState();
+  if (editedProfile === edited) set({ editedProfile: saved });
+}
+
 const cachedProfiles = (): readonly Profile[] =>
   queryClient.getQueryData(queries.profiles().queryKey) ?? [];
 
