@@ -20,6 +20,7 @@ from knifetip.cli.terminal import (
     print_stderr,
     read_bytes,
     report_questions,
+    report_warnings,
     write_bytes,
 )
 from knifetip.errors import KnifetipError
@@ -33,6 +34,7 @@ from knifetip.model.question import Question
 from knifetip.presentation.drawing import classified_json, drawing_json
 from knifetip.presentation.edges import EdgeTable
 from knifetip.presentation.import_report import import_report_rows
+from knifetip.presentation.import_warnings import import_warnings
 from knifetip.presentation.outcomes import edge_outcomes
 from knifetip.presentation.texts import with_texts
 
@@ -136,8 +138,7 @@ def report_json(name: str, drawing: Drawing) -> dict[str, Any]:
     """Return name, unit, size and import report of a drawing as JSON data.
 
     The fields are those of a drawing in the REST interface, and messages contain their English
-    text.  In addition, ``size`` is the list of width and height, and ``warnings`` contains the
-    warnings about the unit.
+    text.  In addition, ``size`` is the list of width and height.
 
     Parameters
     ----------
@@ -156,7 +157,6 @@ def _with_report(name: str, drawing: Drawing, data: dict[str, Any]) -> dict[str,
             "name": name,
             **data,
             "size": [data["width"], data["height"]],
-            "warnings": data["unit_finding"]["warnings"],
             "import_report": report,
         }
     )
@@ -203,6 +203,7 @@ def register(app: typer.Typer) -> None:
                     length = float(result.drawing.lengths[selected].sum())
                     print_line(f"  {kind.word:12} {int(selected.sum()):6} edges {length:12.1f} mm")
                     _print_lines(_rule_lines(result, np.flatnonzero(selected)), indent=4)
+            report_warnings(import_warnings(result.drawing))
             report_questions(open_questions)
         if open_questions:
             raise typer.Exit(QUESTIONS)
@@ -216,6 +217,7 @@ def register(app: typer.Typer) -> None:
         """
         result = reading.load(file)
         if not result.drawing.unit:
+            report_warnings(import_warnings(result.drawing))
             report_questions(result.questions())
             raise typer.Exit(QUESTIONS)
         cleaned = pipeline.clean(result.dieline)

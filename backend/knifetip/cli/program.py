@@ -32,6 +32,7 @@ from knifetip.cli.terminal import (
     progress,
     read_bytes,
     report_questions,
+    report_warnings,
     write_bytes,
 )
 from knifetip.errors import PlanError, ProgramUnreadable
@@ -45,6 +46,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Severity, Verdict
 from knifetip.planning.plan import check_corners
+from knifetip.presentation.import_warnings import import_warnings
 from knifetip.presentation.verdict import verdict_json
 from knifetip.verification.verify import read_placement
 
@@ -300,7 +302,7 @@ def _parse_placement(text: str) -> tuple[float, float]:
 def _refuse_questions(loaded: LoadedDrawing, machine: Machine) -> None:
     """Print the questions about a drawing that the user must answer first, and exit with code 2.
 
-    If there are no questions, the function returns and prints nothing.
+    Warnings about what import left out are printed in any case.
 
     Parameters
     ----------
@@ -309,6 +311,7 @@ def _refuse_questions(loaded: LoadedDrawing, machine: Machine) -> None:
     machine
         Machine for which the drawing is to be compiled.
     """
+    report_warnings(import_warnings(loaded.drawing))
     open_questions = loaded.questions(machine)
     if open_questions:
         report_questions(open_questions)

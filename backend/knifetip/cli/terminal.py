@@ -21,7 +21,7 @@ from knifetip.errors import (
 )
 from knifetip.formats.limits import Limits
 from knifetip.harmless import harmless
-from knifetip.messages import from_json
+from knifetip.messages import Message, from_json, hint
 from knifetip.model.question import Question
 
 REFUSED = 1
@@ -76,6 +76,12 @@ def report_questions(questions: Sequence[Question]) -> None:
     for question in questions:
         print_stderr(f"? {question.text}", "yellow")
         print_stderr(f"  {' | '.join(question.choices)}")
+
+
+def report_warnings(warnings: Sequence[Message]) -> None:
+    """Print warnings about a drawing with their hints on stderr."""
+    for warning in warnings:
+        print_stderr(f"! {warning} {hint(warning)}".rstrip(), "yellow")
 
 
 def print_json(data: Any) -> None:

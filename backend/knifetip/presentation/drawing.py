@@ -14,6 +14,7 @@ from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.question import Question
 from knifetip.presentation.import_report import outcome_counts
+from knifetip.presentation.import_warnings import import_warnings
 from knifetip.presentation.outcomes import EdgeOutcomes
 
 
@@ -21,14 +22,19 @@ def drawing_json(drawing: Drawing) -> dict[str, Any]:
     """Return unit, total edge length, bounding box and edge count of a drawing as JSON data.
 
     The data also contain the evidence for the unit, and the numbers of entities that import kept,
-    merged and dropped.
+    merged and dropped, and the warnings: contradictions about the unit, and what was left out.
     """
     min_x, min_y, max_x, max_y = (float(coordinate) for coordinate in drawing.bounds)
+    finding = _unit_finding(drawing)
     return {
         "unit": drawing.unit or None,
         "evidence": printable(str(drawing.evidence)),
         "evidence_message": drawing.evidence.as_json(),
-        "unit_finding": _unit_finding(drawing),
+        "unit_finding": finding,
+        "warnings": [
+            *finding["warnings"],
+            *(warning.as_json() for warning in import_warnings(drawing)),
+        ],
         "segments": len(drawing),
         "length": float(drawing.lengths.sum()),
         "bounds": [min_x, min_y, max_x, max_y],

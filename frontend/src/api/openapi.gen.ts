@@ -3894,6 +3894,12 @@ export interface components {
             /** @description Evidence for each unit; null if an older version read the drawing */
             unit_finding?: components["schemas"]["UnitFindingOut"] | null;
             /**
+             * Warnings
+             * @description What the user should check: contradictions about the unit, and objects that were left out although their author may have meant them; empty if there is nothing
+             * @default []
+             */
+            warnings: components["schemas"]["MessageOut"][];
+            /**
              * Profile
              * @description Name of the classification profile with which the drawing was classified
              */
@@ -12980,6 +12986,27 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "import.left-out";
+            arguments: {
+                objects: number;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "import.left-out-further";
+            arguments: {
+                objects: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.left-out-on-layer";
+            arguments: {
+                objects: number;
+                layer: string;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
             code: "import.light";
             arguments: Record<string, never>;
         } | {
@@ -18864,6 +18891,16 @@ export interface operations {
                      *           }
                      *         ]
                      *       },
+                     *       "warnings": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         }
+                     *       ],
                      *       "profile": "default",
                      *       "profile_state": "current",
                      *       "rules": "text",
@@ -19170,6 +19207,16 @@ export interface operations {
                      *           }
                      *         ]
                      *       },
+                     *       "warnings": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         }
+                     *       ],
                      *       "profile": "default",
                      *       "profile_state": "current",
                      *       "rules": "text",
@@ -19623,6 +19670,16 @@ export interface operations {
                      *           }
                      *         ]
                      *       },
+                     *       "warnings": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         }
+                     *       ],
                      *       "profile": "default",
                      *       "profile_state": "current",
                      *       "rules": "text",
@@ -20122,6 +20179,16 @@ export interface operations {
                      *           }
                      *         ]
                      *       },
+                     *       "warnings": [
+                     *         {
+                     *           "code": "job.unknown",
+                     *           "arguments": {
+                     *             "job": "5p256sc8xs7q"
+                     *           },
+                     *           "text": "Job 5p256sc8xs7q does not exist.",
+                     *           "hint": "Choose one of the jobs that GET /api/jobs lists."
+                     *         }
+                     *       ],
                      *       "profile": "default",
                      *       "profile_state": "current",
                      *       "rules": "text",
@@ -33977,7 +34044,7 @@ export interface operations {
                      *     half_cut_depth = 0.8
                      *     perforation = [3.0, 2.0]
                      *     short_crease = "press"
-                     *     # Blade: makers of tables recommend an oscillating knife (Zünd: EOT) for corrugated and foam board.
+                     *     # Blade: common practice, an oscillating knife for corrugated and foam board.
                      *     limits = { knife = { blade = "oscillating" } }
                      */
                     "application/toml": string;

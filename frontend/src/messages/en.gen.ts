@@ -2271,6 +2271,18 @@ export const TEXTS = {
     "text": "the layer of the object is switched off",
     "hint": "Switch the layer on and export the drawing again if the object must be cut."
   },
+  "import.left-out": {
+    "text": "{objects:# object is|# objects are} not cut: {reason}.",
+    "hint": "The import report lists {objects:it|them}. {reason:hint}"
+  },
+  "import.left-out-further": {
+    "text": "{objects:# further object is|# further objects are} not cut.",
+    "hint": "The import report gives the reason for each object."
+  },
+  "import.left-out-on-layer": {
+    "text": "{objects:# object|# objects} on layer {layer!r} {objects:is|are} not cut: {reason}.",
+    "hint": "The import report lists {objects:it|them}. {reason:hint}"
+  },
   "import.light": {
     "text": "the object is a light, which is not cut",
     "hint": ""

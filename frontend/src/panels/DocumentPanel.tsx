@@ -3,10 +3,11 @@
 import { ActionIcon, Select, Tooltip } from "@mantine/core";
 import { IconAdjustments, IconArrowLeft } from "@tabler/icons-react";
 import type { Drawing, Profile } from "../api/client";
+import { renderHint, renderText } from "../messages/render";
 import { useRefusal } from "../state/accounts";
 import { patchDrawing } from "../state/actions";
 import { formatSize, formatUnitless } from "../state/format";
-import { summarizeReport } from "../state/importReport";
+import { importWarnings, summarizeReport } from "../state/importReport";
 import { useDrawing, useProfiles } from "../state/queries";
 import { formatInches } from "../state/sizes";
 import { useUiStore } from "../state/store";
@@ -76,6 +77,11 @@ export function DocumentPanel() {
           </>
         )}
       </dl>
+      {importWarnings(drawing).map((warning) => (
+        <p key={warning.text} className={css.warning} data-testid="import-warning">
+          {renderText(warning)} {renderHint(warning)}
+        </p>
+      ))}
       {profiles && <ProfileChoice drawing={drawing} profiles={profiles} />}
       <ShareControl drawing={drawing} />
     </section>

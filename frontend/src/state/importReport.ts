@@ -26,6 +26,10 @@ export function lengthShares(report: Report): Share[] {
   });
 }
 
+/** Warnings about objects that the import left out; warnings about the unit are shown with it. */
+export const importWarnings = ({ warnings = [] }: Pick<Drawing, "warnings">) =>
+  warnings.filter(({ code }) => code.startsWith("import."));
+
 /** Groups with some outcome, or all. */
 export const groupsOf = (report: Report, outcome: ImportOutcome | null): ReportGroup[] =>
   report.groups.filter((group) => outcome === null || group.outcome === outcome);

@@ -300,6 +300,11 @@ class DrawingOut(OrderDetailsOut):
         default=None,
         description="Evidence for each unit; null if an older version read the drawing",
     )
+    warnings: list[MessageOut] = Field(
+        default=[],
+        description="What the user should check: contradictions about the unit, and objects that "
+        "were left out although their author may have meant them; empty if there is nothing",
+    )
     profile: str = Field(
         description="Name of the classification profile with which the drawing was classified"
     )

@@ -205,6 +205,24 @@ MESSAGES: Final[Entries] = {
         "the layer of the object is switched off",
         "Switch the layer on and export the drawing again if the object must be cut.",
     ),
+    "import.left-out": entry(
+        "{objects:# object is|# objects are} not cut: {reason}.",
+        "The import report lists {objects:it|them}. {reason:hint}",
+        objects="count",
+        reason="message",
+    ),
+    "import.left-out-further": entry(
+        "{objects:# further object is|# further objects are} not cut.",
+        "The import report gives the reason for each object.",
+        objects="count",
+    ),
+    "import.left-out-on-layer": entry(
+        "{objects:# object|# objects} on layer {layer!r} {objects:is|are} not cut: {reason}.",
+        "The import report lists {objects:it|them}. {reason:hint}",
+        objects="count",
+        layer="text",
+        reason="message",
+    ),
     "import.light": entry(
         "the object is a light, which is not cut",
     ),
