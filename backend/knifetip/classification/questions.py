@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from knifetip.classification.decision.profile_rules import display_name, fold_name
+from knifetip.classification.numbered_layers import find_numbered_layers
 from knifetip.classification.vocabulary import is_centre_linetype, is_dashed_linetype, name_meaning
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.unique_rows import unique_rows
@@ -18,7 +19,7 @@ from knifetip.model.question import Question
 
 def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
     """Return one question for all edges that have the same style and are unclassified for the
-    same reason.
+    same reason.  Layers whose names only count are asked about together.
 
     Parameters
     ----------
@@ -35,17 +36,41 @@ def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
     rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
     if len(rows) == 0:
         return []
-    columns = (drawing.layer, drawing.colour, drawing.true_colour, drawing.linetype, dieline.rule)
+    series = _series_of_layers(drawing)
+    names = [series.get(layer, layer) for layer in drawing.layers]
+    number = {name: at for at, name in enumerate(dict.fromkeys(names))}
+    layer = np.array([number[name] for name in names], np.int32)[drawing.layer]
+    columns = (layer, drawing.colour, drawing.true_colour, drawing.linetype, dieline.rule)
     first, group = unique_rows(*(column[rows] for column in columns))
     count = np.bincount(group)
     groups = np.split(rows[np.argsort(group, kind="stable")], np.cumsum(count)[:-1])
     lengths, bounds = drawing.lengths, drawing.bounds
     return [
-        _question(drawing, dieline, groups[number], lengths, bounds) for number in range(len(first))
+        _question(drawing, dieline, names, groups[at], lengths, bounds) for at in range(len(first))
     ]
 
 
-def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, bounds: F64) -> Question:
+def _series_of_layers(drawing: Drawing) -> dict[str, str]:
+    """Return the name of the series of each layer of a drawing whose name only counts."""
+    looks = (drawing.colour, drawing.true_colour, drawing.linetype)
+    first, _ = unique_rows(drawing.layer, *looks)
+    return find_numbered_layers(
+        zip(
+            (drawing.layers[row] for row in drawing.layer[first]),
+            zip(*(column[first].tolist() for column in looks), strict=True),
+            strict=True,
+        )
+    )
+
+
+def _question(
+    drawing: Drawing,
+    dieline: Dieline,
+    names: Sequence[str],
+    rows: I64,
+    lengths: F64,
+    bounds: F64,
+) -> Question:
     """Return the question that asks the user for the line type of some unclassified edges.
 
     These edges have one style, and one reason why they are unclassified.
@@ -54,6 +79,8 @@ def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, bound
     ----------
     drawing, dieline
         The drawing and its dieline, with the same n edges.
+    names
+        Name of each layer of the drawing, or of the series of layers that it belongs to.
     rows : (k,)
         Indices of the unclassified edges.
     lengths : (n,)
@@ -62,7 +89,7 @@ def _question(drawing: Drawing, dieline: Dieline, rows: I64, lengths: F64, bound
         Bounding box of the drawing: x min, y min, x max, y max.
     """
     example = rows[0]
-    layer = drawing.layers[drawing.layer[example]]
+    layer = names[drawing.layer[example]]
     linetype = drawing.linetypes[drawing.linetype[example]]
     colour = int(drawing.colour[example])
     true_colour = int(drawing.true_colour[example])

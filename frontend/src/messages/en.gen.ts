@@ -315,6 +315,10 @@ export const TEXTS = {
     "text": "{rule}, and the edge lies on top of a cut",
     "hint": ""
   },
+  "classification.only-fold-style": {
+    "text": "no other colour or line style only divides panels",
+    "hint": ""
+  },
   "classification.open": {
     "text": "the edge belongs to an outline that does not close",
     "hint": ""

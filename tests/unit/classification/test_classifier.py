@@ -45,9 +45,27 @@ def test_the_convention_that_fits_the_shape_decides(cut: int, crease: int) -> No
     assert dieline.confidence[4] < dieline.confidence[0]
 
 
-def test_colours_of_no_convention_are_asked() -> None:
+def test_the_only_style_that_only_divides_panels_is_creased() -> None:
     dieline = classified(drawing_of((BLANK, style(colour=30)), (FOLDS, style(colour=40))))
+    assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
+    assert "no other colour or line style only divides panels" in why(dieline, 4)
+
+
+def test_two_styles_that_only_divide_panels_are_asked() -> None:
+    """One of them may be perforated or half cut."""
+    dieline = classified(
+        drawing_of(
+            (BLANK, style(colour=30)), (FOLDS[:1], style(colour=40)), (FOLDS[1:], style(colour=50))
+        )
+    )
     assert words(dieline) == ["cut"] * 4 + ["unclassified"] * 2
+
+
+def test_folds_with_the_line_style_of_centre_lines_are_creased() -> None:
+    dieline = classified(
+        drawing_of((BLANK, style(colour=30)), (FOLDS, style(colour=40, linetype="CENTER")))
+    )
+    assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
 
 
 def test_an_unknown_layer_name_and_shape_decide_together() -> None:

@@ -136,6 +136,9 @@ def _weigh_names(evidence: StyleEvidence, guess: _Guess, style: int, role: Role)
     named = meaning.kind
     if named is None:
         return
+    if not by_layer and named == LineType.IGNORED and evidence.only_divides[style]:
+        # Many CAD programs draw bends with the line style of centre lines.
+        return
     divides = role in (Role.DIVIDER, Role.SLIT, Role.FREE, *HOLES) and named in _DIVIDING
     ignores = named == LineType.IGNORED and role in (Role.FREE, Role.SLIT, Role.MARK, *HOLES)
     if named == guess.kind:
@@ -210,10 +213,10 @@ def _guess_divider(
     own = evidence.length[style, Role.DIVIDER]
     if evidence.only_divides[style]:
         reasons = [Message("classification.as-its-style")]
+        # With folds in two styles, either style may be perforated or half cut.
+        two_styles = evidence.other_folds[style] > _OTHER_FOLDS * own
         if evidence.main_folds[style]:
             reasons.append(Message("classification.panels-hang"))
-            # With folds in two styles, either style may be perforated.
-            two_styles = evidence.other_folds[style] > _OTHER_FOLDS * own
             return LineType.CREASE, 0.75 if two_styles else 0.9, reasons
         linetype = evidence.styles.linetype[style].casefold()
         dashed = is_dashed_linetype(linetype) or evidence.dashed[style] > 0.5
@@ -221,6 +224,9 @@ def _guess_divider(
             reasons.append(Message("classification.dashed"))
         if evidence.paired[style] > 0.1:
             reasons.append(Message("classification.paired"))
+        if not two_styles:
+            reasons.append(Message("classification.only-fold-style"))
+            return LineType.CREASE, 0.85, reasons
         return LineType.CREASE, 0.75 if dashed else 0.7, reasons
     if must_fold and not (outlines and evidence.other_folds[style]):
         return LineType.CREASE, 0.85, [Message("classification.panel-hangs")]

@@ -14,6 +14,7 @@ import numpy as np
 from knifetip.classification.decision.conventions import FittingConvention
 from knifetip.classification.decision.profile_rules import RuleMatches, StyleTable
 from knifetip.classification.decision.style_totals import StyleTotals
+from knifetip.classification.numbered_layers import find_numbered_layers
 from knifetip.classification.shape.roles import HOLES, NOT_CARTON, Role
 from knifetip.classification.vocabulary import NameMeaning, is_dashed_linetype, name_meaning
 from knifetip.geometry.columns import F64, I64, Bool
@@ -151,19 +152,17 @@ def _group_styles(styles: StyleTable) -> I64:
     """Return the index of the group of each of c styles, (c,).
 
     Styles with equal layer, colour and dash pattern are in one group, even if they differ in the
-    kind of entity or in the block.
+    kind of entity or in the block.  Layers whose names only count are equal.
     """
-    number: dict[tuple[str, int, int, str], int] = {}
+    looks = list(
+        zip(styles.colour.tolist(), styles.true_colour.tolist(), styles.linetype, strict=True)
+    )
+    series = find_numbered_layers(zip(styles.layer, looks, strict=True))
+    number: dict[tuple[str, tuple[int, int, str]], int] = {}
     return np.array(
         [
-            number.setdefault(traits, len(number))
-            for traits in zip(
-                styles.layer,
-                styles.colour.tolist(),
-                styles.true_colour.tolist(),
-                styles.linetype,
-                strict=True,
-            )
+            number.setdefault((series.get(layer, layer), look), len(number))
+            for layer, look in zip(styles.layer, looks, strict=True)
         ],
         np.int64,
     )

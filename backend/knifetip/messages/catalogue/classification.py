@@ -117,6 +117,9 @@ MESSAGES: Final[Entries] = {
         "{rule}, and the edge lies on top of a cut",
         rule="message",
     ),
+    "classification.only-fold-style": entry(
+        "no other colour or line style only divides panels",
+    ),
     "classification.open": entry("the edge belongs to an outline that does not close"),
     "classification.other-style-closes": entry(
         "most of the outline of the blank consists of edges with another layer, colour or "
