@@ -27,6 +27,7 @@ from knifetip.classification.shape.edge_sums import (
     sum_pieces,
 )
 from knifetip.classification.shape.measures import ComponentBoxes
+from knifetip.classification.shape.micro_loops import contract_micro_loops
 from knifetip.classification.shape.part_kinds import PartKinds
 from knifetip.classification.shape.piece_roles import piece_roles
 from knifetip.classification.shape.required_folds import find_required_folds
@@ -103,6 +104,18 @@ class ShapeFeatures:
             columns[field.name] = filled
         return ShapeFeatures(**columns)
 
+    def like(self, rows: I64, host: I64) -> ShapeFeatures:
+        """Return the features in which some edges have the features of others.
+
+        ``rows`` (k,) are the indices of the edges, and ``host`` (k,) those of the other edges.
+        """
+        columns: dict[str, Any] = {field.name: getattr(self, field.name) for field in fields(self)}
+        for name, column in columns.items():
+            if name not in ("face_area", "coincident", "must_fold", "dashed"):
+                columns[name] = column.copy()
+                columns[name][rows] = column[host]
+        return ShapeFeatures(**columns)
+
 
 def extract_shape_features(
     ends: F64,
@@ -131,11 +144,21 @@ def extract_shape_features(
         points = ends.reshape(-1, 2)
         diagonal = float(np.hypot(*(points.max(axis=0) - points.min(axis=0))))
         unit = diagonal / _ASSUMED_SIZE or 1.0
-    order = spatial_order(ends)
+    contracted = contract_micro_loops(ends, bulge, unit)
+    if contracted is None:
+        return _in_order(_Extraction(ends, bulge, annotations, unit, with_folds))
+    rows = contracted.rows
+    rest = _Extraction(contracted.ends, bulge[rows], annotations, unit, with_folds)
+    return _in_order(rest).spread(count, rows, Role.UNKNOWN).like(contracted.loop, contracted.host)
+
+
+def _in_order(edges: _Extraction) -> ShapeFeatures:
+    """Return the shape features of edges; neighbours are examined together, which is faster."""
+    order = spatial_order(edges.ends)
     if order is None:
-        return _Extraction(ends, bulge, annotations, unit, with_folds).features()
-    ordered = _Extraction(ends[order], bulge[order], annotations, unit, with_folds)
-    return ordered.features().spread(count, order, Role.UNKNOWN)
+        return edges.features()
+    ordered = edges._replace(ends=edges.ends[order], bulge=edges.bulge[order])
+    return ordered.features().spread(len(order), order, Role.UNKNOWN)
 
 
 def _no_features(count: int) -> ShapeFeatures:
