@@ -261,6 +261,10 @@ class ControllerReset(ControllerError):
     """Raised when the controller was reset during a job."""
 
 
+class ConnectionLost(ControllerError):
+    """Raised when the connection to a controller is lost or cannot be made."""
+
+
 class ControllerSilent(ControllerError):
     """Raised when the controller does not answer."""
 

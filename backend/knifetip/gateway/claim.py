@@ -18,7 +18,8 @@ outgoing connections.  It decides the following by itself:
   present phase of the run (``JobRun.begin_phase``).  Otherwise a late answer, meant for an earlier
   hold, could start the next copy before its sheet is on the table.
 - A job that fails before a line of its program was sent returns to the queue with the reason
-  (``refused``).  It is not claimed again before an operator has asked for it.  The first line is
+  (``refused``).  It is not claimed again before an operator has asked for it, unless only the
+  connection to the controller was lost (``returned``).  The first line is
   sent after the check run, when the server has answered a heartbeat that announces it and the
   journal contains it: then the server, which sees the lease expire, and the gateway that takes over
   know a job of which nothing was executed.
@@ -48,7 +49,10 @@ import httpx
 
 from knifetip import logs, tracing
 from knifetip.errors import (
+    ConnectionLost,
     ControllerError,
+    ControllerReset,
+    ControllerSilent,
     GatewayRefused,
     KnifetipError,
     NoSuchController,
@@ -73,6 +77,9 @@ from knifetip.messages import Message
 from knifetip.tracing import SpanKind
 
 _log = logging.getLogger(__name__)
+
+#: Failures before the first line that say nothing about the job or the machine.
+_PASSING = (ConnectionLost, ControllerReset, ControllerSilent)
 
 
 def _cause_of(error: KnifetipError | OSError) -> Message:
@@ -254,7 +261,8 @@ class _GatewayLoop:
                 )
                 _log.warning("Job %s: %s", claim.job, cause)
             except (KnifetipError, OSError) as error:
-                outcome, cause = outcome if run.begun else "refused", _cause_of(error)
+                unbegun = "returned" if isinstance(error, _PASSING) else "refused"
+                outcome, cause = outcome if run.begun else unbegun, _cause_of(error)
             except asyncio.CancelledError:
                 if not run.begun:
                     outcome, cause = "returned", Message("gateway.switched-off")

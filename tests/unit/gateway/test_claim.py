@@ -14,7 +14,7 @@ from typing import Any
 import httpx
 import pytest
 
-from knifetip.errors import ControllerError, GatewayRefused, StaleVersion
+from knifetip.errors import ConnectionLost, GatewayRefused, StaleVersion
 from knifetip.gateway import simulator
 from knifetip.gateway.claim import run_gateway
 from knifetip.gateway.controller import Controller, SafeState, State, Status
@@ -417,7 +417,7 @@ async def test_a_table_that_is_switched_off_takes_no_job() -> None:
         async def connect(safe: SafeState, stop_motion: bool) -> Controller:
             calls.append(len(office.claims))
             if len(calls) < 3:
-                raise ControllerError("controller.unreachable", address="wire", reason="off")
+                raise ConnectionLost("controller.unreachable", address="wire", reason="off")
             return await driver.dial(server.address, safe, silence=0.5, poll=0.02)
 
         await gateway(office, server, connect=connect)
@@ -678,7 +678,7 @@ async def test_a_failure_before_the_first_line_returns_the_job_with_the_reason(
         await gateway(office, server, connect=CheckRun(server, fail))
         assert server.table.time == 0.0
     (end,) = office.finished
-    assert (end["outcome"], end["line"], end["line_at_most"]) == ("refused", 0, 0)
+    assert (end["outcome"], end["line"], end["line_at_most"]) == ("returned", 0, 0)
     assert end["why"]["arguments"]["error"]["code"] == code
 
 
@@ -696,14 +696,14 @@ async def test_a_controller_that_is_gone_before_the_program_starts_returns_the_j
         nonlocal dials
         dials += 1
         if dials == 2:
-            raise ControllerError("controller.unreachable", address="wire", reason="off")
+            raise ConnectionLost("controller.unreachable", address="wire", reason="off")
         return await driver.dial(server.address, safe, silence=0.5, poll=0.02)
 
     async with table() as server:
         await gateway(office, server, connect=connect)
         assert server.table.time == 0.0
     (end,) = office.finished
-    assert (end["outcome"], end["line"]) == ("refused", 0)
+    assert (end["outcome"], end["line"]) == ("returned", 0)
     assert end["why"]["code"] == "controller.unreachable"
 
 

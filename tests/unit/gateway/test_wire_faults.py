@@ -14,6 +14,7 @@ from contextlib import aclosing
 import pytest
 
 from knifetip.errors import (
+    ConnectionLost,
     ControllerAlarm,
     ControllerError,
     ControllerRejected,
@@ -118,7 +119,7 @@ class Bench:
 
     async def _reconnect(self) -> Wire:
         if not self.reachable:
-            raise ControllerError("controller.unreachable", address="wire", reason="off")
+            raise ConnectionLost("controller.unreachable", address="wire", reason="off")
         self.wire = Wire(self.table)
         return self.wire
 

@@ -11,6 +11,7 @@ from collections.abc import Awaitable, Callable
 from contextlib import suppress
 
 from knifetip.errors import (
+    ConnectionLost,
     ControllerAlarm,
     ControllerError,
     ControllerRejected,
@@ -330,4 +331,4 @@ class GrblConnection(Exchange):
         self.connected = False
         if isinstance(self.fault, ControllerAlarm):
             self.fault = None  # the loss matters more: an unreachable controller cannot be unlocked
-        self.fail(ControllerError("controller.lost", name=self.name, due=self.buffer.due()))
+        self.fail(ConnectionLost("controller.lost", name=self.name, due=self.buffer.due()))

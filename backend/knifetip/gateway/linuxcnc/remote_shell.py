@@ -13,6 +13,7 @@ import asyncio
 from contextlib import suppress
 
 from knifetip.errors import (
+    ConnectionLost,
     ControllerError,
     ControllerRejected,
     ControllerSilent,
@@ -181,7 +182,7 @@ class RemoteShell:
     async def _converse(self, text: str, prefix: str, patience: float) -> str:
         async with self._lock:
             if self._transport is None:
-                raise self._loss or ControllerError("linuxcnc.lost", name=self.name)
+                raise self._loss or ConnectionLost("linuxcnc.lost", name=self.name)
             exchange = asyncio.create_task(self._exchange(self._transport, text, prefix))
             try:
                 for _ in range(_PARTS):
@@ -207,7 +208,7 @@ class RemoteShell:
             while b"\n" not in self._rest:
                 chunk = await transport.read()
                 if not chunk or len(self._rest) > _LONGEST_REPLY:
-                    raise ControllerError("linuxcnc.lost", name=self.name)
+                    raise ConnectionLost("linuxcnc.lost", name=self.name)
                 self._rest += chunk
             line, _, self._rest = self._rest.partition(b"\n")
             reply = line.decode("utf-8", "replace").strip()

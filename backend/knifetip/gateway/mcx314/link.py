@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 from contextlib import suppress
 
-from knifetip.errors import ControllerError, ControllerSilent
+from knifetip.errors import ConnectionLost, ControllerError, ControllerSilent
 from knifetip.gateway.mcx314.frames import Splitter, pack, unpack
 from knifetip.gateway.transport import Transport, connect
 
@@ -93,7 +93,7 @@ class Link:
         try:
             for attempt in range(TRIES):
                 if self._transport is None:
-                    raise ControllerError("mcx314.lost", name=self.name)
+                    raise ConnectionLost("mcx314.lost", name=self.name)
                 self.repeated += attempt > 0
                 await self._transport.write(pack(tag, text))
                 with suppress(TimeoutError):
@@ -101,7 +101,7 @@ class Link:
                         return await asyncio.shield(future)
         except asyncio.CancelledError:
             if future.cancelled():
-                raise ControllerError("mcx314.lost", name=self.name) from None
+                raise ConnectionLost("mcx314.lost", name=self.name) from None
             raise
         finally:
             self._waiting.pop(tag, None)

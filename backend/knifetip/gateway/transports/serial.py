@@ -17,7 +17,7 @@ from urllib.parse import SplitResult, parse_qsl
 import serial
 from serial.tools.list_ports import comports
 
-from knifetip.errors import ControllerError, NoSuchController
+from knifetip.errors import ConnectionLost, ControllerError, NoSuchController
 from knifetip.messages import Message
 
 #: Speed of a port whose address states none (bits per second), as in grbl.
@@ -75,7 +75,7 @@ class SerialPort:
             try:
                 await asyncio.shield(self._unfinished)
             except OSError as error:
-                raise ControllerError(
+                raise ConnectionLost(
                     "controller.connection-failed", address=self.address, reason=error
                 ) from error
 

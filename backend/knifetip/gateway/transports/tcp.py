@@ -9,7 +9,7 @@ from contextlib import suppress
 from ipaddress import ip_address
 from urllib.parse import SplitResult
 
-from knifetip.errors import ControllerError, NoSuchController
+from knifetip.errors import ConnectionLost, ControllerError, NoSuchController
 
 #: Most bytes that one ``read`` returns.
 CHUNK = 4096
@@ -53,7 +53,7 @@ class Tcp:
             self._writer.write(data)
             await self._writer.drain()
         except OSError as error:
-            raise ControllerError(
+            raise ConnectionLost(
                 "controller.connection-failed", address=self.address, reason=error
             ) from error
 
@@ -123,7 +123,7 @@ async def connect_socket(host: str, port: int) -> tuple[asyncio.StreamReader, as
 
 def unreachable(address: str, error: Exception) -> ControllerError:
     """Return the error for a controller to which no connection can be opened."""
-    return ControllerError("controller.unreachable", address=address, reason=error or "timed out")
+    return ConnectionLost("controller.unreachable", address=address, reason=error or "timed out")
 
 
 async def open_transport(url: SplitResult) -> Tcp:

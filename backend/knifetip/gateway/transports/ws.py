@@ -8,7 +8,7 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidStatus, InvalidURI, WebSocketException
 from websockets.typing import Subprotocol
 
-from knifetip.errors import ControllerError, NoSuchController
+from knifetip.errors import ConnectionLost, NoSuchController
 from knifetip.gateway.transports.tcp import PATIENCE, is_host, unreachable
 
 #: Subprotocol with which grblHAL answers in binary frames.
@@ -45,7 +45,7 @@ class WebSocket:
         try:
             await self._socket.send(data)
         except ConnectionClosed as error:
-            raise ControllerError(
+            raise ConnectionLost(
                 "controller.connection-failed", address=self.address, reason=error
             ) from error
 
