@@ -219,6 +219,10 @@ export const TEXTS = {
     "text": "the edges with this layer, colour and line style are drawn dashed",
     "hint": ""
   },
+  "classification.dimension": {
+    "text": "the edge belongs to a dimension: a text beside the line states its length",
+    "hint": ""
+  },
   "classification.divider": {
     "text": "the edge divides two panels",
     "hint": ""
@@ -273,6 +277,10 @@ export const TEXTS = {
   },
   "classification.mark": {
     "text": "the edge belongs to a closed shape that is much smaller than the blank",
+    "hint": ""
+  },
+  "classification.measured": {
+    "text": "a text beside the edge states its length, so the edge may be a dimension line",
     "hint": ""
   },
   "classification.mirror-cut": {

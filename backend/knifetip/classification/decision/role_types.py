@@ -16,6 +16,8 @@ IGNORED_CONFIDENCE: Final[dict[Role, float]] = {
     Role.DEBRIS: 0.85,
     Role.NAMED: 0.9,
     Role.LEGEND: 0.95,
+    Role.DIMENSION: 0.95,
+    Role.MEASURED: 0.6,
 }
 _CUT_FIRST: Final = (LineType.CUT, LineType.IGNORED, LineType.CREASE)
 #: Possible line types of each role, the likeliest first.
@@ -26,6 +28,7 @@ POSSIBLE_TYPES: Final[dict[Role, tuple[LineType, ...]]] = {
     Role.FREE: (LineType.CUT, LineType.CREASE, LineType.IGNORED),
     **dict.fromkeys(HOLES, (LineType.CUT, LineType.HALF_CUT, LineType.IGNORED)),
     **dict.fromkeys(NOT_CARTON, (LineType.IGNORED, LineType.CUT)),
+    Role.MEASURED: (LineType.IGNORED, LineType.CREASE, LineType.CUT),
 }
 
 

@@ -19,6 +19,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from knifetip.classification.shape.arrows import find_arrow_edges
+from knifetip.classification.shape.dimension_lines import find_dimension_edges
 from knifetip.classification.shape.edge_sums import (
     EdgeSums,
     Pieces,
@@ -196,8 +197,20 @@ class _Extraction(NamedTuple):
     def features(self) -> ShapeFeatures:
         """Return the shape features of all edges.
 
-        Edges of arrows are found first; the other edges are examined without them.
+        Edges of dimensions and arrows are found first; the other edges are examined without them.
         """
+        dimension = find_dimension_edges(self.ends, self.bulge, self.annotations, self.unit)
+        if dimension is None:
+            return self._features_without_arrows()
+        count = len(self.bulge)
+        rows = np.flatnonzero(~(dimension.certain | dimension.possible))
+        rest = self._replace(ends=self.ends[rows], bulge=self.bulge[rows])
+        features = rest._features_without_arrows().spread(count, rows, Role.DIMENSION)
+        features.role[dimension.possible] = Role.MEASURED
+        return features
+
+    def _features_without_arrows(self) -> ShapeFeatures:
+        """Return the shape features of all edges, examined without the edges of arrows."""
         count = len(self.bulge)
         graph = self._graph()
         if graph is None:

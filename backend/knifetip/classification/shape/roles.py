@@ -31,6 +31,8 @@ class Role(IntEnum):
     ENCLOSING = 17  #: surrounds a whole carton, and is neither frame nor bleed
     NAMED = 18  #: is an annotation by its layer's name
     LEGEND = 19  #: is a sample of a line type beside that type's name
+    DIMENSION = 20  #: belongs to a dimension: a text beside it states its length
+    MEASURED = 21  #: may be a dimension line, since a text beside it states its length
 
     @property
     def message(self) -> Message:
@@ -50,6 +52,8 @@ NOT_CARTON: Final = (
     Role.ENCLOSING,
     Role.NAMED,
     Role.LEGEND,
+    Role.DIMENSION,
+    Role.MEASURED,
 )
 
 #: Roles of edges round a piece of waste that falls out of a panel.
@@ -76,4 +80,6 @@ _MESSAGES: Final = {
     Role.ENCLOSING: Message("classification.around"),
     Role.NAMED: Message("classification.named"),
     Role.LEGEND: Message("classification.legend"),
+    Role.DIMENSION: Message("classification.dimension"),
+    Role.MEASURED: Message("classification.measured"),
 }

@@ -41,6 +41,9 @@ MESSAGES: Final[Entries] = {
     "classification.dashed": entry(
         "the edges with this layer, colour and line style are drawn dashed",
     ),
+    "classification.dimension": entry(
+        "the edge belongs to a dimension: a text beside the line states its length",
+    ),
     "classification.divider": entry("the edge divides two panels"),
     "classification.divides-panels": entry(
         ", whereas an edge of type {type} divides two panels",
@@ -80,6 +83,9 @@ MESSAGES: Final[Entries] = {
     ),
     "classification.mark": entry(
         "the edge belongs to a closed shape that is much smaller than the blank",
+    ),
+    "classification.measured": entry(
+        "a text beside the edge states its length, so the edge may be a dimension line",
     ),
     "classification.mirror-cut": entry(
         "the drawing contains a mirror image of the edge, and this mirror image is a cut",
