@@ -95,7 +95,8 @@ def learn(
     A proposed rule should match no edge with a different line type.  Edges for which there is no
     such rule get rules by layer and colour.  A rule may also change edges whose line type the user
     did not set.  The result lists these edges: if the user set ten red edges of a layer to crease,
-    an eleventh red edge may have been overlooked.
+    an eleventh red edge may have been overlooked.  A rule that changes as many decided edges as it
+    explains is not proposed.
 
     Parameters
     ----------
@@ -146,11 +147,15 @@ def learn(
         after = pipeline.classify(drawing, longer, overrides)
         matched = matching_rules(drawing, LineRules("", "", (rule,))) == 0
         changes = _changes(before.line_type, after.line_type)
+        explains = np.flatnonzero(matched & (overrides == rule.line_type)).tolist()
+        settled = [one for one in changes if one["before"] != "unclassified"]
+        if sum(len(one["edges"]) for one in settled) >= len(explains):
+            continue
         proposed.append(
             {
                 "rule": rule_json(rule),
-                "explains": np.flatnonzero(matched & (overrides == rule.line_type)).tolist(),
-                "sure": all(one["before"] == "unclassified" for one in changes),
+                "explains": explains,
+                "sure": not settled,
                 "changes": changes,
             }
         )

@@ -345,13 +345,17 @@ def test_corrections_propose_a_rule_that_makes_them_unnecessary(client: httpx.Cl
 def test_a_correction_against_the_profile_lists_other_changed_edges(
     client: httpx.Client,
 ) -> None:
-    folds = [text.line(10.0, y, 90.0, y, (8, "CREASE")) for y in (40.0, 60.0)]
+    folds = [text.line(10.0, y, 90.0, y, (8, "CREASE")) for y in (30.0, 50.0, 70.0)]
     id = upload_drawing(client, square(extra=tuple(folds)))["id"]
     override = {"overrides": [{"type": "perforation", "edges": [4]}]}
     client.patch(f"/api/drawings/{id}/edges", json=override)
+    # One correction does not outweigh two decided edges.
+    assert client.post(f"/api/drawings/{id}/learned").json() == []
+    override = {"overrides": [{"type": "perforation", "edges": [4, 5]}]}
+    client.patch(f"/api/drawings/{id}/edges", json=override)
     (proposal,) = client.post(f"/api/drawings/{id}/learned").json()
-    assert (proposal["sure"], proposal["explains"]) == (False, [4])
-    assert proposal["changes"] == [{"before": "crease", "after": "perforation", "edges": [5]}]
+    assert (proposal["sure"], proposal["explains"]) == (False, [4, 5])
+    assert proposal["changes"] == [{"before": "crease", "after": "perforation", "edges": [6]}]
 
 
 def test_lengths_in_the_report_add_up_and_every_edge_has_an_outcome(client: httpx.Client) -> None:
