@@ -168,7 +168,8 @@ def _decide(evidence: StyleEvidence, key: int) -> Decision:
     if evidence.matches.rule[style] >= 0:
         return decide_by_rule(evidence, style, Role(role))
     decision = decide_by_evidence(evidence, style, Role(role), bool(flags & MUST_FOLD))
-    if flags & NEAR_TEXT and decision.kind == LineType.IGNORED:
+    # A text in or beside a closed shape may name a part.
+    if flags & NEAR_TEXT and decision.kind == LineType.IGNORED and role != Role.LABELLED:
         text = Message("classification.with-text", reason=decision.reason)
         confidence = 1.0 - 0.4 * (1.0 - decision.confidence)
         decision = replace(decision, confidence=confidence, reason=text)

@@ -24,6 +24,8 @@ from knifetip.model.dieline import LineType
 
 _CAMEL_CASE: Final = re.compile(r"(?<=[a-zà-ÿ])(?=[A-ZÀ-Þ])")
 _SEPARATORS: Final = re.compile(r"[^\w]+|_+|\d+")
+#: A part of the thickness of the board, as in "50 % cut".
+_DEPTH: Final = re.compile(r"(?<![\d.,])[1-9]\d?\s?%")
 #: Letters that Unicode does not decompose into a base letter and an accent.
 _LETTERS: Final = str.maketrans({"ł": "l", "ı": "i", "ø": "o", "æ": "ae", "đ": "d", "œ": "oe"})
 #: Second halves of "V groove", whose first half is too short to be a word of its own.
@@ -132,6 +134,8 @@ def name_meaning(name: str) -> NameMeaning:
     if len(kinds) != 1:
         return NameMeaning(None, " ".join(found.values()), denied)
     ((kind, word),) = found.items()
+    if kind == LineType.CUT and (depth := _DEPTH.search(name)):
+        return NameMeaning(LineType.HALF_CUT, f"{depth[0]} {word}", denied)
     return NameMeaning(kind, word, denied)
 
 
@@ -160,7 +164,8 @@ def _word_meanings(words: list[str], vocabulary: _Vocabulary) -> dict[LineType, 
             skipped = index + 1
         else:
             for kind in meanings.get(word, ()):
-                found.setdefault(kind, word)
+                if found.get(kind) in (None, *vocabulary.whole_die):
+                    found[kind] = word
     return found
 
 

@@ -247,12 +247,20 @@ export const TEXTS = {
     "text": "the edge lies inside a hole or divides a hole into parts",
     "hint": ""
   },
+  "classification.labelled": {
+    "text": "the edge belongs to a closed shape with a text in or beside it, which may be a label or a small part",
+    "hint": ""
+  },
   "classification.layer-denies": {
     "text": "the name of the layer of the edge, \"{layer}\", suggests another line type",
     "hint": ""
   },
   "classification.layer-name": {
     "text": "the name of the layer of the edge contains \"{word}\"",
+    "hint": ""
+  },
+  "classification.layer-name-against": {
+    "text": "but the name of the layer of the edge contains \"{word}\"",
     "hint": ""
   },
   "classification.legend": {
@@ -273,6 +281,10 @@ export const TEXTS = {
   },
   "classification.linetype-name": {
     "text": "the name of the line style of the edge contains \"{word}\"",
+    "hint": ""
+  },
+  "classification.linetype-name-against": {
+    "text": "but the name of the line style of the edge contains \"{word}\"",
     "hint": ""
   },
   "classification.mark": {
@@ -396,7 +408,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.table": {
-    "text": "the edge lies beside a text, so it belongs to a title block, a dimension or a label",
+    "text": "the edge belongs to boxes with texts, as in a title block",
     "hint": ""
   },
   "classification.unknown": {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from knifetip.classification.classify import classify
@@ -11,7 +12,7 @@ from knifetip.classification.questions import list_questions
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from tests.support.cartons.random_drawings import random_drawing
-from tests.support.classification import classified, drawing_of, style, words
+from tests.support.classification import box, classified, drawing_of, style, text, words
 
 Line = tuple[float, float, float, float]
 
@@ -217,3 +218,44 @@ def test_no_more_than_one_edge_in_three_thousand_is_silently_wrong_in_drawings_o
     assert edges > 10_000
     assert decided > 0.6 * edges
     assert wrong <= edges / 3000
+
+
+def test_dividers_on_a_layer_that_says_cut_are_offered_as_cuts() -> None:
+    """The offered line type is the one for which the reason argues."""
+    dieline = classified(
+        drawing_of((BLANK, style("Plate")), (FOLDS, style("Découpe")), (SLIT, style("Découpe")))
+    )
+    row = int(dieline.rule[4])
+    assert words(dieline)[4] == "unclassified"
+    assert dieline.alternatives[row][:2] == (LineType.CUT, LineType.CREASE)
+    assert 'the name of the layer of the edge contains "decoupe"' in why(dieline, 4)
+
+
+def test_a_name_against_the_shape_is_said_to_be_so() -> None:
+    dieline = classified(drawing_of((BLANK, style("Plis")), (FOLDS, style("Plis"))))
+    assert 'but the name of the layer of the edge contains "plis"' in why(dieline, 0)
+
+
+def test_a_closed_shape_beside_a_text_is_asked_about_and_not_left_out() -> None:
+    sheet = drawing_of(
+        (BLANK, style()), (FOLDS, style(colour=40)), (box(340, 0, 400, 60), style(colour=90))
+    )
+    sheet = replace(sheet, annotations=(text(365, 30, "Lid"),))
+    dieline = classified(sheet)
+    assert words(dieline)[6:] == ["ignored"] * 4  # nothing else has its colour
+    own = replace(sheet, colour=np.where(sheet.colour == 90, 7, sheet.colour))
+    dieline = classified(own)
+    assert words(dieline)[6:] == ["unclassified"] * 4
+    assert dieline.alternatives[dieline.rule[6]][:2] == (LineType.IGNORED, LineType.CUT)
+
+
+def test_a_name_of_two_line_types_needs_another_witness() -> None:
+    sheet = drawing_of((BLANK, style("CUT")), (FOLDS, style("Rill-Schnitt")))
+    assert words(classified(sheet))[4:] == ["unclassified"] * 2
+
+
+def test_a_name_decides_about_perforations_and_half_cuts_inside_a_panel() -> None:
+    inner = [(130, 50, 170, 50)]
+    for name, kind in (("Perf tear", "perforation"), ("half", "half-cut"), ("Falz", None)):
+        dieline = classified(drawing_of((BLANK, style("CUT")), (inner, style(name, colour=90))))
+        assert words(dieline)[4] == (kind or "unclassified"), name

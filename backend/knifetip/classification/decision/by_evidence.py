@@ -25,8 +25,17 @@ from knifetip.model.dieline import LineType
 
 #: Line types of lines between panels.
 _DIVIDING: Final = (*FOLD_TYPES, LineType.HALF_CUT)
+#: Line types that no other word means, unlike folds.
+_PARTIAL: Final = (LineType.PERFORATION, LineType.HALF_CUT)
 #: Folds in other styles count if they are longer than this fraction of the main folds.
 _OTHER_FOLDS: Final = 0.05
+#: Message about a name, by whether it is that of a layer and whether it suggests the guess.
+_NAMES: Final = {
+    (True, True): "classification.layer-name",
+    (True, False): "classification.layer-name-against",
+    (False, True): "classification.linetype-name",
+    (False, False): "classification.linetype-name-against",
+}
 _LIKE_OUTLINE: Final = (Message("classification.like-outline"),)
 
 
@@ -83,7 +92,7 @@ def decide_by_evidence(
     guess.others.append(likeliest_type(role))
     if role not in IGNORED_CONFIDENCE:
         _weigh_conventions(evidence, guess, style, role)
-    _weigh_names(evidence, guess, style, role)
+    _weigh_names(evidence, guess, style, role, must_fold)
     others = [kind for kind in dict.fromkeys(guess.others) if kind != guess.kind]
     for kind in POSSIBLE_TYPES[role]:
         if kind != guess.kind and kind not in others:
@@ -120,11 +129,14 @@ def _weigh_conventions(evidence: StyleEvidence, guess: _Guess, style: int, role:
         guess.weaken(0.6, kind)
 
 
-def _weigh_names(evidence: StyleEvidence, guess: _Guess, style: int, role: Role) -> None:
+def _weigh_names(
+    evidence: StyleEvidence, guess: _Guess, style: int, role: Role, must_fold: bool
+) -> None:
     """Change a guess by the meaning of a style's layer name or dash pattern name.
 
     The name of the dash pattern is used only if the layer name has no meaning.  ``style`` and
-    ``role`` are the style and the role of the edges that ``guess`` is about.
+    ``role`` are the style and the role of the edges that ``guess`` is about, and ``must_fold`` is
+    whether a panel is attached by them alone.
     """
     meaning, by_layer = evidence.meaning(style)
     if meaning.denied:
@@ -144,15 +156,16 @@ def _weigh_names(evidence: StyleEvidence, guess: _Guess, style: int, role: Role)
     if named == guess.kind:
         guess.strengthen(0.25)
     elif role == Role.DIVIDER and named in _DIVIDING:
-        guess.replace(named, 0.9)
+        # A name with a word for cuts and one for folds does not say that it means both.
+        guess.replace(named, 0.7 if named == LineType.COMBI and " " in meaning.word else 0.9)
     elif divides or ignores:
-        guess.replace(named, 0.7)
+        guess.replace(named, 0.85 if named in _PARTIAL else 0.7)
+    elif role == Role.DIVIDER and named == LineType.CUT and not must_fold:
+        # A contour that is drawn twice divides narrow strips from the panels.
+        guess.replace(named, 0.6)
     else:
         guess.weaken(0.5, named)
-    if by_layer:
-        guess.votes.append(Message("classification.layer-name", word=meaning.word))
-    else:
-        guess.votes.append(Message("classification.linetype-name", word=meaning.word))
+    guess.votes.append(Message(_NAMES[by_layer, named == guess.kind], word=meaning.word))
 
 
 def _guess_by_shape(
@@ -194,7 +207,7 @@ def _guess_by_shape(
         if role == Role.BLEED and own[[Role.OUTLINE, *HOLES]].any():
             # A window round another part is drawn like the cuts, and a bleed line seldom is.
             return LineType.IGNORED, 0.6, ()
-        if role == Role.TABLE:
+        if role in (Role.TABLE, Role.LABELLED):
             return LineType.IGNORED, 0.85 if nothing_else else 0.6, ()
         confidence = IGNORED_CONFIDENCE.get(role, 0.65 if nothing_else else 0.5)
         return LineType.IGNORED, confidence, ()

@@ -44,7 +44,8 @@ class PartKinds:
 
     inside: Bool  #: (c,) inside a face of a blank
     frame: Bool  #: (c,) a rectangle round blanks
-    table: Bool  #: (c,) a title block, a dimension or a label
+    table: Bool  #: (c,) a title block
+    labelled: Bool  #: (c,) a closed shape with a text in or beside it: a label, or a small part
     small: Bool  #: (c,) a mark, too small for a blank
     doubtful: Bool  #: (c,) an outline that does not close
     near_text: Bool  #: (c,) with a text in or beside its bounding box
@@ -94,9 +95,10 @@ class PartKinds:
         separate = ~inside & ~surrounding
         largest = area[separate].max(initial=0.0)
         table = separate & boxes.rectilinear & (area < 0.25 * largest)
-        table &= (panels >= 1) & (measures.texts >= np.maximum(1, 0.4 * panels))
-        table |= separate & measures.near_text & (area > tiny) & (area < 0.25 * largest)
-        small = separate & ~table & (area > 0.0)
+        table &= (panels >= 2) & (measures.texts >= np.maximum(1, 0.4 * panels))
+        labelled = separate & measures.near_text & (area > tiny) & (area < 0.25 * largest)
+        labelled &= ~table
+        small = separate & ~table & ~labelled & (area > 0.0)
         small &= area < max(_SMALL_SHARE * largest, 4.0 * tiny)
         debris = separate & (area <= tiny) & (size <= _DEBRIS_SIZE * unit)
         closed_length = measures.length[separate & (area > tiny)].sum()
@@ -109,11 +111,12 @@ class PartKinds:
         )
         legend = separate & (area <= tiny) & (size <= 2.0 * _DEBRIS_SIZE * unit)
         empty = np.bincount(parent[parent >= 0], minlength=len(area)) == 0
-        outlines = separate & ~table & ~measures.is_letter
+        outlines = separate & ~table & ~labelled & ~measures.is_letter
         return cls(
             inside=inside,
             frame=enclosures.frame,
             table=table,
+            labelled=labelled,
             small=small,
             doubtful=_find_doubtful(measures, boxes.box, outlines, small, tiny),
             near_text=measures.near_text,

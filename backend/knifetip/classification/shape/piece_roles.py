@@ -45,6 +45,7 @@ def piece_roles(graph: PlanarGraph, faces: Faces, kinds: PartKinds) -> U8:
         (kinds.bleed, [Role.BLEED] * 4),
         (kinds.enclosing, [Role.ENCLOSING] * 4),
         (kinds.table, [Role.TABLE] * 4),
+        (kinds.labelled, [Role.LABELLED] * 4),
         (kinds.letter, [Role.LETTER] * 4),
     )
     table = np.array([_BLANK, *(roles for _, roles in rows)], np.uint8)

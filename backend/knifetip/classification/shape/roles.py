@@ -19,7 +19,7 @@ class Role(IntEnum):
     FREE = 5  #: lies inside a panel and touches nothing
     STRAY = 6  #: lies outside all blanks
     FRAME = 7  #: belongs to a frame round blanks
-    TABLE = 8  #: belongs to a title block, a dimension or a label
+    TABLE = 8  #: belongs to a title block
     MARK = 9  #: closes a shape much smaller than a blank
     INNER = 10  #: lies inside a hole
     OPEN = 11  #: belongs to an outline that does not close
@@ -32,7 +32,8 @@ class Role(IntEnum):
     NAMED = 18  #: is an annotation by its layer's name
     LEGEND = 19  #: is a sample of a line type beside that type's name
     DIMENSION = 20  #: belongs to a dimension: a text beside it states its length
-    MEASURED = 21  #: may be a dimension line, since a text beside it states its length
+    LABELLED = 21  #: closes a shape with a text in or beside it: a label, or a small part
+    MEASURED = 22  #: may be a dimension line, since a text beside it states its length
 
     @property
     def message(self) -> Message:
@@ -53,6 +54,7 @@ NOT_CARTON: Final = (
     Role.NAMED,
     Role.LEGEND,
     Role.DIMENSION,
+    Role.LABELLED,
     Role.MEASURED,
 )
 
@@ -81,5 +83,6 @@ _MESSAGES: Final = {
     Role.NAMED: Message("classification.named"),
     Role.LEGEND: Message("classification.legend"),
     Role.DIMENSION: Message("classification.dimension"),
+    Role.LABELLED: Message("classification.labelled"),
     Role.MEASURED: Message("classification.measured"),
 }

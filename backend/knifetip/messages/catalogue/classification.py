@@ -55,12 +55,20 @@ MESSAGES: Final[Entries] = {
     "classification.inner": entry(
         "the edge lies inside a hole or divides a hole into parts",
     ),
+    "classification.labelled": entry(
+        "the edge belongs to a closed shape with a text in or beside it, which may be a label or "
+        "a small part",
+    ),
     "classification.layer-denies": entry(
         'the name of the layer of the edge, "{layer}", suggests another line type',
         layer="text",
     ),
     "classification.layer-name": entry(
         'the name of the layer of the edge contains "{word}"',
+        word="text",
+    ),
+    "classification.layer-name-against": entry(
+        'but the name of the layer of the edge contains "{word}"',
         word="text",
     ),
     "classification.legend": entry(
@@ -79,6 +87,10 @@ MESSAGES: Final[Entries] = {
     ),
     "classification.linetype-name": entry(
         'the name of the line style of the edge contains "{word}"',
+        word="text",
+    ),
+    "classification.linetype-name-against": entry(
+        'but the name of the line style of the edge contains "{word}"',
         word="text",
     ),
     "classification.mark": entry(
@@ -172,7 +184,7 @@ MESSAGES: Final[Entries] = {
         convention="message",
     ),
     "classification.table": entry(
-        "the edge lies beside a text, so it belongs to a title block, a dimension or a label",
+        "the edge belongs to boxes with texts, as in a title block",
     ),
     "classification.unknown": entry(
         "the geometry of the drawing does not show which line type the edge has",
