@@ -20,6 +20,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from knifetip.classification import classify as classification
+from knifetip.classification.answers import follow_answers
 from knifetip.classification.questions import list_questions
 from knifetip.cleaning.clean import clean
 from knifetip.compensation.compensate import compensate
@@ -136,10 +137,13 @@ def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) ->
         The classification profile.
     overrides : (n,)
         For each of the n edges the LineType that the user has set, or ``NO_OVERRIDE`` to keep the
-        type from the classification.  None if the user has set no line type.
+        type from the classification.  None if the user has set no line type.  Open edges get the
+        line types that follow from them.
     """
     dieline = classification.classify(drawing, rules, load.conventions())
-    return dieline if overrides is None else classification.apply_overrides(dieline, overrides)
+    if overrides is None:
+        return dieline
+    return follow_answers(drawing, classification.apply_overrides(dieline, overrides), overrides)
 
 
 def interpret(drawing: Drawing, interpretation: Interpretation) -> Dieline:

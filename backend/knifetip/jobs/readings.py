@@ -35,9 +35,10 @@ def restore_or_read(
 ) -> tuple[Drawing, Dieline]:
     """Return a drawing and its dieline (edges with line types) for an interpretation.
 
-    Both are restored from the stored edges if four conditions are met: the unit is known, the
-    stored interpretation has the same unit and profile, no override was removed, and the edges were
-    stored with their distances from the curves of the file.  Otherwise the file is read again.  An
+    Both are restored from the stored edges if these conditions are met: the unit is known, the
+    stored interpretation has the same unit and profile, no override was removed, the edges were
+    stored with their distances from the curves of the file, and no line type followed from earlier
+    overrides, if there are new ones.  Otherwise the file is read again.  An
     override is a line type that the user has set for an edge; the line type that the edge had
     before is not stored.
 
@@ -62,7 +63,9 @@ def restore_or_read(
         else:
             # The question about the unit needs evidence from the whole file.
             if drawing.unit and np.isfinite(drawing.fit_error).all():
-                return drawing, _apply_new_overrides(dieline, changed)
+                overrides = np.frombuffer(interpretation.overrides, np.uint8)
+                if (answered := _apply_new(drawing, dieline, changed, overrides)) is not None:
+                    return drawing, answered
     from knifetip import pipeline
 
     drawing = read_drawing(stored.content, interpretation.unit)
@@ -148,9 +151,17 @@ def _new_overrides(stored: Interpretation, interpretation: Interpretation) -> U8
     return np.where(changed, overrides, NO_OVERRIDE).astype(np.uint8)
 
 
-def _apply_new_overrides(dieline: Dieline, overrides: U8) -> Dieline:
-    if (overrides == NO_OVERRIDE).all():
+def _apply_new(drawing: Drawing, dieline: Dieline, changed: U8, overrides: U8) -> Dieline | None:
+    """Return a stored dieline with new overrides; None if the drawing must be classified again.
+
+    What followed from the earlier overrides may not follow from the new ones.  ``changed`` (n,) are
+    the new overrides, and ``overrides`` (n,) are all of them.
+    """
+    if (changed == NO_OVERRIDE).all():
         return dieline
+    from knifetip.classification.answers import FOLLOWS, follow_answers
     from knifetip.classification.classify import apply_overrides
 
-    return apply_overrides(dieline, overrides)
+    if FOLLOWS in dieline.rules:
+        return None
+    return follow_answers(drawing, apply_overrides(dieline, changed), overrides)

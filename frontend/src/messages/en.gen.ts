@@ -231,6 +231,10 @@ export const TEXTS = {
     "text": ", whereas an edge of type {type} divides two panels",
     "hint": ""
   },
+  "classification.follows": {
+    "text": "the user gave this line type to the other edges with the same colour and line style",
+    "hint": ""
+  },
   "classification.frame": {
     "text": "the edge frames the whole drawing",
     "hint": ""

@@ -49,6 +49,9 @@ MESSAGES: Final[Entries] = {
         ", whereas an edge of type {type} divides two panels",
         type="text",
     ),
+    "classification.follows": entry(
+        "the user gave this line type to the other edges with the same colour and line style",
+    ),
     "classification.frame": entry("the edge frames the whole drawing"),
     "classification.free": entry("the edge lies inside a panel and touches no other edge"),
     "classification.hole": entry("the edge closes a hole in a panel"),

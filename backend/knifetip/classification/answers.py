@@ -1,0 +1,86 @@
+"""answers: decide what follows from the line types that the user gives to some edges.
+
+A user who answers a question states what a colour and line style mean in the drawing.  Edges with
+the same look that are still open get the same line type.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from knifetip.classification.numbered_layers import find_numbered_layers
+from knifetip.classification.vocabulary import is_meaningless
+from knifetip.geometry.columns import I64, U8
+from knifetip.geometry.unique_rows import unique_rows
+from knifetip.messages import Message
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing
+from knifetip.model.interpretation import NO_OVERRIDE
+
+#: Reason for the line type of an edge that follows from answers.
+FOLLOWS: Final = Message("classification.follows")
+#: Confidence of a line type that follows from answers.
+_CONFIDENCE: Final = 0.9
+
+
+def follow_answers(drawing: Drawing, dieline: Dieline, overrides: U8) -> Dieline:
+    """Return a dieline in which open edges have the line types that follow from the user's answers.
+
+    An open edge follows if the user gave one line type to at least as many edges of its look as are
+    open, and no edge of its look was decided otherwise.  Edges have one look if they have the same
+    colour and line style, and lie on one layer, on layers of a series, or on layers whose names
+    have no meaning.
+
+    Parameters
+    ----------
+    drawing
+        The drawing with n edges.
+    dieline
+        Its dieline, with the line types that the user gave.
+    overrides : (n,) uint8
+        Line type that the user gave to each edge, or ``NO_OVERRIDE``.
+    """
+    is_open = dieline.line_type == LineType.UNCLASSIFIED
+    answered = (overrides != NO_OVERRIDE) & ~is_open
+    if not (is_open.any() and answered.any()):
+        return dieline
+    look = _looks(drawing)
+    count = int(look.max()) + 1
+    open_edges = np.bincount(look[is_open], minlength=count)
+    answers = np.bincount(look[answered], minlength=count)
+    kind = np.zeros(count, np.uint8)
+    kind[look[answered]] = overrides[answered]
+    # One edge with another line type, given or decided, is enough to doubt.
+    other = ~is_open & (dieline.line_type != kind[look])
+    doubtful = np.bincount(look[other], minlength=count) > 0
+    follows = is_open & ((answers >= open_edges) & ~doubtful)[look]
+    if not follows.any():
+        return dieline
+    return replace(
+        dieline,
+        line_type=np.where(follows, kind[look], dieline.line_type),
+        rule=np.where(follows, len(dieline.rules), dieline.rule),
+        confidence=np.where(follows, _CONFIDENCE, dieline.confidence),
+        rules=(*dieline.rules, FOLLOWS),
+        alternatives=(*dieline.alternatives, ()) if dieline.alternatives else (),
+    )
+
+
+def _looks(drawing: Drawing) -> I64:
+    """Return the number of the look of each of n edges, (n,)."""
+    attributes = (drawing.colour, drawing.true_colour, drawing.linetype)
+    first, row = unique_rows(drawing.layer, *attributes)
+    names = [drawing.layers[layer] for layer in drawing.layer[first]]
+    looks = list(zip(*(column[first].tolist() for column in attributes), strict=True))
+    series = find_numbered_layers(zip(names, looks, strict=True))
+    number: dict[tuple[str, tuple[int, ...]], int] = {}
+    of_row = [
+        number.setdefault(
+            ("" if is_meaningless(name) else series.get(name, name).casefold(), look), len(number)
+        )
+        for name, look in zip(names, looks, strict=True)
+    ]
+    return np.array(of_row, np.int64)[row]
