@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Final
 
 import numpy as np
 
@@ -15,6 +16,9 @@ from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, extents
 from knifetip.model.question import Question
+
+#: Least confidence of a guess that is called the most likely line type.
+_LIKELY: Final = 0.75
 
 
 def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
@@ -121,13 +125,17 @@ def _question(
 def _guess_message(dieline: Dieline, row: int) -> Message | None:
     """Return the message with the best guess for the unclassified edge ``row``.
 
-    Without a guess it describes the shape of the edge; it is None if the shape is not known either.
+    Without a guess that is likely enough it only says what the drawing shows; it is None if the
+    drawing shows nothing.
     """
     rule = int(dieline.rule[row])
     guesses, reason = dieline.alternatives[rule], dieline.rules[rule]
-    if guesses:
-        percent = round(100.0 * float(dieline.confidence[row]))
+    confidence = float(dieline.confidence[row])
+    if guesses and confidence >= _LIKELY:
+        percent = round(100.0 * confidence)
         return Message("question.guess", type=guesses[0].word, percent=percent, reason=reason)
+    if guesses:
+        return Message("question.shape", reason=reason)
     if reason.code == "classification.no-rule-but-shape":
         return Message("question.shape", reason=reason.arguments["shape"])
     return None

@@ -3928,7 +3928,7 @@ export const TEXTS = {
     "hint": ""
   },
   "question.shape": {
-    "text": " The geometry of the drawing shows: {reason}.",
+    "text": " The drawing shows: {reason}.",
     "hint": ""
   },
   "question.tool": {

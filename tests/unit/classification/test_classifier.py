@@ -259,3 +259,20 @@ def test_a_name_decides_about_perforations_and_half_cuts_inside_a_panel() -> Non
     for name, kind in (("Perf tear", "perforation"), ("half", "half-cut"), ("Falz", None)):
         dieline = classified(drawing_of((BLANK, style("CUT")), (inner, style(name, colour=90))))
         assert words(dieline)[4] == (kind or "unclassified"), name
+
+
+def test_a_question_calls_a_line_type_most_likely_only_if_the_evidence_is_strong() -> None:
+    two_styles = drawing_of(
+        (BLANK, style(colour=30)), (FOLDS[:1], style(colour=40)), (FOLDS[1:], style(colour=50))
+    )
+    weak = list_questions(two_styles, classified(two_styles))[0]
+    assert weak.message.arguments["guess"].code == "question.shape"
+    assert weak.choices[0] == "crease"
+    assert "most likely" not in weak.text
+    dashed = drawing_of(
+        (BLANK, style(colour=30)),
+        (FOLDS[:1], style(colour=40, linetype="DASHED")),
+        (FOLDS[1:], style(colour=50)),
+    )
+    strong = list_questions(dashed, classified(dashed))[0]
+    assert "The most likely line type is crease (75 %)" in strong.text

@@ -144,7 +144,7 @@ MESSAGES: Final[Entries] = {
         guess="message?",
     ),
     "question.shape": entry(
-        " The geometry of the drawing shows: {reason}.",
+        " The drawing shows: {reason}.",
         reason="message",
     ),
     "question.tool": entry(
