@@ -9986,6 +9986,10 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "classification.dimension";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "classification.divider";
             arguments: Record<string, never>;
         } | {
@@ -9994,6 +9998,10 @@ export interface components {
             arguments: {
                 type: string;
             };
+        } | {
+            /** @constant */
+            code: "classification.follows";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "classification.frame";
@@ -10012,6 +10020,10 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "classification.labelled";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "classification.layer-denies";
             arguments: {
                 layer: string;
@@ -10019,6 +10031,12 @@ export interface components {
         } | {
             /** @constant */
             code: "classification.layer-name";
+            arguments: {
+                word: string;
+            };
+        } | {
+            /** @constant */
+            code: "classification.layer-name-against";
             arguments: {
                 word: string;
             };
@@ -10046,7 +10064,17 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "classification.linetype-name-against";
+            arguments: {
+                word: string;
+            };
+        } | {
+            /** @constant */
             code: "classification.mark";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "classification.measured";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -10097,6 +10125,10 @@ export interface components {
             arguments: {
                 rule: components["schemas"]["Message"];
             };
+        } | {
+            /** @constant */
+            code: "classification.only-fold-style";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "classification.open";

@@ -2,7 +2,6 @@
 
 import { useMemo } from "react";
 import type { Question } from "../api/client";
-import { LINE_TYPES, type LineType } from "../geometry/records";
 import { renderText } from "../messages/render";
 import { useRefusal } from "../state/accounts";
 import { retype } from "../state/actions";
@@ -11,7 +10,12 @@ import { pluralize } from "../state/format";
 import { summarizeEdges } from "../state/inspect";
 import { LINE_STYLES } from "../state/palette";
 import { useEdges } from "../state/queries";
-import { edgeQuestionFacts, edgeQuestionText, edgeQuestionTitle } from "../state/questions";
+import {
+  edgeQuestionFacts,
+  edgeQuestionText,
+  edgeQuestionTitle,
+  isLineType,
+} from "../state/questions";
 import { rowsOfLayer } from "../state/rows";
 import { useUiStore } from "../state/store";
 import { useFormatLength } from "../state/useFormatLength";
@@ -20,9 +24,6 @@ import css from "./panels.module.css";
 import { answerHandlers } from "./previewHandlers";
 import questionCss from "./questions.module.css";
 import { Swatch } from "./Swatch";
-
-const isLineType = (word: string): word is LineType =>
-  LINE_TYPES.some((type) => type === word) && word !== "unclassified";
 
 interface Props {
   question: Question;

@@ -4,11 +4,11 @@ import { IconHelpHexagonFilled } from "@tabler/icons-react";
 import { useRef, useState } from "react";
 import type { Question } from "../api/client";
 import { useRefusal } from "../state/accounts";
-import { retype } from "../state/actions";
+import { retype, retypeEach } from "../state/actions";
 import { pluralize } from "../state/format";
 import { LINE_STYLES } from "../state/palette";
 import { useDrawing, useJob } from "../state/queries";
-import { questionKey } from "../state/questions";
+import { questionKey, suggestions } from "../state/questions";
 import { useUiStore } from "../state/store";
 import { EdgeQuestion } from "./EdgeQuestion";
 import { Refusal } from "./Permitted";
@@ -67,9 +67,34 @@ export function QuestionsPanel() {
         {listed.length > limit && (
           <ShowMore left={listed.length - limit} act={() => setLimit(limit + STEP)} />
         )}
+        <AcceptSuggestions questions={lineTypeQuestions} />
         {lineTypeQuestions.length > FEW && <IgnoreAll questions={lineTypeQuestions} />}
       </div>
     </Section>
+  );
+}
+
+/** Gives the edges of each question with a most likely line type this line type. */
+function AcceptSuggestions({ questions }: { questions: readonly Question[] }) {
+  const busy = useUiStore((ui) => ui.busy);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
+  const suggested = suggestions(questions);
+  if (suggested.length < 2) return null;
+  return (
+    <button
+      type="button"
+      className={css.choice}
+      style={{ width: "100%", marginTop: 8 }}
+      disabled={busy || refusal !== null}
+      title="One undo takes all of them back"
+      data-testid="accept-suggestions"
+      {...previewHandlers(() => suggested)}
+      onClick={() => void retypeEach(suggested)}
+    >
+      <Swatch type={suggested[0]?.type ?? "unclassified"} />
+      Accept all most likely line types
+      <span className={css.choiceFigure}>{pluralize(suggested.length, "question")}</span>
+    </button>
   );
 }
 

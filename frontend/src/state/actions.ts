@@ -27,6 +27,7 @@ import {
   type ProfileChange,
   profileRefOf,
   type ReadingSettings,
+  type Retyping,
   retypeChange,
   settingsOf,
 } from "./history";
@@ -84,13 +85,17 @@ export function shareDrawing(shared: boolean): Promise<void> {
 }
 
 /** Set the line type of edges; null resets them to the profile. */
-export function retype(rows: readonly number[], to: LineType | null): Promise<void> {
+export const retype = (rows: readonly number[], type: LineType | null): Promise<void> =>
+  retypeEach([{ rows, type }]);
+
+/** Set line types of several groups of edges; one undo takes all of them back. */
+export function retypeEach(retypings: readonly Retyping[]): Promise<void> {
   return enqueue(async () => {
     const { drawing } = useUiStore.getState();
-    if (drawing === null || rows.length === 0) return;
+    if (drawing === null || retypings.every(({ rows }) => rows.length === 0)) return;
     const edges = queryClient.getQueryData(queries.edges(drawing).queryKey);
     if (edges === undefined) return;
-    const change = retypeChange(edges, rows, to);
+    const change = retypeChange(edges, retypings);
     await applyDrawing(
       await service.override(drawing, overridesToApply(change), displayedRevision(drawing)),
     );

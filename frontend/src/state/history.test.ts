@@ -37,10 +37,21 @@ const EDGES: Edges = {
 };
 
 describe("a change", () => {
-  const change = retypeChange(EDGES, [0, 1, 2], "half-cut");
+  const change = retypeChange(EDGES, [{ rows: [0, 1, 2], type: "half-cut" }]);
 
   test("is one override for all its edges", () => {
     expect(overridesToApply(change)).toEqual([{ type: "half-cut", edges: [0, 1, 2] }]);
+  });
+
+  test("is one override for each line type that it gives", () => {
+    const accepted = retypeChange(EDGES, [
+      { rows: [0, 2], type: "crease" },
+      { rows: [1], type: "cut" },
+    ]);
+    expect(overridesToApply(accepted)).toEqual([
+      { type: "crease", edges: [0, 2] },
+      { type: "cut", edges: [1] },
+    ]);
   });
 
   test("is taken back by what each edge had before; a rule decides again where one did", () => {

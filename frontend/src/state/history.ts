@@ -17,9 +17,16 @@ const OVERRIDE_CODE: Code = "classification.override";
 export interface RetypeChange {
   readonly kind: "types";
   readonly rows: readonly number[];
-  readonly to: LineType | null;
+  /** For each row: its new type; null resets it to the profile. */
+  readonly after: readonly (LineType | null)[];
   /** For each row: the type of its previous override; null if a rule decided. */
   readonly before: readonly (LineType | null)[];
+}
+
+/** Edges and their new line type; null resets them to the profile. */
+export interface Retyping {
+  readonly rows: readonly number[];
+  readonly type: LineType | null;
 }
 
 /** Settings by which a drawing is read. */
@@ -59,33 +66,33 @@ export type Change = RetypeChange | SettingsChange | ProfileChange;
 export const isSetByHand = (edges: Edges, row: number): boolean =>
   edges.ruleCodes[edges.rule[row] ?? -1] === OVERRIDE_CODE;
 
-/** The change that sets the type of rows (null: resets them to the profile). */
-export function retypeChange(
-  edges: Edges,
-  rows: readonly number[],
-  to: LineType | null,
-): RetypeChange {
+/** The change that sets the types of edges. */
+export function retypeChange(edges: Edges, retypings: readonly Retyping[]): RetypeChange {
+  const rows = retypings.flatMap((one) => one.rows);
   return {
     kind: "types",
-    rows: [...rows],
-    to,
+    rows,
+    after: retypings.flatMap((one) => one.rows.map(() => one.type)),
     before: rows.map((row) => (isSetByHand(edges, row) ? lineTypeOf(edges.lineType[row]) : null)),
   };
 }
 
 /** Overrides that make a change. */
-export const overridesToApply = (change: RetypeChange): Override[] => [
-  { type: change.to, edges: [...change.rows] },
-];
+export const overridesToApply = (change: RetypeChange): Override[] =>
+  overridesOf(change.rows, change.after);
 
-/** Overrides that undo a change: one per previous type. */
-export function overridesToUndo(change: RetypeChange): Override[] {
+/** Overrides that undo a change. */
+export const overridesToUndo = (change: RetypeChange): Override[] =>
+  overridesOf(change.rows, change.before);
+
+/** One override for each type. */
+function overridesOf(rows: readonly number[], types: readonly (LineType | null)[]): Override[] {
   const byType = new Map<LineType | null, number[]>();
-  change.rows.forEach((row, at) => {
-    const type = change.before[at] ?? null;
-    const rows = byType.get(type);
-    if (rows === undefined) byType.set(type, [row]);
-    else rows.push(row);
+  rows.forEach((row, at) => {
+    const type = types[at] ?? null;
+    const same = byType.get(type);
+    if (same === undefined) byType.set(type, [row]);
+    else same.push(row);
   });
   return [...byType].map(([type, edges]) => ({ type, edges }));
 }

@@ -1,9 +1,11 @@
 import { expect, test } from "vitest";
+import type { Question } from "../api/client";
 import {
   edgeQuestionFacts,
   edgeQuestionText,
   edgeQuestionTitle,
   questionKey,
+  suggestions,
   unitQuestionText,
 } from "./questions";
 
@@ -59,4 +61,25 @@ test("questions that differ in an argument have different keys", () => {
   const key = (layer: string) => questionKey({ code: "question.line-type", arguments: { layer } });
   expect(key("A")).not.toBe(key("B"));
   expect(key("A")).toBe(key("A"));
+});
+
+test("questions with a most likely answer can be accepted together", () => {
+  const guess = {
+    code: "question.guess",
+    arguments: { type: "crease", percent: 78, reason: reason("it divides two panels") },
+  };
+  const shape = { code: "question.shape", arguments: { reason: reason("it is a slit") } };
+  const question = (edges: number[], evidence: unknown): Question => ({
+    code: "question.line-type",
+    arguments: { ...LINE, guess: evidence },
+    text: "",
+    hint: "",
+    kind: "line-type",
+    choices: ["crease", "cut"],
+    edges,
+    layer: "A",
+    colour: 1,
+  });
+  const asked = [question([1, 2], guess), question([3], shape), question([4], null)];
+  expect(suggestions(asked)).toEqual([{ rows: [1, 2], type: "crease" }]);
 });

@@ -1,6 +1,7 @@
 /** Title, facts and text of a question card. */
 
 import type { Question } from "../api/client";
+import { LINE_TYPES, type LineType } from "../geometry/records";
 import { renderText, type ServerMessage, typed } from "../messages/render";
 import { colourName } from "./colours";
 
@@ -56,3 +57,15 @@ export function unitQuestionText(question: ServerMessage): string {
 /** Identifies a question among those of a drawing and its job. */
 export const questionKey = ({ code, arguments: given }: ServerMessage): string =>
   JSON.stringify([code, given]);
+
+/** The edges of all questions with a most likely answer, and this answer. */
+export const suggestions = (questions: readonly Question[]) =>
+  questions.flatMap((question) => {
+    const [type] = question.choices;
+    const { percent } = edgeQuestionText(question);
+    return percent !== null && isLineType(type) ? [{ rows: question.edges, type }] : [];
+  });
+
+/** Whether a word is a line type that a user can choose. */
+export const isLineType = (word: string | undefined): word is LineType =>
+  LINE_TYPES.some((type) => type === word) && word !== "unclassified";

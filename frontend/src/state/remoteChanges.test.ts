@@ -48,7 +48,7 @@ const drawingOf = (revision: number, more: Partial<Drawing> = {}): Drawing =>
 const retyping = (rows: number[]): RetypeChange => ({
   kind: "types",
   rows,
-  to: "cut",
+  after: rows.map(() => "cut" as const),
   before: rows.map(() => null),
 });
 
