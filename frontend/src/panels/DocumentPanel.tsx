@@ -78,7 +78,12 @@ export function DocumentPanel() {
         )}
       </dl>
       {importWarnings(drawing).map((warning) => (
-        <p key={warning.text} className={css.warning} data-testid="import-warning">
+        <p
+          key={warning.text}
+          className={css.warning}
+          style={{ margin: "8px 0 0" }}
+          data-testid="import-warning"
+        >
           {renderText(warning)} {renderHint(warning)}
         </p>
       ))}
