@@ -19,10 +19,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from knifetip.checked_cleaning import clean_checked as clean
 from knifetip.classification import classify as classification
 from knifetip.classification.answers import follow_answers
 from knifetip.classification.questions import list_questions
-from knifetip.cleaning.clean import clean
 from knifetip.compensation.compensate import compensate
 from knifetip.compensation.contour_starts import contour_starts
 from knifetip.errors import CompensationError, OpenQuestions, PlanError

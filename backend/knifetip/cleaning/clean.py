@@ -7,7 +7,7 @@ Order of steps: remove overlaps, fit lines and arcs to flattened curves, remove 
 merge edges that continue each other, merge edges that nearly coincide.  The steps are repeated, at
 most four times, until no edge is split, merged, moved or removed as debris.  An edge that was moved
 to close a gap is not moved a second time.  At last the pieces of folds in the waste are dropped
-(``trim_folds``).
+(``trim_folds``).  A caller that doubts a result repeats the cleaning with a smaller ``Extent``.
 
 The module ``state`` assigns the parts of drawn edges to cleaned edges in every step; ``outcomes``
 reports from that assignment what happened to each drawn edge.
@@ -15,6 +15,7 @@ reports from that assignment what happened to each drawn edge.
 
 from __future__ import annotations
 
+from enum import IntEnum
 from typing import Final
 
 import numpy as np
@@ -35,13 +36,24 @@ _ROUNDS: Final = 4
 _FAR: Final = 1e9
 
 
-def clean(dieline: Dieline) -> Cleaned:
+class Extent(IntEnum):
+    """How much is cleaned; each extent leaves out a step of the next one."""
+
+    NOTHING = 0  #: all edges stay as they are drawn
+    SEPARATE = 1  #: edges that nearly coincide stay two edges
+    UNTRIMMED = 2  #: pieces of folds in the waste stay
+    ALL = 3
+
+
+def clean(dieline: Dieline, extent: Extent = Extent.ALL) -> Cleaned:
     """Return the cleaned dieline, with the outcome of every drawn edge.
 
     Parameters
     ----------
     dieline
         n drawn edges with their line types, in the drawing's coordinates.
+    extent
+        The steps that are made.
 
     Returns
     -------
@@ -82,17 +94,19 @@ def clean(dieline: Dieline) -> Cleaned:
         np.where(np.arange(len(every)) < count, np.arange(len(every)), -1),
         np.zeros(len(every), np.bool_),
         np.zeros(len(every), np.bool_),
+        merges_near=extent > Extent.SEPARATE,
     )
-    for _ in range(_ROUNDS):
+    for _ in range(_ROUNDS if extent > Extent.NOTHING else 0):
         was_split = state.remove_overlaps(dieline)
         ends = state.ends
         if (length[solid] < FINE).any():
             state.merge(curves_only=True)
-        state.remove_debris_and_gaps()
+        state.remove_debris_and_gaps(length)
         state.merge()
         if state.has_near and state.merges_near:
             was_split |= state.merge_near(dieline)
         if state.ends is ends and not was_split:
             break
-    state.trim_folds(dieline)
+    if extent > Extent.UNTRIMMED:
+        state.trim_folds(dieline)
     return report_outcomes(dieline, length, at_work, state)

@@ -14,6 +14,7 @@ import numpy as np
 from knifetip.cleaning.close_gaps import close_gaps, find_debris
 from knifetip.cleaning.deviation import edge_rows, measure_deviation
 from knifetip.cleaning.end_points import EndPoints, connected_edges, find_end_points
+from knifetip.cleaning.lost_length import lost_length
 from knifetip.cleaning.merge_collinear import merge_collinear
 from knifetip.cleaning.reattach import MergedLines, reattach
 from knifetip.cleaning.remove_overlaps import NearEdges, Pieces, remove_overlaps
@@ -254,12 +255,19 @@ class CleaningState:
         self.moved, self.fitted, self.fit_error = moved, fitted, merged.fit_error
         self.edge = np.where(self.edge < 0, -1, merged.merged_edge[self.edge]).astype(np.int64)
 
-    def remove_debris_and_gaps(self) -> None:
-        """Remove current edges that are debris, then close gaps between the ends of edges."""
+    def remove_debris_and_gaps(self, drawn_length: F64) -> None:
+        """Remove current edges that are debris, then close gaps between the ends of edges.
+
+        ``drawn_length`` (n,) are the lengths of the drawn edges (mm).  No drawn edge loses more
+        than ``GAP``: if others divide it into pieces of debris, these stay.
+        """
         length = arc.length(self.ends[:, 0], self.ends[:, 1], self.bulge)
         if (length < GAP).any() and (
             debris := find_debris(self.ends, length, self.end_points())
         ).any():
+            is_lost = np.append(debris, True)[self.edge]
+            lost = lost_length(self.row, self.begin, self.end, is_lost, drawn_length)
+            debris[self.edge[is_lost & (lost > GAP)[self.row] & (self.edge >= 0)]] = False
             keep = ~debris
             number = np.where(keep, np.cumsum(keep) - 1, -1)
             self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]

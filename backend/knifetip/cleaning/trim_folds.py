@@ -247,9 +247,10 @@ def _with_doubts(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> _Contours:
     """
     subdivision = subdivide(ends, bulge)
     ends, bulge = np.stack([subdivision.start, subdivision.end], axis=1), subdivision.bulge
-    closing = subdivision.closing
-    is_open = subdivision.outer[subdivision.face].all(axis=1)
-    is_open &= subdivision.depth[subdivision.component] % 2 == 0
+    closing, face = subdivision.closing, subdivision.face
+    # A cut with the same face on both sides encloses nothing.
+    enclosing = subdivision.depth[subdivision.component] + ~subdivision.outer[face[:, 0]]
+    is_open = (face[:, 0] == face[:, 1]) & (enclosing % 2 == 0)
     short = is_open & (arc.length(ends[:, 0], ends[:, 1], bulge) <= _NEAR)
     if short.any():
         rows, vertices = np.flatnonzero(short), np.unique(ends[closing].reshape(-1, 2), axis=0)

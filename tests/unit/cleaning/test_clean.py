@@ -370,3 +370,8 @@ def test_stretches_cover_every_edge_that_is_worked() -> None:
     assert parts.end[first].tolist() == pytest.approx([0.6, 0.7, 0.9, 0.95, 1])
     assert parts.cleaned[first].tolist() == [0, 1, 3, 2, 4]
     assert parts.by_other_edge[first].tolist() == [False, True, False, True, False]
+
+
+def test_a_short_line_that_another_divides_into_debris_is_not_lost() -> None:
+    drawn = lines((CUT, 0.29, 0.84, 0.36, 0.87), (CUT, 0.26, 0.86, 0.31, 0.85))
+    assert clean(drawn).dropped.tolist() == [0.0, 0.0]

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from knifetip.checked_cleaning import clean_checked
 from knifetip.cleaning import trim_folds
 from knifetip.cleaning.clean import clean
 from knifetip.geometry.columns import F64
@@ -261,3 +262,67 @@ def test_folds_that_cleaning_drops_wrongly_are_found(
             trim_folds._Contours, "is_doubtful", lambda _, points: np.zeros(len(points), np.bool_)
         )
     assert "were lost" in findings_text(clean(drawn), drawn)
+
+
+def octagon(x: float, y: float) -> F64:
+    turns = np.pi / 4.0 * np.arange(8)
+    return closed(*((x + 5.0 * np.cos(turn), y + 5.0 * np.sin(turn)) for turn in turns))
+
+
+@pytest.mark.parametrize(
+    ("inside", "arcs", "dropped"),
+    [
+        ([], [], 40.0),
+        # Two circles, each drawn as chords too: the chords have faces on both sides.
+        (
+            [octagon(40, 40), octagon(60, 60)],
+            [
+                ((45, 40), (35, 40)),
+                ((35, 40), (45, 40)),
+                ((65, 60), (55, 60)),
+                ((55, 60), (65, 60)),
+            ],
+            40.0,
+        ),
+        # Two cuts that begin at the window's contour may be the open outline of a panel.
+        ([edges(((30, 35), (60, 35)), ((30, 60), (60, 60)))], [], 0.0),
+    ],
+)
+def test_cleaning_and_verifier_agree_which_cuts_in_a_window_enclose_nothing(
+    inside: list[F64], arcs: list[Any], dropped: float
+) -> None:
+    window = closed((30, 30), (70, 30), (70, 70), (30, 70))
+    cuts = np.concatenate([SQUARE, window, *inside, edges(*arcs)])
+    bulge = {len(cuts) - 1 - row: 1.0 for row in range(len(arcs))}
+    across = edges(((0, 50), (100, 50)))
+    drawn = dieline((CUT, cuts), (CREASE, across), bulge=bulge)
+    made = clean(drawn)
+    assert check_cleaning(drawn, made) == []
+    assert made.dropped[-1] == pytest.approx(dropped)
+
+
+def test_what_an_edge_loses_at_its_two_ends_is_two_gaps() -> None:
+    drawn = dieline((CUT, edges(((0, 0), (100, 0)))))
+    made = clean(drawn)
+    rows, ends = np.zeros(3, np.int32), np.array([0.0, 0.0004, 0.9996, 1.0])
+    lost = np.array([-1, 0, -1], np.int32)
+    parts = Stretches(rows, ends[:-1], ends[1:], lost, np.zeros(3, np.bool_))
+    assert check_cleaning(drawn, replace(made, stretches=parts)) == []
+    ends = np.array([0.0, 0.0004, 0.0008, 1.0])
+    lost = np.array([-1, -1, 0], np.int32)
+    parts = Stretches(rows, ends[:-1], ends[1:], lost, np.zeros(3, np.bool_))
+    assert "0.080 mm of the edge were lost" in findings_text(replace(made, stretches=parts), drawn)
+
+
+def test_a_fold_whose_trimming_the_verifier_doubts_is_made_as_drawn(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    fold = edges(((31, 40), (69, 40)))
+    drawn = dieline((CUT, OPEN), (CUT, WINDOW), (CREASE, fold))
+    monkeypatch.setattr(
+        trim_folds._Contours, "is_doubtful", lambda _, points: np.zeros(len(points), np.bool_)
+    )
+    assert clean(drawn).dropped[-1] > 0.0
+    made = clean_checked(drawn)
+    assert made.dropped[-1] == 0.0
+    assert check_cleaning(drawn, made) == []

@@ -19,7 +19,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.messages import Message
-from knifetip.model.cleaned import Cleaned
+from knifetip.model.cleaned import Cleaned, Stretches
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.verdict import Finding
 from knifetip.verification.checks.fold_trim_check import are_trimmed_folds
@@ -84,11 +84,12 @@ def check_cleaning(drawn: Dieline, cleaned: Cleaned) -> list[Finding]:
         report(edge, float(length[edge] - recorded[edge]), Message("verify.cleaning-incomplete"))
     lost = parts.cleaned < 0
     size = (parts.end - parts.begin) * length[parts.row]
-    gone = np.bincount(parts.row[lost], size[lost], len(drawn))
+    gone = _lost_lengths(parts, lost, size, len(drawn))
     if (gone > GAP + _ROUNDING).any():
         dropped = np.flatnonzero(lost)
-        dropped = dropped[~are_trimmed_folds(drawn, after, parts, dropped)]
-        gone = np.bincount(parts.row[dropped], size[dropped], len(drawn))
+        lost[dropped[are_trimmed_folds(drawn, after, parts, dropped)]] = False
+        gone = _lost_lengths(parts, lost, size, len(drawn))
+    lost = parts.cleaned < 0
     for edge in np.flatnonzero(gone > GAP + _ROUNDING).tolist():
         report(edge, float(gone[edge]), Message("verify.cleaning-dropped", length=gone[edge]))
     there = np.flatnonzero(~lost)
@@ -140,6 +141,33 @@ def _is_unchanged(drawn: Dieline, cleaned: Cleaned) -> bool:
         and not parts.begin.any()
         and bool((parts.end == 1.0).all())
     )
+
+
+def _lost_lengths(parts: Stretches, is_lost: Bool, size: F64, count: int) -> F64:
+    """Return how much each of ``count`` drawn edges lost in one place or inside, (count,) mm.
+
+    What an edge lost at its two ends leaves two gaps, so only the longer of them is counted.
+
+    Parameters
+    ----------
+    parts
+        The q stretches of the drawn edges.
+    is_lost, size : (q,)
+        Which stretches are lost, and the length of each (mm).
+    """
+    total = np.bincount(parts.row[is_lost], size[is_lost], count)
+    at_ends = np.zeros((2, count))
+    for side, place in enumerate((parts.begin, -parts.end)):
+        order = np.lexsort((place, parts.row))
+        row = parts.row[order]
+        begins = np.searchsorted(row, np.arange(count))
+        # The lost stretches before the first one that is kept.
+        kept = np.cumsum(~is_lost[order])
+        before = np.append(0, kept)[begins[row]]
+        outer = kept == before
+        at_ends[side] = np.bincount(row[outer], size[order][outer], count)
+    is_whole = at_ends[0] + at_ends[1] > total + _ROUNDING
+    return np.asarray(total - np.where(is_whole, 0.0, at_ends.min(axis=0)), np.float64)
 
 
 def _edge_lengths(ends: F64, bulge: F64) -> F64:

@@ -181,7 +181,7 @@ def _with_doubts(pieces: Edges, is_cut: I64, folds: Edges) -> _Contours:
         The folds that no cut divides.
     """
     outlines = find_outlines(pieces)
-    loose = pieces.select(is_cut[~outlines.closing[is_cut]])
+    loose = pieces.select(is_cut[outlines.loose[is_cut]])
     middle = point_at(loose.curve, 0.5 * loose.curve[:, 5])
     loose = loose.select(np.flatnonzero(count_enclosing(middle, outlines) % 2 == 0))
     closing = pieces.select(np.flatnonzero(outlines.closing))

@@ -44,6 +44,7 @@ class CutOutlines:
     depth: I64  #: (n,) number of components that enclose the edge's component
     board_left: Bool  #: (n,) the part lies on the left of a closing edge
     component: I64  #: (n,) number of the connected component
+    loose: Bool  #: (n,) the edge has one face on both sides, so it encloses nothing
 
     @property
     def outer(self) -> Bool:
@@ -79,7 +80,8 @@ def _find_outlines(edges: Edges) -> CutOutlines:
     count = len(edges)
     if count == 0:
         none = np.zeros(0, np.bool_)
-        return CutOutlines(edges, none, np.zeros(0, np.int64), none, np.zeros(0, np.int64))
+        no_numbers = np.zeros(0, np.int64)
+        return CutOutlines(edges, none, no_numbers, none, no_numbers, none)
     cycle, swept, component = face_cycles(edges)
     # A cycle that is clockwise or has no area borders the outside of its component.
     outside = (swept < _MIN_AREA)[cycle].reshape(-1, 2)
@@ -87,7 +89,7 @@ def _find_outlines(edges: Edges) -> CutOutlines:
     depth = _nesting_depths(edges.curve, closing, component)[component]
     # Half-edge 0 has its face on the edge's left.  The part round a hole lies outside of it.
     left = ~outside[:, 0] ^ (depth % 2 == 1)
-    return CutOutlines(edges, closing, depth, left, component)
+    return CutOutlines(edges, closing, depth, left, component, cycle[::2] == cycle[1::2])
 
 
 def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
