@@ -95,6 +95,19 @@ def test_a_deflection_of_the_board_is_accepted_and_its_opposite_is_refused(
     assert has_faults(verdict(soft))
 
 
+def test_a_cutter_stays_out_of_a_blank_beside_another_that_a_cut_divides() -> None:
+    # The cutter is 6 mm wide, and the waste between the blanks 3 mm.
+    beside = dieline(
+        (LineType.CUT, closed((100, 100), (200, 100), (200, 200), (100, 200))),
+        (LineType.CUT, closed((203, 100), (300, 100), (300, 200), (203, 200))),
+        (LineType.CUT, edges(((100, 150), (200, 150)))),
+    )
+    found = verdict_of(beside)
+    assert not has_faults(found), found.findings[:3]
+    left = {finding.edge for finding in found.findings if finding.kind == "unreached"}
+    assert left == {1, 7}
+
+
 def test_a_cutter_stays_out_of_a_neck_between_its_two_reaches(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

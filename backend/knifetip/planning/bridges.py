@@ -29,8 +29,8 @@ from knifetip.planning.reachable import ReachableStretches
 
 #: Distance of a bridge from a sharp corner (mm).
 _CLEAR = 5.0
-#: Least number of bridges on a contour.
-_FEWEST = 2
+#: Least number of bridges on a contour, and on each part of a blank that cuts divide.
+FEWEST = 2
 #: Counts of bridges that are tried: up to this multiple of the least count, in this many steps.
 _MORE = 4
 _TRIES = 16
@@ -187,7 +187,7 @@ def _place_on_contour(
     """
     gap, spacing = bridge
     length = float(paths.lengths[path])
-    fewest = max(_FEWEST, math.ceil(length / spacing - 1e-9))
+    fewest = max(FEWEST, math.ceil(length / spacing - 1e-9))
     for kept_clear, arcs_too in (
         (avoid, False),
         (avoid, True),
@@ -225,7 +225,7 @@ def _drop_spare(middle: F64, length: float, spacing: float) -> F64:
     apart.  At least two bridges remain.  ``middle`` are the positions of the bridges along a closed
     contour of ``length`` mm, ascending.
     """
-    while len(middle) > _FEWEST:
+    while len(middle) > FEWEST:
         neighbours = np.concatenate([middle[-1:] - length, middle, middle[:1] + length])
         gaps = neighbours[2:] - neighbours[:-2]
         spare = int(gaps.argmin())

@@ -15,7 +15,7 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.errors import PlanError
+from knifetip.errors import NoRoomForBridges, PlanError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.chain import chain
@@ -23,12 +23,14 @@ from knifetip.geometry.columns import F64, I8, I32, I64, Bool
 from knifetip.geometry.path import Paths, reverse_paths, select_paths
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import JOIN
+from knifetip.geometry.union_find import flatten, union
+from knifetip.geometry.vertices import number_vertices
 from knifetip.model.board import Board
 from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import DiscTool
-from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
+from knifetip.planning.bridges import FEWEST, Spacing, ends_of_others, place_bridges
 from knifetip.planning.contour_crossings import check_contour_crossings
 from knifetip.planning.corners import choices_at_bends, distances_to_corners, find_bends
 from knifetip.planning.cut_sides import cut_sides
@@ -73,7 +75,8 @@ def plan_milling(
         The disc on an edge between two parts would cut into them elsewhere, or contours cross, or
         this is so because lines seem to be drawn twice.
     NoRoomForBridges
-        A contour has no room for the bridges that the board requires.
+        A contour has no room for the bridges that the board requires, or a part of a blank that
+        cuts divide would have too few of them.
     """
     machine, board, cutter = setup.machine, setup.board, setup.station.tool
     x, y = machine.carriage_of(setup.station).axes[:2]
@@ -85,12 +88,12 @@ def plan_milling(
         check_contour_crossings(pieces.ends, pieces.bulge, pieces.removed, rows[pieces.row])
     except PlanError as error:
         raise explain_copies(error, *cuts, board.caliper) from None
-    ends, bulge, face = pieces.ends, pieces.bulge, pieces.face
+    ends, bulge, face = pieces.ends, pieces.bulge, _join_contours(pieces)
     layers = cut_layers(ends, bulge, face, contours_whole=True)
     layer = layers.number
     chains = chain(ends, bulge, group=layer * (int(face.max()) + 2) + face)
     paths = close_joints(chains.paths(ends, bulge))
-    source = rows[pieces.row[chains.order]]
+    source, part = rows[pieces.row[chains.order]], pieces.face[chains.order]
     number = layer[chains.order][chains.first[:-1]]
     avoid = ends_of_others(dieline, rows[np.unique(pieces.row[pieces.waste != 0])])
     flip = np.where(chains.flipped, -1, 1)
@@ -105,7 +108,7 @@ def plan_milling(
     side = np.where(inside, np.where(paths.areas > 0.0, 1, -1), waste)
     # All contours have the cutter on the left of travel.
     paths, order = reverse_paths(paths, side < 0)
-    source = source[order]
+    source, part = source[order], part[order]
     milled = paths.closed & (side != 0)
     number = merge_facing_layers(paths, number, milled, 2.0 * cutter.radius)
     number = slit_layers(paths, number, milled, side == 0, cutter.radius)
@@ -130,6 +133,8 @@ def plan_milling(
         obstacles, _ = select_paths(paths, np.flatnonzero(facing).astype(np.int32))
         held = subset.closed & (waste[path_rows] != 0)
         bridges = _bridge_positions(subset, held, board, cutter, source[segment_rows], avoid)
+        if len(bridges):
+            _check_divided(bridges, subset, part[segment_rows], source[segment_rows])
         depths = np.tile(depth, (len(segment_rows), 1))
         operation = setup.operation(LineType.CUT, subset, source[segment_rows], depths, (end, end))
         operations.append(
@@ -193,6 +198,31 @@ def _bridge_positions(
         np.searchsorted(reached, position), paths.first[path], paths.first[path + 1] - 1
     )
     return np.column_stack([segment, position - before[segment]])
+
+
+def _check_divided(bridges: F64, paths: Paths, part: I64, source: I32) -> None:
+    """Raise ``NoRoomForBridges`` if a part of a blank that cuts divide has too few bridges.
+
+    Parameters
+    ----------
+    bridges : (k, 2)
+        As returned by ``_bridge_positions``.
+    paths
+        The contours, with n segments.
+    part, source : (n,) and (n,)
+        The part beside each segment, and the index in the dieline of its edge.
+    """
+    owner = paths.path_of
+    count = np.bincount(part[bridges[:, 0].astype(np.int64)], minlength=int(part.max()) + 1)
+    is_bridged = np.isin(owner, owner[bridges[:, 0].astype(np.int64)])
+    for segment in np.flatnonzero(is_bridged & (count[part] < FEWEST))[:1].tolist():
+        raise NoRoomForBridges(
+            "bridges.divided-blank",
+            edge=source[segment],
+            count=count[part[segment]],
+            fewest=FEWEST,
+            source=[str(source[segment])],
+        )
 
 
 def apply_choices(operations: list[Operation], corners: Corners) -> list[Operation]:
@@ -269,6 +299,28 @@ def _divide_by_sides(ends: F64, bulge: F64) -> _Pieces:
         sides.face[first],
         sides.shared[first],
     )
+
+
+def _join_contours(pieces: _Pieces) -> I64:
+    """Return the number of the contour to which each of q pieces belongs, (q,); -1 for none.
+
+    Cuts between two parts end on the outline of both.  The outline is still one contour: only a
+    closed path has an offset that keeps the cutter out of other contours.  Pieces of different
+    parts belong to one contour if they meet where no other contour does.
+    """
+    face = pieces.face
+    rows = np.flatnonzero(face >= 0)
+    vertex = number_vertices(pieces.ends[rows].reshape(-1, 2))
+    order = np.argsort(vertex, kind="stable")
+    at = vertex[order]
+    first = np.flatnonzero(np.append(True, np.diff(at) != 0)[: len(at)])
+    first = first[np.diff(np.append(first, len(at))) == 2]
+    one, other = face[rows[order[first] // 2]], face[rows[order[first + 1] // 2]]
+    parent = np.arange(int(face.max(initial=-1)) + 1)
+    for a, b in zip(one.tolist(), other.tolist(), strict=True):
+        union(parent, a, b)
+    flatten(parent)
+    return np.append(parent, -1)[face]
 
 
 def _check_shared(pieces: _Pieces, rows: I32, cutter: DiscTool) -> None:

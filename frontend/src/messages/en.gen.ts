@@ -59,6 +59,10 @@ export const TEXTS = {
     "text": "The board is {caliper:g} mm thick, but the head of {machine} travels only {travel:g} mm above the table and must stay {clearance:g} mm above the board.",
     "hint": "Choose a thinner board, or a machine whose head travels higher."
   },
+  "bridges.divided-blank": {
+    "text": "The part at edge {edge} would be held by {count:# bridge|# bridges}, because cuts divide its blank. The board requires {fewest:# bridge|# bridges} (uncut gaps) on each part.",
+    "hint": "Set the line type of the cuts between the parts to ignored and make them by hand, choose a smaller spacing of bridges in the board file, or choose a board without bridges."
+  },
   "bridges.no-room": {
     "text": "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# bridge|# bridges} of {gap:.2f} mm width. The board requires bridges (uncut gaps that hold a part) at most {spacing:.1f} mm apart, and away from corners and narrow slots.",
     "hint": "Choose narrower bridges or a larger spacing of bridges in the board file, or choose a board without bridges."

@@ -134,6 +134,15 @@ def test_an_edge_that_two_blanks_share_is_cut_on_its_line_before_the_outline() -
     assert (set(outline.source.tolist()), outline.side) == ({0, 1, 2, 3}, 1)
 
 
+def test_the_outline_of_a_blank_that_cuts_divide_is_one_closed_path() -> None:
+    across = edges(((50, 0), (50, 100)), ((150, 0), (150, 100)))
+    line = dieline((LineType.CUT, BLANK), (LineType.CUT, across))
+    inner, outer = plan(line, ROUTED, BOARD)
+    assert (inner.side, len(inner.paths)) == (0, 2)
+    assert (outer.side, outer.paths.closed.tolist()) == (1, [True])
+    assert area(outer.paths) == pytest.approx(-20000.0)
+
+
 def test_a_contour_that_separates_two_parts_is_cut_on_its_line() -> None:
     # A square in a blank whose corners touch cuts from the outline: parts on both its sides.
     inner = closed((50, 50), (150, 50), (150, 80), (50, 80))
@@ -299,3 +308,15 @@ def test_where_only_slots_are_left_for_bridges_the_job_is_refused_with_a_hint() 
     with pytest.raises(NoRoomForBridges, match="narrow slots") as caught:
         plan(dieline((LineType.CUT, slotted)), ROUTED, held)
     assert "a larger spacing" in caught.value.hint
+
+
+@pytest.mark.parametrize(("spacing", "enough"), [(60.0, True), (200.0, False)])
+def test_each_part_of_a_blank_that_a_cut_divides_is_held(spacing: float, enough: bool) -> None:
+    across = edges(((170, 0), (170, 100)))
+    line = dieline((LineType.CUT, BLANK), (LineType.CUT, across))
+    board = replace(BOARD, bridge_width=0.8, bridge_spacing=spacing)
+    if enough:
+        assert len(plan(line, ROUTED, board)[-1].bridges) >= 10
+    else:
+        with pytest.raises(NoRoomForBridges, match="cuts divide its blank"):
+            plan(line, ROUTED, board)

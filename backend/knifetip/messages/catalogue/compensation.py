@@ -19,6 +19,15 @@ MESSAGES: Final[Entries] = {
         gap="number",
         spacing="number",
     ),
+    "bridges.divided-blank": entry(
+        "The part at edge {edge} would be held by {count:# bridge|# bridges}, because cuts divide "
+        "its blank. The board requires {fewest:# bridge|# bridges} (uncut gaps) on each part.",
+        "Set the line type of the cuts between the parts to ignored and make them by hand, choose "
+        "a smaller spacing of bridges in the board file, or choose a board without bridges.",
+        edge="count",
+        count="count",
+        fewest="count",
+    ),
     "crease.tight-bend": entry(
         "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is "
         "too small for a second crease line {offset:.2f} mm inside the bend.",
