@@ -23,8 +23,6 @@ from knifetip.geometry.columns import F64, I8, I32, I64, Bool
 from knifetip.geometry.path import Paths, reverse_paths, select_paths
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import JOIN
-from knifetip.geometry.union_find import flatten, union
-from knifetip.geometry.vertices import number_vertices
 from knifetip.model.board import Board
 from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
@@ -34,6 +32,7 @@ from knifetip.planning.bridges import FEWEST, Spacing, ends_of_others, place_bri
 from knifetip.planning.contour_crossings import check_contour_crossings
 from knifetip.planning.corners import choices_at_bends, distances_to_corners, find_bends
 from knifetip.planning.cut_sides import cut_sides
+from knifetip.planning.divided_contours import join_contours
 from knifetip.planning.drawn_twice import explain_copies
 from knifetip.planning.facing_contours import merge_facing_layers, slit_layers
 from knifetip.planning.last_cuts import releasing_cuts, track_levels
@@ -88,9 +87,10 @@ def plan_milling(
         check_contour_crossings(pieces.ends, pieces.bulge, pieces.removed, rows[pieces.row])
     except PlanError as error:
         raise explain_copies(error, *cuts, board.caliper) from None
-    ends, bulge, face = pieces.ends, pieces.bulge, _join_contours(pieces)
-    layers = cut_layers(ends, bulge, face, contours_whole=True)
-    layer = layers.number
+    ends, bulge = pieces.ends, pieces.bulge
+    layers = cut_layers(ends, bulge, pieces.face, contours_whole=True)
+    sides = pieces.waste, pieces.removed
+    face, layer = join_contours(ends, bulge, *sides, pieces.face, layers.number, cutter.radius)
     chains = chain(ends, bulge, group=layer * (int(face.max()) + 2) + face)
     paths = close_joints(chains.paths(ends, bulge))
     source, part = rows[pieces.row[chains.order]], pieces.face[chains.order]
@@ -299,28 +299,6 @@ def _divide_by_sides(ends: F64, bulge: F64) -> _Pieces:
         sides.face[first],
         sides.shared[first],
     )
-
-
-def _join_contours(pieces: _Pieces) -> I64:
-    """Return the number of the contour to which each of q pieces belongs, (q,); -1 for none.
-
-    Cuts between two parts end on the outline of both.  The outline is still one contour: only a
-    closed path has an offset that keeps the cutter out of other contours.  Pieces of different
-    parts belong to one contour if they meet where no other contour does.
-    """
-    face = pieces.face
-    rows = np.flatnonzero(face >= 0)
-    vertex = number_vertices(pieces.ends[rows].reshape(-1, 2))
-    order = np.argsort(vertex, kind="stable")
-    at = vertex[order]
-    first = np.flatnonzero(np.append(True, np.diff(at) != 0)[: len(at)])
-    first = first[np.diff(np.append(first, len(at))) == 2]
-    one, other = face[rows[order[first] // 2]], face[rows[order[first + 1] // 2]]
-    parent = np.arange(int(face.max(initial=-1)) + 1)
-    for a, b in zip(one.tolist(), other.tolist(), strict=True):
-        union(parent, a, b)
-    flatten(parent)
-    return np.append(parent, -1)[face]
 
 
 def _check_shared(pieces: _Pieces, rows: I32, cutter: DiscTool) -> None:
