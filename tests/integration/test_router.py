@@ -132,6 +132,49 @@ def test_a_cutter_stays_out_of_a_neck_between_its_two_reaches(
     assert all(one.severity is Severity.FAULT for one in gouges)
 
 
+#: An outline with a pocket as wide as a cutter of 2 mm, and as deep as its radius.
+POCKET = closed((54.032, 90.939), (37.39, 76.202), (38.053, 75.454), (36.556, 74.128),
+                (35.893, 74.877), (20, 60.803), (60, 20))  # fmt: skip
+#: An outline with a jog of 0.06 mm in one side, round which the centre has a short arc.
+JOG = closed((79.1, 20.0), (87.48, 78.57), (87.48, 78.63), (95.85, 137.13), (36.75, 145.59),
+             (20, 28.46))  # fmt: skip
+
+
+@pytest.mark.parametrize(("outline", "radius"), [(POCKET, 1.0), (JOG, 3.0)])
+def test_hundredths_at_corners_are_no_fault(outline: F64, radius: float) -> None:
+    machine = with_diameter(ROUTER, 2.0 * radius)
+    found = verdict_of(dieline((LineType.CUT, outline)), machine=machine)
+    assert not has_faults(found), found.findings[:3]
+
+
+def test_a_stretch_that_the_cutter_misses_by_a_tenth_is_a_fault(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    # The neck lets the disc in; the program ends beside it.
+    machine = with_diameter(ROUTER, 2.0)
+    wide = dieline((LineType.CUT, closed((20, 20), (60, 20), (60, 60), (41.1, 60), (41.1, 55),
+                                         (39.0, 55), (39.0, 60), (20, 60))))  # fmt: skip
+    assert not has_faults(verdict_of(wide, machine=machine))
+    right = original(centre_paths, "offset_paths")
+
+    def narrower(paths: Paths, distance: float, side: int, **more: Any) -> Any:
+        return right(paths, distance + 0.06, side, **more)
+
+    monkeypatch.setattr(centre_paths, "offset_paths", narrower)
+    assert has_faults(verdict_of(wide, machine=machine))
+
+
+def with_diameter(machine: Machine, diameter: float) -> Machine:
+    """Return a machine whose cutter has another diameter."""
+    stations = [
+        replace(one, tool=replace(one.tool, radius=0.5 * diameter))
+        if isinstance(one.tool, Cutter)
+        else one
+        for one in machine.stations
+    ]
+    return replace(machine, stations=tuple(stations))
+
+
 def verdict_of(
     line: Dieline, board: Board = BOARD, dialect: str = "linuxcnc", machine: Machine = ROUTER
 ) -> Verdict:

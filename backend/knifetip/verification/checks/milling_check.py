@@ -47,9 +47,15 @@ from knifetip.verification.expectation.expected_work import knife_ends
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.tools import expected_tool
 
-#: Greatest distance of an arc's printed centre from the corner that it goes round, and difference
-#: between its radius and that of the disc (mm).
+#: Greatest difference between the radius of the disc and the distance of its centre from a corner
+#: that it goes round (mm).
 _CORNER_ERROR: Final = 5e-4
+#: Greatest distance of an arc's printed centre from the corner that it goes round (mm).  The centre
+#: of a short arc depends on the last digits of its ends, although the arc itself does not.
+_CENTRE_ERROR: Final = 0.02
+#: Longest stretch between two unreachable ones that counts as unreachable, too (mm).  In a slot as
+#: wide as the disc, hundredths decide whether the disc reaches the middle of the bottom.
+_NARROW_LENGTH: Final = 0.05
 #: Greatest lengths by which the radius of an arc is smaller and larger than that of the disc, if
 #: they count as equal (mm): that of a hole whose circle was drawn with three digits, and the
 #: smallest radius with which a program has arcs of the centre.
@@ -111,8 +117,8 @@ class _MillingCheck(MillingWork):
         self._check_unfinished(deep, is_through)
         pieces = cutter_paths(self.bounds, self.reach)
         gap_edge, begin, end = self._untouched_stretches(pieces, is_through)
-        unreached = self._record_untouched(pieces, gap_edge, begin, end)
         through = self.centres.curve[is_through]
+        unreached = self._record_untouched(pieces, gap_edge, begin, end)
         report_unreached(self.context, self.bounds, unreached, through, self.reach)
         on_cut = open_cut_mask(self)
         on_slit = self.centres.curve[is_through & on_cut]
@@ -259,11 +265,17 @@ class _MillingCheck(MillingWork):
         On such an arc the disc touches the end of the edge.  ``centres`` (n, 6) are lines and arcs.
         """
         result = np.zeros(len(centres), np.bool_)
-        if self.disc_is_round:
-            is_near = np.abs(centres[:, 3] - self.reach[0]) <= _CORNER_ERROR
-            arcs = np.flatnonzero((centres[:, 0] != 0.0) & is_near)
-            corners = self.edges.ends[np.repeat(self.bounds.closing, 2)]
-            result[arcs[pairs_within(centres[arcs, 1:3], corners, _CORNER_ERROR)[0]]] = True
+        if not self.disc_is_round:
+            return result
+        arcs = np.flatnonzero(centres[:, 0] != 0.0)
+        corners = self.edges.ends[np.repeat(self.bounds.closing, 2)]
+        arc, corner = pairs_within(centres[arcs, 1:3], corners, _CENTRE_ERROR)
+        curve = centres[arcs[arc]]
+        touches = np.ones(len(arc), np.bool_)
+        for fraction in (0.0, 0.5, 1.0):
+            away = point_at(curve, fraction * curve[:, 5]) - corners[corner]
+            touches &= np.abs(np.hypot(*away.T) - self.reach[0]) <= _CORNER_ERROR
+        result[arcs[arc[touches]]] = True
         return result
 
     def _runs_past_ends(
@@ -365,7 +377,7 @@ class _MillingCheck(MillingWork):
             same_edge = blocked_edge == left_edge[k]
             before = (np.abs(high[same_edge] - left_begin[k]) < EPSILON).any()
             after = (np.abs(low[same_edge] - left_end[k]) < EPSILON).any()
-            bare[k] = before == after
+            bare[k] = before == after and not (before and missed[k] <= _NARROW_LENGTH)
         reached = ~np.isin(edge, left_edge[bare])
         self.context.unreached.append(
             unreached_areas(self.bounds, edge[reached], begin[reached], end[reached], self.reach)
