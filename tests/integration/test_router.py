@@ -108,6 +108,18 @@ def test_a_cutter_stays_out_of_a_blank_beside_another_that_a_cut_divides() -> No
     assert left == {1, 7}
 
 
+def test_blanks_that_a_narrow_gap_leaves_joined_are_a_shortfall() -> None:
+    # A lug of 8 mm ends 3 mm before the other blank: nearer than three radii to the cut, but longer
+    # than the side of a corner.
+    lug = closed((100, 100), (200, 100), (200, 146), (206, 146), (206, 154), (200, 154),
+                 (200, 200), (100, 200))  # fmt: skip
+    other = closed((209, 100), (300, 100), (300, 200), (209, 200))
+    found = verdict_of(dieline((LineType.CUT, lug), (LineType.CUT, other)))
+    severity = {one.edge: one.severity for one in found.findings if one.kind == "unreached"}
+    assert severity[11] is Severity.SHORTFALL
+    assert max(found.unreached_distance) < 9.0
+
+
 def test_a_cutter_stays_out_of_a_neck_between_its_two_reaches(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -3433,7 +3433,7 @@ export const TEXTS = {
   },
   "milling.shared-edge": {
     "text": "Two parts share edge {edge}. On its line, a cutter of {diameter:g} mm diameter would cut into one of the parts at an end of the edge or at a line beside it.",
-    "hint": "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife."
+    "hint": "Move the parts at least {diameter:g} mm apart. If the edge divides one blank, set its line type to ignored and cut it by hand, or choose a machine with a knife."
   },
   "motion.feed": {
     "text": "cutting move",

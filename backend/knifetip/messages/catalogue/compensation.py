@@ -234,7 +234,8 @@ MESSAGES: Final[Entries] = {
     "milling.shared-edge": entry(
         "Two parts share edge {edge}. On its line, a cutter of {diameter:g} mm diameter would cut "
         "into one of the parts at an end of the edge or at a line beside it.",
-        "Move the parts at least {diameter:g} mm apart, or choose a machine with a knife.",
+        "Move the parts at least {diameter:g} mm apart. If the edge divides one blank, set its "
+        "line type to ignored and cut it by hand, or choose a machine with a knife.",
         edge="count",
         diameter="number",
     ),

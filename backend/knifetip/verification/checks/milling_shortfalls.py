@@ -3,8 +3,10 @@
 A stretch of an edge is unreached if the cutter's disc cannot touch it without cutting into a part.
 Every round cutter leaves some board in a concave corner, so a stretch in a corner is a note.  It is
 a shortfall if it is farther from the cut than three radii of the disc, which is so in corners of
-less than 29°.  It is also a shortfall if it is farther from the cut than the radius of the disc and
-lies at the bottom of a slot: the whole edge is unreached, and so are the edges at both its ends.
+less than 29°.  A stretch that is farther from the cut than the radius of the disc is a shortfall in
+two more cases: in a gap between two parts, where it is longer than the side of a corner that is as
+far from the cut; and at the bottom of a slot, where the whole edge is unreached, and so are the
+edges at both its ends.
 Contours of which the disc touches nothing are shortfalls, too, wherever they lie.
 
 A slit is an open cut, which does not separate a part from waste.  The centre of the disc follows
@@ -40,6 +42,9 @@ MAX_LINE_WIDTH: Final = 0.5
 #: Greatest distance of a corner from the cut, in radii of the disc: that of a corner of 29°, so
 #: that corners of 30° are no shortfalls.
 _FARTHEST_CORNER: Final = 3.0
+#: Greatest length of an unreached side of a corner, in lengths that follow from the distance of the
+#: corner from the disc.
+_LONGEST_SIDE: Final = 1.1
 #: Positions in each unreached stretch at which its distance from the disc is measured.
 _FRACTIONS: Final = (0.0, 0.25, 0.5, 0.75, 1.0)
 #: Greatest distance from the disc that is measured (mm).
@@ -86,10 +91,15 @@ def report_unreached(
     curve = edges.curve[edge]
     points = [point_at(curve, begin + fraction * (end - begin)) for fraction in _FRACTIONS]
     distance = distance_from_disc(np.concatenate(points), centres, reach)
-    np.maximum.at(worst, edge, distance.reshape(len(_FRACTIONS), -1).max(axis=0))
+    farthest = distance.reshape(len(_FRACTIONS), -1).max(axis=0)
+    np.maximum.at(worst, edge, farthest)
     np.maximum.at(context.figures.unreached_distance, edges.row, worst)
     radius = float(reach.max())
     is_short = worst > _FARTHEST_CORNER * radius
+    # The disc touches the sides of a corner that is the distance d away at the length
+    # √((r + d)² - r²) from it.
+    side = np.sqrt((radius + farthest) ** 2 - radius**2)
+    is_short[edge[(farthest > radius) & (end - begin > _LONGEST_SIDE * side)]] = True
     is_short |= (worst > radius) & whole & _have_neighbours(edges, edge, begin, end)
     for k in np.flatnonzero(is_left_out | (worst > context.tolerance))[:MAX_FINDINGS]:
         message = Message("verify.unreached", length=length[k], places=places[k], distance=worst[k])
