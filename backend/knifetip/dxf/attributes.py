@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from knifetip.drawing_builder.columns import Style
+from knifetip.drawing_builder.visibility import LayerState, insert_on_layer, object_on_layer
 from knifetip.dxf.encoding import unescape
 from knifetip.messages import Message
 
@@ -23,21 +24,19 @@ _BYLAYER = 256
 
 
 class Layer(NamedTuple):
-    """Colour, linetype and notes of a layer of a DXF file.
+    """Colour, linetype and visibility of a layer of a DXF file.
 
-    An entity whose colour or linetype is BYLAYER has the colour or linetype of its layer.  The
-    notes, for example that the layer is frozen, are added to the import report for each entity on
-    the layer.
+    An entity whose colour or linetype is BYLAYER has the colour or linetype of its layer.
     """
 
     colour: int
     true_colour: int
     linetype: str
-    notes: tuple[Message, ...]
+    state: LayerState
 
 
 #: Attributes of a layer that is not in the layer table.
-_SILENT = Layer(7, -1, "Continuous", ())
+_UNLISTED = Layer(7, -1, "Continuous", LayerState())
 #: Style of BYBLOCK entities outside of blocks.
 _SHEET = Style("0", 7, -1, "Continuous")
 
@@ -59,16 +58,8 @@ def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, pl
         0 if the layer is not plotted.
     """
     # A negative colour means that the layer is off; 0 has no meaning.
-    notes = [
-        text
-        for text, holds in (
-            (Message("import.layer-off"), colour < 0),
-            (Message("import.layer-frozen"), bool(flags & 1)),
-            (Message("import.layer-not-plotted"), plot == 0),
-        )
-        if holds
-    ]
-    return Layer(_index(abs(colour)), _rgb(true_colour), linetype, tuple(notes))
+    state = LayerState(off=colour < 0, frozen=bool(flags & 1), plotted=plot != 0)
+    return Layer(_index(abs(colour)), _rgb(true_colour), linetype, state)
 
 
 def layers_of(document: Document) -> dict[str, Layer]:
@@ -91,13 +82,16 @@ class Styles:
     def __init__(self, layers: dict[str, Layer]) -> None:
         self._layers = layers
 
-    def notes(self, layer: str) -> tuple[Message, ...]:
-        """Return the notes of the layer named ``layer``, for example that it is off or frozen.
+    def hidden(self, layer: str) -> Message | None:
+        """Return the reason for leaving out an object on the layer ``layer``, None if visible."""
+        return object_on_layer(layer, self._of(layer).state)
 
-        The caller adds them to the import report for each entity on the layer.  The tuple is empty
-        if there are no notes.
+    def hidden_insert(self, layer: str) -> Message | None:
+        """Return the reason for leaving out an INSERT on the layer ``layer`` with its content.
+
+        None if the layer does not hide all content of the block.
         """
-        return self._layers.get(layer.lower(), _SILENT).notes
+        return insert_on_layer(self._of(layer).state)
 
     def entity_style(self, entity: DXFGraphic, insert_style: Style | None = None) -> Style:
         """Return the style of an ezdxf entity.
@@ -141,7 +135,7 @@ class Styles:
         block = insert_style or _SHEET
         if insert_style is not None and name == "0":
             name = insert_style.layer
-        layer = self._layers.get(name.lower(), _SILENT)
+        layer = self._of(name)
         if written == _BYLAYER:
             colour, true_colour = layer.colour, layer.true_colour
         elif written == _BYBLOCK:
@@ -155,6 +149,9 @@ class Styles:
         elif linetype.upper() == "BYBLOCK":
             linetype = block.linetype
         return Style(name, colour, true_colour, linetype)
+
+    def _of(self, layer: str) -> Layer:
+        return self._layers.get(layer.lower(), _UNLISTED)
 
 
 def _index(colour: int) -> int:

@@ -22,6 +22,7 @@ NOT_SEEN: Final = frozenset(
         "import.hidden-layer",
         "import.invisible",
         "import.layer-frozen",
+        "import.layer-never-plotted",
         "import.layer-not-plotted",
         "import.layer-off",
         "import.not-visible",

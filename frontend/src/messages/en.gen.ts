@@ -2295,6 +2295,10 @@ export const TEXTS = {
     "text": "the layer of the object is frozen",
     "hint": "Thaw the layer and export the drawing again if the object must be cut."
   },
+  "import.layer-never-plotted": {
+    "text": "CAD programs never plot the layer of the object",
+    "hint": "Move the object to another layer and export the drawing again if the object must be cut."
+  },
   "import.layer-not-plotted": {
     "text": "the layer of the object is set to be not plotted",
     "hint": "Set the layer to be plotted and export the drawing again if the object must be cut."

@@ -16,7 +16,10 @@ from hypothesis import strategies as st
 Tag: TypeAlias = tuple[int, Any]
 Draw: TypeAlias = Callable[..., Any]
 
-LAYERS = ("0", "CUT", "Crease", "SCHNEIDEN ÄÖ", "折线", "Off", "frozen", "NoTable")
+LAYERS = (
+    *("0", "CUT", "Crease", "SCHNEIDEN ÄÖ", "折线", "Off", "frozen", "NoPlot", "NoTable"),
+    "DefPoints",
+)
 LINETYPES = ("Continuous", "DASHED", "BYLAYER", "ByBlock")
 BLOCKS = ("PANEL", "Flap", "*U1", "hole", "NEST", "EMPTY")
 OLD, NEW = ("AC1009",), ("AC1015", "AC1018", "AC1021", "AC1024", "AC1027", "AC1032")
@@ -85,6 +88,8 @@ def _common(draw: Draw, new: bool) -> list[Tag]:
         tags.append((420, draw(st.integers(0, 0xFFFFFF))))
     if draw(st.integers(0, 9)) == 0:
         tags.append((67, draw(st.sampled_from((0, 1)))))
+    if draw(st.integers(0, 9)) == 0:
+        tags.append((60, draw(st.sampled_from((0, 1)))))
     return tags
 
 
@@ -303,11 +308,12 @@ def drawings(draw: Draw, plain: bool = False) -> bytes:
         header += tags((9, "$INSUNITS"), (70, unit))
     table = tags((0, "TABLE"), (2, "LAYER"), (70, 3))
     for name, colour, flags in (
-        ("0", 7, 0),
+        ("0", draw(st.sampled_from((7, 7, -7))), 0),
         ("CUT", 1, 0),
         ("Crease", 5, 0),
         ("Off", -3, 0),
         ("frozen", 2, 1),
+        ("NoPlot", 4, 0),
         ("SCHNEIDEN ÄÖ", 6, 0),
     ):
         handle[0] += 1
@@ -316,6 +322,8 @@ def drawings(draw: Draw, plain: bool = False) -> bytes:
             marks = [(5, f"{handle[0]:X}"), (100, "AcDbSymbolTableRecord")]
             marks.append((100, "AcDbLayerTableRecord"))
         extra: list[Tag] = [(420, 0x123456)] if new and name == "Crease" else []
+        if name == "NoPlot":
+            extra = [(290, 0)]
         table += tags(
             (0, "LAYER"), *marks, (2, name), (70, flags), (62, colour), *extra, (6, "DASHED")
         )

@@ -257,21 +257,6 @@ def test_true_colour_is_read_beside_the_index() -> None:
     assert drawing.true_colour.tolist() == [0xFF8000]
 
 
-def test_layer_that_is_off_or_frozen_is_read_with_a_note() -> None:
-    drawing = read(
-        dxf(
-            line(0, 0, 1, 0, (8, "OFF")),
-            line(0, 0, 2, 0, (8, "ICE")),
-            layers=(layer("OFF", -3), layer("ICE", 4, flags=1)),
-        )
-    )
-    assert drawing.colour.tolist() == [3, 4]
-    assert report_reasons(drawing) == (
-        "the object was imported; note: the layer of the object is switched off",
-        "the object was imported; note: the layer of the object is frozen",
-    )
-
-
 def test_block_contents_take_layer_colour_and_linetype_of_their_insert() -> None:
     part = block(
         "PART",

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Final, NamedTuple, Protocol
 
@@ -19,6 +19,7 @@ import numpy as np
 
 from knifetip.drawing_builder.columns import Style
 from knifetip.drawing_builder.report import ReportWriter
+from knifetip.drawing_builder.visibility import INVISIBLE
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.ezdxf_reader.entities import (
     READ,
@@ -280,6 +281,8 @@ class BlockExpansion:
                 "reading.too-slow", seconds=self._limits.seconds, format="drawing"
             )
         counted, source = entry.counted, entry.source
+        if insert_style is not None and counted.layer == "0":
+            counted = replace(counted, layer=insert_style.layer)
         handle = path + entry.handle
         if counted.paper:
             self.sheet.row(handle, counted.kind, counted.layer, IN_PAPER_SPACE)
@@ -290,27 +293,51 @@ class BlockExpansion:
         if source is None:
             self._add_dropped(counted, handle, placements, Message("import.damaged-or-frame"))
             return
-        if source.hidden:
-            self._add_dropped(counted, handle, placements, Message("import.invisible"))
-            return
         try:
             style = source.style(self._styles, insert_style)
+            if reason := self._hidden_reason(source, counted.kind, style.layer):
+                self._add_dropped(counted, handle, placements, reason)
+                if counted.kind == "INSERT":
+                    self._mark_used(source.repeats()[0])
+                return
             if counted.kind == "INSERT":
                 self._insert(source.reference(), handle, placements, style)
                 return
             drawn = source.shape()
-        except (Undrawable, GeometryError) as reason:
-            self._add_dropped(counted, handle, placements, reason.message)
+        except (Undrawable, GeometryError) as error:
+            self._add_dropped(counted, handle, placements, error.message)
             return
-        except (ArithmeticError, ValueError, TypeError, LookupError, AttributeError) as reason:
+        except (ArithmeticError, ValueError, TypeError, LookupError, AttributeError) as error:
             # Damaged entities raise any of these in ezdxf.
-            self._add_dropped(counted, handle, placements, Message("import.damaged", reason=reason))
+            self._add_dropped(counted, handle, placements, Message("import.damaged", reason=error))
             return
-        notes = [*self._styles.notes(style.layer), *drawn.notes]
+        notes = list(drawn.notes)
         if len(placements[0]) > 1:
             notes.append(Message("import.repeated", times=len(placements[0])))
         row = self.sheet.row(handle, counted.kind, style.layer, None, notes)
         self.placed.append(Placed(row, drawn.shape, *placements, style))
+
+    def _hidden_reason(self, source: SourceEntity, kind: str, layer: str) -> Message | None:
+        """Return the reason for leaving out an entity that is hidden, None if it is visible.
+
+        ``kind`` is the kind of the entity.  ``layer`` is the name of its layer, which for an entity
+        on layer 0 of a block is the layer of the INSERT.
+        """
+        if source.hidden:
+            return INVISIBLE
+        return self._styles.hidden_insert(layer) if kind == "INSERT" else self._styles.hidden(layer)
+
+    def _mark_used(self, name: str) -> None:
+        """Mark a block that a hidden INSERT places, and all blocks that it contains, as used.
+
+        ``name`` is the name of the block in lower case.
+        """
+        names = [name]
+        while names:
+            block = self._blocks.get(name := names.pop())
+            if block is not None and name not in self.used:
+                self.used.add(name)
+                names.extend(child for child, _ in block.references)
 
     def _add_dropped(
         self, counted: PrescannedEntity, handle: str, placements: tuple[F64, F64], reason: Message
@@ -366,7 +393,7 @@ class BlockExpansion:
             "INSERT",
             style.layer,
             None,
-            [insert_note(block.name), *self._styles.notes(style.layer), *notes],
+            [insert_note(block.name), *notes],
         )
         cos, sin = cos_sin(insert.rotation)
         turned = np.array([[cos, -sin], [sin, cos]])

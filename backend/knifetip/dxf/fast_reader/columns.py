@@ -6,7 +6,7 @@ The segments equal, bit for bit, the segments that the modules ``dxf.shapes`` an
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -36,6 +36,9 @@ from knifetip.kernels import (
     OutI64_1,
     kernel,
 )
+
+#: Style index of the segments of a block that are left out because their layer is hidden.
+HIDDEN_STYLE: Final = -1
 
 
 @kernel
@@ -212,7 +215,7 @@ class PlacedBlocks(NamedTuple):
     source: I64_2  #: (j, 3) first entity of the block, its first segment, and its first style
     entities: I64_1  #: (j,) number of entities in the block
     move: F64_3  #: (j, 2, 3) linear map and translation
-    style: I32_1  #: style indices of the segments of blocks
+    style: I32_1  #: style indices of the segments of blocks, or ``HIDDEN_STYLE``
 
 
 class SheetSegments(NamedTuple):
@@ -268,6 +271,8 @@ def place(
         turn = np.sign(m[0, 0] * m[1, 1] - m[0, 1] * m[1, 0])
         for child in range(children[number]):
             for i in range(first[low + child], first[low + child + 1]):
+                if styles[style + i - start] == HIDDEN_STYLE:
+                    continue
                 for end in range(2):
                     x, y = ends[i, end, 0], ends[i, end, 1]
                     out_ends[segment, end, 0] = m[0, 0] * x + m[0, 1] * y + m[0, 2]

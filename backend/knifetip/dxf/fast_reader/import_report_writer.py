@@ -36,18 +36,16 @@ from knifetip.model.words import Repeated
 
 
 class Variant(NamedTuple):
-    """Layers, styles and import outcomes of the entities of one block, for INSERTs of one style.
+    """Layers, styles and dropped entities of one block, for INSERTs of one style.
 
-    An import outcome consists of the reason for dropping an entity (None if the entity is kept) and
-    of the notes on the entity.  Layers, styles and outcomes depend on the style of the INSERT,
-    because entities may have attributes BYBLOCK.
+    Layers, styles and outcomes depend on the style of the INSERT, because entities may have
+    attributes BYBLOCK, and because entities on layer 0 lie on the layer of the INSERT.
     """
 
     layers: list[str]  #: layer of each entity
-    outcomes: dict[
-        int, tuple[Message | None, tuple[Message, ...]]
-    ]  #: reason for dropping and notes, by index of the entity in the block
+    dropped: dict[int, Message]  #: reason for dropping, by index of the entity in the block
     first: int  #: index of the first style of its segments
+    segments: int  #: number of segments of its visible entities
 
 
 class Inserts(NamedTuple):
@@ -72,10 +70,11 @@ class Order(NamedTuple):
     expanded: I64  #: (w,) row in the import report of each row of the expansion
 
 
-def drop_reason(tables: Tables, row: int) -> Message | None:
-    """Return the reason for dropping an entity, None if the entity has geometry.
+def drop_reason(tables: Tables, row: int, layer: str) -> Message | None:
+    """Return the reason for dropping an entity, None if the entity is visible and has geometry.
 
-    ``row`` is the row of the entity in ``Scan.entity``.
+    ``row`` is the row of the entity in ``Scan.entity``, and ``layer`` the name of its layer, which
+    for an entity on layer 0 of a block is the layer of the INSERT.
     """
     line = tables.scan.entity[row].tolist()
     if line[f.PAPER]:
@@ -83,8 +82,19 @@ def drop_reason(tables: Tables, row: int) -> Message | None:
     kind = line[f.KIND]
     if kind == f.OTHER:
         return no_geometry_reason(tables.words[line[f.WORD]])
-    if kind in (f.LWPOLYLINE, f.POLYLINE) and line[f.COUNT] < 2:
-        return Message("import.few-vertices", vertices=line[f.COUNT])
+    if kind != f.INSERT and (reason := tables.styles.hidden(layer)):
+        return reason
+    return few_vertices_reason(tables, row)
+
+
+def few_vertices_reason(tables: Tables, row: int) -> Message | None:
+    """Return the reason for dropping a polyline with fewer than two vertices, otherwise None.
+
+    ``row`` is the row of the entity in ``Scan.entity``.
+    """
+    kind, count = tables.scan.entity[row, [f.KIND, f.COUNT]].tolist()
+    if kind in (f.LWPOLYLINE, f.POLYLINE) and count < 2:
+        return Message("import.few-vertices", vertices=count)
     return None
 
 
@@ -176,43 +186,35 @@ def _sheet_outcomes(
     ``dropped`` contains the indices, among the entities of model space, of the dropped entities.
     """
     entity, rows = tables.scan.entity, order.rows
-    paper, sort, word, count = (
-        entity[rows[dropped], column] for column in (f.PAPER, f.KIND, f.WORD, f.COUNT)
+    paper, sort, word, count, layer = (
+        entity[rows[dropped], column] for column in (f.PAPER, f.KIND, f.WORD, f.COUNT, f.LAYER)
     )
     # For texts, which have the kind OTHER, the column COUNT is the length, which is irrelevant.
-    first, kind = unique_rows(paper, sort, word, np.where(sort == f.OTHER, 0, count))
+    first, kind = unique_rows(
+        paper, sort, word, np.where(sort == f.OTHER, 0, count), tables.hidden[layer]
+    )
     for position, same in zip(first.tolist(), _group_indices(kind, len(first)), strict=True):
+        row = int(rows[dropped[position]])
         yield SharedOutcome(
-            order.report_row[dropped[same]], drop_reason(tables, int(rows[dropped[position]]))
+            order.report_row[dropped[same]], drop_reason(tables, row, tables.layer(row))
         )
-    of_layer = {
-        layer: notes
-        for layer in np.flatnonzero(np.bincount(entity[rows, f.LAYER] + 1)).tolist()
-        if (notes := tables.styles.notes(tables.names[layer - 1] if layer else "0"))
-    }
-    for layer, notes in of_layer.items():
-        drawn_on_layer = order.in_columns & (entity[rows, f.LAYER] == layer - 1)
-        yield SharedOutcome(order.report_row[drawn_on_layer], None, notes)
-    layer = entity[rows[inserts.position], f.LAYER]
-    first, kind = unique_rows(layer, inserts.block)
+    first, kind = unique_rows(inserts.block)
     for one, same in zip(first.tolist(), _group_indices(kind, len(first)), strict=True):
         note = insert_note(tables.block_name(int(inserts.block[one])))
-        notes = of_layer.get(int(layer[one]) + 1, ())
-        yield SharedOutcome(order.report_row[inserts.position[same]], None, (note, *notes))
+        yield SharedOutcome(order.report_row[inserts.position[same]], None, (note,))
 
 
 def _block_outcomes(order: Order, inserts: Inserts) -> Iterator[SharedOutcome]:
-    """Yield the import outcomes of the entities in blocks.
+    """Yield the import outcomes of the dropped entities in blocks.
 
-    An import outcome consists of the reason for dropping an entity of a block (None if the entity
-    is kept) and of the notes on the entity.  An outcome is yielded once for all copies of the
-    entity that are placed by INSERTs of the same style.
+    An outcome is yielded once for all copies of the entity that are placed by INSERTs of the same
+    style.
     """
     of_variant = _group_indices(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
         first = order.report_row[inserts.position[same]] + 1
-        for number, (reason, notes) in variant.outcomes.items():
-            yield SharedOutcome(first + number, reason, notes)
+        for number, reason in variant.dropped.items():
+            yield SharedOutcome(first + number, reason)
 
 
 def boxes(tables: Tables, rows: I64) -> F64:
@@ -248,9 +250,7 @@ def _block_boxes(tables: Tables, order: Order, inserts: Inserts) -> Iterator[Loc
     """
     of_variant = _group_indices(inserts.variant, len(inserts.variants))
     for variant, same in zip(inserts.variants, of_variant, strict=True):
-        numbers = np.array(
-            [number for number, (reason, _) in variant.outcomes.items() if reason], np.int64
-        )
+        numbers = np.array(list(variant.dropped), np.int64)
         rows = tables.span.get(int(inserts.block[same[0]]), (0, 0))[0] + numbers
         on_model = tables.scan.entity[rows, f.PAPER] == 0
         numbers, rows = numbers[on_model], rows[on_model]

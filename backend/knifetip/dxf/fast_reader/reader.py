@@ -108,7 +108,8 @@ class FastReader:
         """
         rows = np.flatnonzero(self.entity[:, f.BLOCK] < 0)
         reach = REACH / (scale or 1.0)
-        one_by_one = self._one_by_one(rows, reach)
+        hidden = self._hidden(rows)
+        one_by_one = self._one_by_one(rows, hidden, reach)
         position, block, placement = find_placeable_inserts(
             self.scan, self.tables, self.segments, rows, one_by_one
         )
@@ -118,15 +119,15 @@ class FastReader:
             self.tables.styles,
             self.limits,
         )
-        shown = np.where(one_by_one, 0, self.segments.number[rows])
+        shown = np.where(one_by_one | hidden, 0, self.segments.number[rows])
         refuse_beyond(int(shown.sum()), self.limits)
 
         children = np.zeros(len(rows), np.int64)
         children[position] = self._size[block]
         segments = shown.copy()
-        low = self._low[block]
-        first = self.segments.first
-        segments[position] = first[low + self._size[block]] - first[low]
+        variant, variants = self._styles.of_variants(rows[position], block)
+        visible = np.array([one.segments for one in variants], np.int64)
+        segments[position] = visible[variant]
         # First report row of each expanded entity.
         expanded = np.flatnonzero(one_by_one)
         begin = np.zeros(len(expanded), np.int64)
@@ -143,9 +144,9 @@ class FastReader:
         )
         move = np.empty((len(placement), 2, 3))
         inserts(placement, self.scan.base[block], move)
-        placed = Inserts(position, block, *self._styles.of_variants(rows[position], block), move)
+        placed = Inserts(position, block, variant, variants, move)
         texts = rows[self._is_annotation[rows]]
-        styles = self._styles.of_entities(rows)
+        styles = self._styles.of_entities(rows[shown > 0])
         sheet = SheetRows(rows, report_row, segments_before, shown)
         segments_read, words = parallel_pair(
             lambda: self._column_segments(sheet, styles, int(segments.sum()), placed),
@@ -175,11 +176,21 @@ class FastReader:
             words,
         )
 
-    def _one_by_one(self, rows: I64, reach: float) -> Bool:
+    def _hidden(self, rows: I64) -> Bool:
+        """Return the mask of the entities in ``rows`` that have segments and lie on hidden layers.
+
+        ``rows`` are the rows in ``Scan.entity`` of the entities of model space.
+        """
+        layer = self.entity[rows, f.LAYER]
+        mask: Bool = (self.tables.hidden[layer] > 0) & (self.segments.number[rows] > 0)
+        return mask
+
+    def _one_by_one(self, rows: I64, hidden: Bool, reach: float) -> Bool:
         """Return the mask of the entities in ``rows`` that ``BlockExpansion`` expands one by one.
 
         They are the entities that the scan does not support, except texts, dimensions and entities
-        in paper space, and the entities with a coordinate that may be too large.  Only the ends of
+        in paper space; the INSERTs on frozen layers; and the visible entities with a coordinate
+        that may be too large.  Only the ends of
         the segments are examined, and an arc may extend beyond its ends: a coordinate of an end is
         therefore limited to a third of ``reach``.
 
@@ -187,12 +198,18 @@ class FastReader:
         ----------
         rows
             Rows in ``Scan.entity`` of the entities that are not in a block.
+        hidden
+            Mask of the entities in ``rows`` with segments that lie on hidden layers.
         reach
             Largest permitted absolute value of a coordinate (file units).
         """
-        one_by_one: Bool = self._is_unsupported & (self.entity[:, f.PAPER] == 0)
-        one_by_one |= distant(self.segments.ends, self.segments.first, reach / 3.0)
-        return one_by_one[rows]
+        kind, layer, paper = (self.entity[rows, column] for column in (f.KIND, f.LAYER, f.PAPER))
+        one_by_one: Bool = self._is_unsupported[rows]
+        one_by_one |= (kind == f.INSERT) & (self.tables.hidden_inserts[layer] > 0)
+        one_by_one &= paper == 0
+        far = distant(self.segments.ends, self.segments.first, reach / 3.0)[rows]
+        one_by_one |= far & ~hidden
+        return one_by_one
 
     def _references(self, rows: I64, one_by_one: Bool, block: I64) -> list[tuple[str, int]]:
         """Return the lower-case names of the blocks that INSERTs place, with the numbers of copies.

@@ -19,7 +19,7 @@ from knifetip.dxf.ezdxf_reader.entities import EntityShape, Lines, Undrawable
 from knifetip.dxf.ezdxf_reader.place import refuse_after
 from knifetip.dxf.ezdxf_reader.prescan import PrescannedEntity
 from knifetip.dxf.fast_reader import fields as f
-from knifetip.dxf.fast_reader.import_report_writer import boxes, drop_reason
+from knifetip.dxf.fast_reader.import_report_writer import boxes, few_vertices_reason
 from knifetip.dxf.fast_reader.scan import Scan
 from knifetip.dxf.fast_reader.segments import EntitySegments
 from knifetip.dxf.fast_reader.tables import Tables, Unsupported
@@ -147,7 +147,7 @@ class _ScannedEntity:
         return self._source.tables.style(self._row, insert_style)
 
     def shape(self) -> EntityShape:
-        if reason := drop_reason(self._source.tables, self._row):
+        if reason := few_vertices_reason(self._source.tables, self._row):
             raise Undrawable(reason)
         segments = self._source.segments
         low, high = segments.first[self._row : self._row + 2]

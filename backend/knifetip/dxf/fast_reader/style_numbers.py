@@ -10,7 +10,7 @@ import numpy as np
 
 from knifetip.drawing_builder.columns import Style
 from knifetip.dxf.fast_reader import fields as f
-from knifetip.dxf.fast_reader.columns import style_keys
+from knifetip.dxf.fast_reader.columns import HIDDEN_STYLE, style_keys
 from knifetip.dxf.fast_reader.import_report_writer import Variant, drop_reason
 from knifetip.dxf.fast_reader.scan import Scan
 from knifetip.dxf.fast_reader.tables import Tables
@@ -47,7 +47,10 @@ class StyleNumbering:
         return self._numbers.setdefault(style, len(self._numbers))
 
     def of_blocks(self) -> I32:
-        """Return the style numbers of the segments of all variants of blocks."""
+        """Return the style numbers of the segments of all variants of blocks.
+
+        The number is ``HIDDEN_STYLE`` for the segments of entities that are left out.
+        """
         return np.concatenate([np.zeros(0, np.int32), *self._variant_styles])
 
     def of_entities(self, rows: I64) -> I32:
@@ -77,18 +80,21 @@ class StyleNumbering:
     def _variant(self, block: int, insert_style: Style) -> Variant:
         low, size = self._tables.span.get(block, (0, 0))
         layers: list[str] = []
-        outcomes: dict[int, tuple[Message | None, tuple[Message, ...]]] = {}
-        styles = np.zeros(size, np.int32)
+        dropped: dict[int, Message] = {}
+        styles = np.full(size, HIDDEN_STYLE, np.int32)
         for number, row in enumerate(range(low, low + size)):
-            if reason := drop_reason(self._tables, row):
-                outcomes[number] = reason, ()
-                layers.append(self._tables.layer(row))
-                continue
             style = self._tables.style(row, insert_style)
-            styles[number] = self.number_of(style)
             layers.append(style.layer)
-            if notes := self._tables.styles.notes(style.layer):
-                outcomes[number] = None, notes
-        variant = Variant(layers, outcomes, sum(map(len, self._variant_styles)))
-        self._variant_styles.append(np.repeat(styles, self._count[low : low + size]))
+            if reason := drop_reason(self._tables, row, style.layer):
+                dropped[number] = reason
+            else:
+                styles[number] = self.number_of(style)
+        segments = np.repeat(styles, self._count[low : low + size])
+        variant = Variant(
+            layers,
+            dropped,
+            sum(map(len, self._variant_styles)),
+            int(np.count_nonzero(segments != HIDDEN_STYLE)),
+        )
+        self._variant_styles.append(segments)
         return variant

@@ -5,6 +5,7 @@ Each name is decoded and checked once, and not for every entity that uses it.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
@@ -16,6 +17,8 @@ from knifetip.dxf.ezdxf_reader.prescan import header_of
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader.handle_set import handles_of
 from knifetip.dxf.fast_reader.scan import Scan
+from knifetip.geometry.columns import I64
+from knifetip.messages import Message
 
 #: Characters that DXF does not allow in names; ezdxf reads such files.
 _NOT_IN_NAMES: Final = frozenset('<>/\\":;?*=`|,\ufffd')
@@ -61,6 +64,10 @@ class Tables:
         self.words = self._words()
         self._check_names()
         self.styles = Styles(self._layers())
+        # For each name, and at the end for layer 0 of entities without a layer: 0 if an object on
+        # the layer of this name is visible, otherwise a number that identifies the reason.
+        self.hidden = self._numbers_of_reasons(self.styles.hidden)
+        self.hidden_inserts = self._numbers_of_reasons(self.styles.hidden_insert)
         handles = handles_of(scanned.data, scanned.entity, len(scanned.block), scanned.others)
         if handles is None:
             raise Unsupported
@@ -147,6 +154,19 @@ class Tables:
                 row[f.LAYER_PLOT],
             )
         return table
+
+    def _numbers_of_reasons(self, reason: Callable[[str], Message | None]) -> I64:
+        """Return for each name, and for layer 0 at the end, a number that identifies a reason.
+
+        ``reason`` returns the reason for leaving out an object on a layer, None if it is visible.
+        The number is 0 for None, and for names that no entity uses as a layer.
+        """
+        numbers: dict[Message | None, int] = {None: 0}
+        result = np.zeros(len(self.names) + 1, np.int64)
+        for layer in (np.flatnonzero(np.bincount(self.scan.entity[:, f.LAYER] + 1)) - 1).tolist():
+            name = self.names[layer] if layer >= 0 else "0"
+            result[layer] = numbers.setdefault(reason(name), len(numbers))
+        return result
 
     def _blocks(self) -> dict[str, int]:
         """Return the row in ``Scan.block`` of each block definition, by block name in lower case.

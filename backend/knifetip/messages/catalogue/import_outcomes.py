@@ -197,6 +197,10 @@ MESSAGES: Final[Entries] = {
         "the layer of the object is frozen",
         "Thaw the layer and export the drawing again if the object must be cut.",
     ),
+    "import.layer-never-plotted": entry(
+        "CAD programs never plot the layer of the object",
+        "Move the object to another layer and export the drawing again if the object must be cut.",
+    ),
     "import.layer-not-plotted": entry(
         "the layer of the object is set to be not plotted",
         "Set the layer to be plotted and export the drawing again if the object must be cut.",
