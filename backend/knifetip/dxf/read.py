@@ -51,7 +51,7 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
     if unit:
         factor(unit)  # refuses an unknown one
     limits.admit(len(data))
-    data = _stripped(data)
+    data, lines_before = _stripped(data)
     try:
         with np.errstate(all="ignore"):
             drawing = read_fast(data, unit or "", limits)
@@ -59,7 +59,7 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
                 # ezdxf is slow to import, and most files do not need it.
                 from knifetip.dxf.ezdxf_reader.reader import read_with_ezdxf
 
-                drawing = read_with_ezdxf(data, unit or "", limits)
+                drawing = read_with_ezdxf(data, unit or "", limits, lines_before)
             return drawing
     except KnifetipError:
         raise
@@ -71,12 +71,16 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
         raise NotADrawing("reading.damaged", format="DXF", reason=reason) from error
 
 
-def _stripped(data: bytes) -> bytes:
+def _stripped(data: bytes) -> tuple[bytes, int]:
     """Return the content of a file without byte order mark and without leading blank lines.
 
-    Content in UTF-16 is converted to UTF-8.
+    Content in UTF-16 is converted to UTF-8.  The second value is the number of lines removed.
     """
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         data = data.decode("utf-16", "replace").encode("utf-8")
     # Most files begin with a group code and are not copied.
-    return data if _CODE.match(data) else data.removeprefix(b"\xef\xbb\xbf").lstrip()
+    if _CODE.match(data):
+        return data, 0
+    data = data.removeprefix(b"\xef\xbb\xbf")
+    stripped = data.lstrip()
+    return stripped, data[: len(data) - len(stripped)].count(b"\n")

@@ -1127,6 +1127,10 @@ export const TEXTS = {
     "text": "The blocks of the DXF file are nested {depth} levels deep, but the limit is {limit} levels.",
     "hint": "Explode the blocks in the CAD program and export again."
   },
+  "dxf.coordinate-alone": {
+    "text": "The DXF file is damaged at line {line}: the coordinate with group code {code} of an object of the type {kind} belongs to a point, of which the other coordinate is missing.",
+    "hint": "Export the drawing again."
+  },
   "dxf.cut-short": {
     "text": "The DXF file is incomplete: it ends {where} in the section {section}, after {count:# entity (drawn object)|# entities (drawn objects)}. Objects of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again."
@@ -1138,6 +1142,10 @@ export const TEXTS = {
   "dxf.not-a-group-code": {
     "text": "The file is not a DXF file, because line {line} is {text!r} instead of a group code (a whole number).",
     "hint": "Export the drawing as DXF (text or binary, any version)."
+  },
+  "dxf.not-a-number": {
+    "text": "The DXF file is damaged at line {line}: the value {text!r} of group code {code} of an object of the type {kind} is not a number.",
+    "hint": "Export the drawing again, with a point as the decimal separator of numbers."
   },
   "dxf.other-kind": {
     "text": "The file has the format {kind}, not DXF.",

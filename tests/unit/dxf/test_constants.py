@@ -10,16 +10,17 @@ from ezdxf.lldxf.encoding import decode_dxf_unicode, has_dxf_unicode
 from ezdxf.lldxf.types import BINARY_DATA, POINT_CODES, TYPE_TABLE
 from ezdxf.tools.codepage import codepage_to_encoding
 
+from knifetip.dxf import value_types
 from knifetip.dxf.encoding import CODE_PAGES, unescape
 from knifetip.dxf.fast_reader import group_codes
 from knifetip.dxf.fast_reader.tables import NO_ENTITIES
 
 
 def test_types_of_group_codes_equal_those_of_ezdxf() -> None:
-    types = {float: group_codes.DECIMAL, int: group_codes.INTEGER, str: group_codes.TEXT_VALUE}
-    for code, found in enumerate(group_codes.TYPE.tolist()):
+    types = {float: value_types.DECIMAL, int: value_types.INTEGER, str: value_types.TEXT_VALUE}
+    for code, found in enumerate(value_types.TYPE.tolist()):
         expected = types[TYPE_TABLE.get(code, str)]
-        assert found == (group_codes.HEX if code in BINARY_DATA else expected), code
+        assert found == (value_types.HEX if code in BINARY_DATA else expected), code
     assert set(np.flatnonzero(group_codes.IS_POINT).tolist()) == POINT_CODES
 
 

@@ -329,7 +329,7 @@ def test_spline_with_too_few_knots_is_dropped() -> None:
     assert only(drawing, ImportOutcome.DROPPED).startswith("the object is damaged")
 
 
-@pytest.mark.parametrize("bad", ["nan", "inf", "1e308", "-1e308"])
+@pytest.mark.parametrize("bad", ["1e999", "-1e999", "1e308", "-1e308"])
 @pytest.mark.parametrize(
     "make",
     [
@@ -345,7 +345,7 @@ def test_spline_with_too_few_knots_is_dropped() -> None:
     ],
     ids=["end", "centre", "radius", "angle", "vertex", "bulge", "axis", "ratio", "height"],
 )
-def test_invalid_numbers_drop_only_their_entity(make: Callable[..., Any], bad: str) -> None:
+def test_too_large_numbers_drop_only_their_entity(make: Callable[..., Any], bad: str) -> None:
     drawing = read(dxf(make(bad), line(0, 0, 10, 0)))
     assert drawing.import_report.outcome[-1] == ImportOutcome.KEPT
     assert np.isfinite(drawing.ends).all()

@@ -352,10 +352,13 @@ def test_mirrored_insert_turns_arcs_around() -> None:
             "the object has no size, because it is scaled by 0 in X and 1 in Y",
         ),
         (
-            insert("PART", 0, 0, (50, "nan")),
+            insert("PART", 0, 0, (50, "1e999")),
             "the position, scale or rotation of the object is not a number",
         ),
-        (insert("PART", "inf", 0), "the position, scale or rotation of the object is not a number"),
+        (
+            insert("PART", "1e999", 0),
+            "the position, scale or rotation of the object is not a number",
+        ),
         (
             insert("PART", 0, 0, (210, 1), (220, 0), (230, 0)),
             "the object is not parallel to the XY plane: its plane is tilted by 90°",

@@ -20,8 +20,11 @@ from ezdxf.lldxf.tags import group_tags
 from knifetip.drawing_builder.columns import Style
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.ezdxf_reader.block_expansion import Reference
-from knifetip.dxf.ezdxf_reader.entities import EntityShape, is_mirrored, shape_of
+from knifetip.dxf.ezdxf_reader.damaged_values import CHECKED, find_damaged_value
+from knifetip.dxf.ezdxf_reader.entities import EntityShape, Undrawable, is_mirrored, shape_of
 from knifetip.dxf.ezdxf_reader.rewrite import UNMARKED, with_markers
+from knifetip.errors import NotADrawing
+from knifetip.messages import Message
 
 
 class EzdxfEntity:
@@ -42,7 +45,9 @@ class EzdxfEntity:
 
     def reference(self) -> Reference:
         dxf = self._entity.dxf
-        x, y, z = dxf.get("insert", (0.0, 0.0, 0.0))
+        if not dxf.hasattr("insert"):
+            raise Undrawable(Message("import.incomplete", part="position"))
+        x, y, z = dxf.insert
         return Reference(
             _block_name(self._entity),
             is_mirrored(self._entity),
@@ -99,6 +104,8 @@ class EntityReader:
             The entity is damaged, or ezdxf can read it only by recovering the whole file.  Any
             exception of ezdxf may be raised.
         """
+        if damage := _damaged_value(data):
+            raise damage
         # ezdxf looks for a z coordinate after each point, so at least one more tag must follow.
         ended = io.BytesIO(with_markers(data + b"0\nEOF\n", every=self._every))
         stream = io.TextIOWrapper(ended, encoding=self._encoding, errors="replace")
@@ -113,3 +120,15 @@ class EntityReader:
         if isinstance(entity, Ellipse) and not is_valid_ratio(entity.dxf.ratio):
             raise DXFValueError(f"an ellipse of ratio {entity.dxf.ratio:g}")
         return EzdxfEntity(entity)
+
+
+def _damaged_value(data: bytes) -> NotADrawing | None:
+    """Return an error for the first value that ezdxf would change in the entity ``data``.
+
+    The line number of the error counts from the start of the entity.
+    """
+    lines = data.split(b"\n")
+    kind = lines[1].strip().decode("ascii", "replace")
+    values = lines[1::2]
+    codes = list(map(int, lines[0 : 2 * len(values) : 2]))
+    return find_damaged_value(kind, codes, values) if kind in CHECKED else None

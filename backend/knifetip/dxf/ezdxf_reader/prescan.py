@@ -14,7 +14,9 @@ from typing import Any, Final
 
 from knifetip.dxf.annotations import WORDS, annotation_of_tags
 from knifetip.dxf.encoding import encoding_of, unescape
+from knifetip.dxf.ezdxf_reader.damaged_values import CHECKED, find_damaged_value
 from knifetip.dxf.location_boxes import box_of_tags
+from knifetip.errors import NotADrawing
 from knifetip.geometry.columns import F64
 from knifetip.model.drawing import Annotation
 
@@ -59,7 +61,10 @@ class Prescan:
     unmarked: bool = False  #: whether an entity has no subclass markers
     open_section: str = ""  #: the section in which the file ends, "" if all are closed
     ended: bool = False  #: whether the file has the end mark EOF
+    lines_before: int = 0  #: number of blank lines before the content
     broken: int = 0  #: number of the first line that is not DXF, 0 if there is none
+    broken_text: str = ""  #: the beginning of this line
+    damage: NotADrawing | None = None  #: the first value that ezdxf would change
 
     @property
     def size(self) -> int:
@@ -72,14 +77,16 @@ class Prescan:
         return tuple(one.words for one in self.entities if one.words and not one.paper)
 
 
-def prescan(data: bytes) -> Prescan:
+def prescan(data: bytes, lines_before: int = 0) -> Prescan:
     """Return the entities, blocks and header variables of a DXF file as written.
 
     They are read from the bytes of the file, ASCII or binary, before ezdxf repairs it.  A damaged
-    file raises no exception; its structural defects are recorded in the result.
+    file raises no exception; its defects are recorded in the result.  ``lines_before`` is the
+    number of blank lines before ``data`` in the file; it is added to line numbers.
     """
-    result = Prescan()
-    codes, values = _binary_tags(data) if data.startswith(BINARY) else _ascii_tags(data, result)
+    result = Prescan(lines_before=lines_before)
+    is_binary = data.startswith(BINARY)
+    codes, values = _binary_tags(data) if is_binary else _ascii_tags(data, result)
     starts = [row for row, code in enumerate(codes) if code == 0]
     _header(codes, values, starts, result)
     result.encoding = encoding_of(data, result.variables)
@@ -128,6 +135,10 @@ def prescan(data: bytes) -> Prescan:
             last = _index_after(kind, number, starts, values)
             span = slice(row + 1, starts[last] if last < len(starts) else len(codes))
             box = box_of_tags(kind, codes[span], values[span])
+            # The numbers of a binary file are numbers.
+            if kind in CHECKED and not (result.damage or paper or is_binary):
+                before = 2 * (row + 1) + lines_before
+                result.damage = find_damaged_value(kind, codes[span], values[span], before)
             counted = PrescannedEntity(kind, handle, layer, paper, words, box)
             if section == "ENTITIES":
                 result.entities.append(counted)
@@ -193,7 +204,8 @@ def _ascii_tags(data: bytes, prescan_: Prescan) -> tuple[list[int], list[bytes]]
             codes.append(int(code))
         except ValueError:
             if not (codes and codes[-1] == 0 and values[row - 1].strip() == b"EOF"):
-                prescan_.broken = 2 * row + 1
+                prescan_.broken = 2 * row + 1 + prescan_.lines_before
+                prescan_.broken_text = code[:40].decode("ascii", "replace").strip()
             break
         if codes[-1] == 0 and values[row].strip() == b"EOF":
             break

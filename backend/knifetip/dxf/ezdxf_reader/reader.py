@@ -19,10 +19,19 @@ from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
 
 
-def read_with_ezdxf(data: bytes, unit: str, limits: Limits) -> Drawing:
+def read_with_ezdxf(data: bytes, unit: str, limits: Limits, lines_before: int = 0) -> Drawing:
     """Return the drawing in a DXF file, read with ezdxf.
 
-    ``unit`` replaces the unit of the file if it is not empty.
+    Parameters
+    ----------
+    data
+        Content of the file without leading blank lines.
+    unit
+        Unit that replaces the unit of the file if it is not empty.
+    limits
+        Limits of the size of the file and of the drawing.
+    lines_before
+        Number of blank lines before ``data`` in the file, for the line numbers in error messages.
 
     Raises
     ------
@@ -37,8 +46,8 @@ def read_with_ezdxf(data: bytes, unit: str, limits: Limits) -> Drawing:
         raise DrawingTooLarge(
             "dxf.too-large-unusual", size=len(data) / 2**20, limit=limits.slow_bytes / 2**20
         )
-    counted = prescan(data)
-    _check(data, counted, limits)
+    counted = prescan(data, lines_before)
+    _check(counted, limits)
     known = known_unit(unit, counted.variables)
     sheet, shapes = expand(load_document(data, counted, limits), counted, limits)
     segments = columns(sheet, shapes, known.scale, limits)
@@ -46,22 +55,21 @@ def read_with_ezdxf(data: bytes, unit: str, limits: Limits) -> Drawing:
     return assemble(sheet, segments, styles, counted.annotations, known)
 
 
-def _check(data: bytes, counted: Prescan, limits: Limits) -> None:
-    """Raise an error if a file is not a DXF file, has too many entities, or is incomplete.
+def _check(counted: Prescan, limits: Limits) -> None:
+    """Raise an error if a file is not a DXF file, has too many entities, or is damaged.
 
-    ``data`` is the content of the file, and ``counted`` the entities and defects found in it.
+    ``counted`` contains the entities and defects of the file.
 
     Raises
     ------
     NotADrawing
-        The file is not a DXF file, or is incomplete.
+        The file is not a DXF file, is incomplete, or contains values that ezdxf would change.
     DrawingTooLarge
         The file has too many entities.
     """
     if not counted.sections:
         if counted.broken:
-            line = data.split(b"\n")[counted.broken - 1][:40].decode("ascii", "replace").strip()
-            raise NotADrawing("dxf.not-a-group-code", line=counted.broken, text=line)
+            raise NotADrawing("dxf.not-a-group-code", line=counted.broken, text=counted.broken_text)
         raise NotADrawing("dxf.no-section")
     if counted.size > limits.entities:
         raise DrawingTooLarge(
@@ -76,3 +84,5 @@ def _check(data: bytes, counted: Prescan, limits: Limits) -> None:
         )
         section = counted.open_section or "file"
         raise NotADrawing("dxf.cut-short", where=location, section=section, count=counted.size)
+    if counted.damage:
+        raise counted.damage

@@ -1,4 +1,4 @@
-"""group_codes: data type and meaning of each DXF group code, and the codes of each entity kind."""
+"""group_codes: meaning of each DXF group code, and the codes of each entity kind."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader import keywords as w
+from knifetip.dxf.value_types import LAST_CODE, TEXT_VALUE, TYPE
 
 #: Heights up to this count as 0 (file units), as in ``entities``.
 FLAT: Final = 1e-6
@@ -20,19 +21,6 @@ SECOND: Final = np.array(
 )
 THIRD: Final = np.array([-1, -1, w.DB_ARC, -1, -1, -1, -1])
 
-#: Type of the value of a group code.
-TEXT_VALUE, DECIMAL, INTEGER, HEX = range(4)
-LAST_CODE: Final = 1071
-#: Type of the value by group code ("Group Code Value Types" in the DXF reference), shape (1072,).
-TYPE: Final = np.full(LAST_CODE + 1, TEXT_VALUE)
-for _type, _ranges in (
-    (DECIMAL, ((10, 59), (110, 149), (210, 239), (460, 469), (1010, 1059))),
-    (INTEGER, ((60, 79), (90, 99), (160, 179), (270, 299), (370, 389), (400, 409), (420, 429),
-               (440, 459), (1060, 1071))),
-    (HEX, ((310, 319), (1004, 1004))),
-):  # fmt: skip
-    for _first, _last in _ranges:
-        TYPE[_first : _last + 1] = _type
 #: Mask of the group codes of an x coordinate, which its y coordinate must follow, shape (1072,).
 IS_POINT: Final = np.isin(
     np.arange(LAST_CODE + 1),

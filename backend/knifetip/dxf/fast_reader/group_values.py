@@ -8,8 +8,8 @@ import numpy as np
 
 from knifetip.dxf.byte_scan import bytes_equal, hash_bytes
 from knifetip.dxf.decimals import WRONG, number
-from knifetip.dxf.fast_reader import group_codes as g
 from knifetip.dxf.fast_reader import state as s
+from knifetip.dxf.value_types import DECIMAL, HEX, INTEGER
 from knifetip.kernels import U8_1, OutI32_1, OutI64_1, OutI64_2, inline_kernel
 
 #: Largest number of names in a file, and size of the hash table of names.
@@ -84,12 +84,12 @@ def valid(data: U8_1, low: int, high: int, value_type: int) -> bool:
     The types ``DECIMAL``, ``INTEGER`` and ``HEX`` of ``group_codes`` are checked; values of any
     other type are always valid.
     """
-    if value_type == g.DECIMAL:
+    if value_type == DECIMAL:
         _, _, sure = number(data, np.uint64(low), np.uint64(high))
         return bool(sure != WRONG)
-    if value_type == g.INTEGER:
+    if value_type == INTEGER:
         return integer_at(data, low, high) != NONE
-    if value_type == g.HEX:
+    if value_type == HEX:
         for position in range(low, high):
             sign = data[position] | 32
             if not (48 <= data[position] <= 57 or 97 <= sign <= 102):

@@ -24,6 +24,7 @@ from knifetip.dxf.fast_reader.handle_set import take_handle
 from knifetip.dxf.fast_reader.keywords import is_word, word_at
 from knifetip.dxf.fast_reader.structure import begin, context, pause
 from knifetip.dxf.scan_tables import ScanTables
+from knifetip.dxf.value_types import LAST_CODE, TEXT_VALUE, TYPE
 from knifetip.kernels import (
     I32_2F,
     I64_1,
@@ -284,7 +285,7 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
         # The line of the group code.
         start: Any = np.int64(at)
         code, at = code_at(data, at, size)
-        if code < 0 or code > g.LAST_CODE:
+        if code < 0 or code > LAST_CODE:
             return False
         previous_code = last
         if code != 999:
@@ -292,7 +293,7 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
                 return False
             last = code
         low: Any = np.int64(at)
-        value_type = g.TYPE[code]
+        value_type = TYPE[code]
         action = g.ACTION[state[s.CONTEXT], code]
         read, sure = 0.0, WRONG
         if action == g.NUMBER or (state[s.MODE] == s.IN_BLOCK and (code == 10 or code == 20)):
@@ -325,7 +326,7 @@ def scan_tags(data: U8_1, begins: int, ends: int, tables: ScanTables, state: Out
                 verdict = _store_block_tag(code, data, low, high, block, spans, slots, state)
         elif action == g.TAKEN:
             verdict = take_tag(code, data, low, high, entity, spans, slots, state)
-        elif (value_type != g.TEXT_VALUE and not valid(data, low, high, value_type)) or (
+        elif (value_type != TEXT_VALUE and not valid(data, low, high, value_type)) or (
             state[s.SECTION] == w.HEADER
             and not _header_tag_valid(code, previous_code, data, low, high)
         ):

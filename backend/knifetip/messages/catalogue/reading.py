@@ -137,6 +137,14 @@ MESSAGES: Final[Entries] = {
         depth="count",
         limit="count",
     ),
+    "dxf.coordinate-alone": entry(
+        "The DXF file is damaged at line {line}: the coordinate with group code {code} of an "
+        "object of the type {kind} belongs to a point, of which the other coordinate is missing.",
+        "Export the drawing again.",
+        line="count",
+        code="count",
+        kind="text",
+    ),
     "dxf.cut-short": entry(
         "The DXF file is incomplete: it ends {where} in the section {section}, after {count:# "
         "entity (drawn object)|# entities (drawn objects)}. Objects of the drawing may be "
@@ -155,6 +163,15 @@ MESSAGES: Final[Entries] = {
         "(a whole number).",
         "Export the drawing as DXF (text or binary, any version).",
         line="count",
+        text="text",
+    ),
+    "dxf.not-a-number": entry(
+        "The DXF file is damaged at line {line}: the value {text!r} of group code {code} of an "
+        "object of the type {kind} is not a number.",
+        "Export the drawing again, with a point as the decimal separator of numbers.",
+        line="count",
+        code="count",
+        kind="text",
         text="text",
     ),
     "dxf.other-kind": entry(
