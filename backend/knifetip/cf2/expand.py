@@ -217,6 +217,10 @@ class _Expander:
                 report.dropped[row] = Message("import.subroutine-in-itself", name=call.name[:40])
             elif not all(math.isfinite(value) for value in call.placement):
                 report.dropped[row] = Message("import.place-not-a-number")
+            elif 0.0 in call.placement[3:]:
+                self._used.add(name)
+                x_scale, y_scale = call.placement[3:]
+                report.dropped[row] = Message("import.no-scale", x=x_scale, y=y_scale)
             else:
                 self._used.add(name)
                 report.notes[row] = [Message("import.places-subroutine", name=call.name[:40])]

@@ -34,6 +34,8 @@ from knifetip.model.unit import factor
 _UNITS = {"UM": "mm", "UI": "in"}
 #: The message for each unit record, and for a file without one.
 _EVIDENCE = {"UM": "unit.cf2-millimetres", "UI": "unit.cf2-inches", "": "unit.cf2-none"}
+#: Reasons why a scale in the header is ignored although the size of the drawing may be wrong.
+_UNEXPLAINED = ("unit.cf2-scale-invalid", "unit.cf2-scale-undecided")
 #: Relative tolerance of sizes that are compared.
 _SIZE_TOLERANCE = 0.01
 
@@ -114,6 +116,10 @@ def _build_drawing(parsed: Cf2File, unit: str, millimetres: float, limits: Limit
         elif applies:
             expanded = expand(parsed, np.diag(parsed.scale), tolerance, limits)
             columns = expanded.columns(reach)
+        if reason.code in _UNEXPLAINED:
+            expanded.report.row("SCALE", "SCALE", "", reason)
+    if not parsed.ended:
+        expanded.report.row("$EOF", "$EOF", "", Message("import.no-end-mark", mark="$EOF"))
     source = Message("unit.given") if unit else evidence
     known = KnownUnit(scale, chosen, source, file_unit)
     return assemble(expanded.report, columns, expanded.styles, expanded.annotations, known)

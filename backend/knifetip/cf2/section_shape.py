@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import chain
 from typing import Final
@@ -96,6 +97,7 @@ def read_shape(section: Section, styles: StyleNumbers) -> SectionShape:
     notes: dict[int, list[Message]] = {}
     lines, line_row = _coordinates(section.line, section.line_row, slice(4, 8), dropped)
     arcs, arc_row = _coordinates(section.arc, section.arc_row, slice(4, 11), dropped)
+    arcs, arc_row = _with_radius(arcs, arc_row, dropped)
     ends, bulge, arc = _split_arcs(arcs, arc_row, notes)
     row = np.concatenate([line_row, arc_row[arc]])
     style_of = np.zeros(len(section.kind), np.int64)
@@ -216,20 +218,39 @@ def _coordinates(
     """
     wide = fields.stop - fields.start
     row = np.array(rows, np.int64)
-    try:
-        flat = list(map(float, chain.from_iterable(record[fields] for record in records)))
-        return np.array(flat).reshape(-1, wide), row
-    except ValueError:
-        pass
+    texts = list(chain.from_iterable(record[fields] for record in records))
+    # Python accepts "1_0" as a number.
+    if "_" not in "".join(texts):
+        with suppress(ValueError):
+            return np.array(list(map(float, texts))).reshape(-1, wide), row
     values = np.full((len(records), wide), np.nan)
     for index, record in enumerate(records):
         try:
-            values[index] = [float(text) for text in record[fields]]
+            values[index] = [float(text.replace("_", "?")) for text in record[fields]]
         except ValueError:
             shown = [text[:_MAX_SHOWN] for text in record[fields]]
             dropped[rows[index]] = Message("import.not-numbers", values=shown)
     good = np.array([one not in dropped for one in rows], bool)
     return values[good], row[good]
+
+
+def _with_radius(arcs: F64, rows: I64, dropped: dict[int, Message]) -> tuple[F64, I64]:
+    """Return the arcs whose centre is neither their start nor their end, and their rows.
+
+    Parameters
+    ----------
+    arcs : (k, 7)
+        Start, end, centre and direction of each arc.
+    rows : (k,)
+        Row of each arc in its section.
+    dropped
+        Reasons for dropped records, by row; a reason is added for each other arc.
+    """
+    start, end, centre = arcs[:, :2], arcs[:, 2:4], arcs[:, 4:6]
+    without = (start == centre).all(axis=1) | (end == centre).all(axis=1)
+    for row in rows[without].tolist():
+        dropped[row] = Message("import.bad-radius", radius=0.0)
+    return arcs[~without], rows[~without]
 
 
 def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[F64, F64, I64]:

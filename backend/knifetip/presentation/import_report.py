@@ -78,7 +78,7 @@ def annotations_by_row(drawing: Drawing) -> dict[int, Annotation]:
             group in annotations
             and "/" not in report.handle[row]
             and not (report.block and report.block[row])
-            and report.reason[row].code != "import.paper-space"
+            and report.reason[row].code != "import.paper-space-annotation"
         ):
             rows[group].append(row)
     return {

@@ -32,12 +32,57 @@ NOT_SEEN: Final = frozenset(
 #: Reasons for leaving out an entity although its author sees it.
 NOT_READ: Final = frozenset(
     {
+        "import.angles-not-numbers",
+        "import.bad-radius",
         "import.block-external",
+        "import.block-in-itself",
         "import.block-missing",
+        "import.coordinate-not-a-number",
+        "import.damaged",
+        "import.damaged-or-frame",
+        "import.extrusion-not-a-number",
+        "import.filled-area",
+        "import.font-shape",
+        "import.hatch",
+        "import.height-not-a-number",
+        "import.height-too-far",
+        "import.incomplete",
+        "import.line-not-numbers",
+        "import.lone-vertex",
+        "import.mesh",
         "import.missing-id",
         "import.missing-subroutine",
         "import.multiple-line",
+        "import.no-major-axis",
+        "import.no-parameter-range",
+        "import.no-scale",
+        "import.no-sweep",
+        "import.not-a-line",
+        "import.not-flat",
+        "import.not-numbers",
         "import.paper-space",
+        "import.parameters-not-numbers",
+        "import.place-not-a-number",
+        "import.placement-not-a-number",
+        "import.proxy",
+        "import.region",
+        "import.solid",
+        "import.subroutine-in-itself",
+        "import.tilted",
+        "import.tilted-axis",
+        "import.too-far",
+        "import.too-many-fit-points",
+        "import.uneven-height",
+        "import.unknown-record",
+        "import.wrong-field-count",
+    }
+)
+#: Reasons that concern the whole file, not one entity of it.
+ABOUT_FILE: Final = frozenset(
+    {
+        "import.no-end-mark",
+        "unit.cf2-scale-invalid",
+        "unit.cf2-scale-undecided",
     }
 )
 _WARNED: Final = NOT_SEEN | NOT_READ
@@ -46,16 +91,20 @@ _LONGEST: Final = 8
 
 
 def import_warnings(drawing: Drawing) -> list[Message]:
-    """Return one warning for each layer and reason for which entities were left out.
+    """Return the warnings about the file, and one for each layer and reason for leaving out.
 
-    The warning for the most entities comes first.  If there are many, the last one counts the rest.
+    The warnings about the file come first, then the warning for the most entities.  If there are
+    many, the last one counts the rest.
     """
     report = drawing.import_report
+    warnings: list[Message] = []
     groups: Counter[tuple[Message, str]] = Counter()
     for row in np.flatnonzero(report.outcome == ImportOutcome.DROPPED).tolist():
         if (reason := report.reason[row]).code in _WARNED:
             groups[reason, report.layer[row]] += 1
-    warnings = [
+        elif reason.code in ABOUT_FILE:
+            warnings.append(Message("import.check-drawing", reason=reason))
+    warnings += [
         Message(
             "import.left-out-on-layer" if layer else "import.left-out",
             objects=objects,

@@ -2175,6 +2175,10 @@ export const TEXTS = {
     "text": "the steel rule of the cutting die has {bridges:g} bridges (gaps), each {width:g} file units wide; the edge is cut without the gaps",
     "hint": ""
   },
+  "import.check-drawing": {
+    "text": "Check the drawing: {reason}.",
+    "hint": "{reason:hint}"
+  },
   "import.clip-path": {
     "text": "the object only limits the visible area of other objects (clipping path)",
     "hint": ""
@@ -2254,6 +2258,10 @@ export const TEXTS = {
   "import.font-shape": {
     "text": "the object is a shape from a font file, which cannot be read",
     "hint": "Explode the object into lines in the CAD program, and export the drawing again."
+  },
+  "import.hatch": {
+    "text": "the object is a hatch (filled area), whose boundary is not read",
+    "hint": "Draw the boundary as lines in the CAD program, and export the drawing again if it must be cut."
   },
   "import.height-not-a-number": {
     "text": "the height (z) of the object is not a number",
@@ -2352,8 +2360,12 @@ export const TEXTS = {
     "hint": ""
   },
   "import.multiple-line": {
-    "text": "the object is a multiline, which cannot be read",
+    "text": "the object is a multiline (MLINE), which is not read",
     "hint": "Explode the multiline into lines in the CAD program, and export the drawing again."
+  },
+  "import.no-end-mark": {
+    "text": "the end mark {mark} of the file is missing, so objects may be missing",
+    "hint": "Compare the drawing with the original, or export it again."
   },
   "import.no-length": {
     "text": "the length of the object is {length:g}, which is too short to be cut",
@@ -2437,6 +2449,10 @@ export const TEXTS = {
   },
   "import.paper-space": {
     "text": "the object is in a layout (paper space), not in the model",
+    "hint": ""
+  },
+  "import.paper-space-annotation": {
+    "text": "the object is an annotation or a viewport in a layout (paper space), not in the model",
     "hint": ""
   },
   "import.parameters-not-numbers": {

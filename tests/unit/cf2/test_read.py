@@ -195,6 +195,56 @@ def test_an_unexplained_scale_leaves_the_unit_open() -> None:
     assert drawing.evidence.arguments["scale"] == Message("unit.cf2-scale-undecided", x=2, y=2)
 
 
+@pytest.mark.parametrize(
+    ("head", "code"),
+    [
+        (("UM", "SCALE,2,2"), "unit.cf2-scale-undecided"),
+        (("UM", "SCALE,0,2"), "unit.cf2-scale-invalid"),
+    ],
+)
+def test_a_scale_that_is_ignored_for_no_known_reason_has_a_row_of_the_report(
+    head: tuple[str, ...], code: str
+) -> None:
+    report = read(cf2(line(0, 0, 10, 0), head=head)).import_report
+    assert report.kind[-1] == "SCALE"
+    assert report.reason[-1].code == code
+    assert report.outcome[-1] == ImportOutcome.DROPPED
+
+
+def test_a_scale_that_the_corners_explain_has_no_row_of_the_report() -> None:
+    head = ("UM", "LL,0,0", "UR,20,10", "SCALE,2,2")
+    report = read(cf2(line(0, 0, 10, 0), line(0, 0, 0, 5), head=head)).import_report
+    assert report.kind == ("L (line)", "L (line)")
+
+
+def test_a_call_with_a_scale_of_0_is_dropped() -> None:
+    drawing = read(cf2(line(0, 0, 1, 0), "C,A,0,0,0,0,1", subs=sub("A", line(0, 0, 5, 5))))
+    report = drawing.import_report
+    assert report.handle == ("#1", "#2")
+    assert report.reason[1] == Message("import.no-scale", x=0, y=1)
+
+
+def test_a_missing_end_mark_has_a_row_of_the_report() -> None:
+    complete = cf2(line(0, 0, 10, 0))
+    assert read(complete).import_report.kind == ("L (line)",)
+    drawing = read(complete.replace(b"$EOF\r\n", b""))
+    assert drawing.lengths.tolist() == [10.0]
+    assert drawing.import_report.reason[-1] == Message("import.no-end-mark", mark="$EOF")
+
+
+@pytest.mark.parametrize("centre", ["5,5", "9,5"])
+def test_an_arc_around_one_of_its_ends_has_no_radius(centre: str) -> None:
+    drawing = read(cf2(line(0, 0, 1, 0), f"A,2,1,0,5,5,9,5,{centre},1,0,0"))
+    assert drawing.lengths.tolist() == [1.0]
+    assert reasons(drawing)["#2"].startswith("the radius of the object is 0")
+
+
+def test_an_underscore_in_a_number_is_not_ignored() -> None:
+    drawing = read(cf2(line(0, 0, 1, 0), "L,2,1,0,0,0,1_0,0,0,0"))
+    assert drawing.lengths.tolist() == [1.0]
+    assert "1_0" in reasons(drawing)["#2"]
+
+
 # ── Profiles ──────────────────────────────────────────────────────────────────────────────────
 
 KINDS = (0, 1, 2, 3, 4, 6, 8, 9, 10, 12, 43, 46)
@@ -300,7 +350,7 @@ def test_single_damaged_records_are_dropped_with_a_reason() -> None:
     assert reason["#4"].startswith("a coordinate of the object is not a number")
     assert reason["#5"] == "a coordinate of the object is 1e+308 file units, but the limit is 1e+07"
     assert reason["#6"] == "the object is a CF2 record of a type that is not supported"
-    assert reason["#7"] == "a coordinate of the object is not a number"
+    assert reason["#7"] == "the radius of the object is 0, but must be greater than 0"
     assert reason["#8"] == "the object inserts the subroutine , which is not in the file"
     assert drawing.lengths.tolist() == [1.0]
 

@@ -101,7 +101,7 @@ UNREADABLE = {
 
 _PICTURE = "the object is an underlay (an inserted picture or PDF page), which is not cut"
 REASONS = {
-    "HATCH": "the object is a filled area without an outline, so it is not cut",
+    "HATCH": "the object is a hatch (filled area), whose boundary is not read",
     "IMAGE": _PICTURE,
     "LEADER": "the object is a dimension or a note, which is not cut",
     "MTEXT": "the object is a text, which is not cut",

@@ -67,3 +67,62 @@ def test_the_command_line_prints_the_warnings(
         main()
     printed = capfd.readouterr()
     assert "1 object on layer 'A' is not cut" in printed.out + printed.err
+
+
+LOST = {
+    "hatch": (text.entity("HATCH", (10, 0), (20, 0)), "hatch"),
+    "multiline": (text.entity("MLINE", (10, 0), (20, 0)), "MLINE"),
+    "solid": (text.entity("SOLID", (10, 0), (20, 0)), "filled area"),
+    "radius": (text.entity("CIRCLE", (10, 0), (20, 0), (40, -3)), "radius of the object is -3"),
+    "no radius": (text.entity("ARC", (10, 0), (20, 0), (50, 0), (51, 90)), "radius is missing"),
+    "block": (text.insert("LID"), "block 'LID'"),
+    "height": (
+        text.entity("LINE", (10, 0), (20, 0), (30, 0), (11, 5), (21, 5), (31, 9)),
+        "not parallel to the XY plane",
+    ),
+    "layout": (text.line(0, 0, 5, 5, (67, 1)), "in a layout (paper space)"),
+    "region": (text.entity("REGION", (70, 1)), "region"),
+}
+
+
+@pytest.mark.parametrize(("entity", "words"), LOST.values(), ids=list(LOST))
+def test_geometry_that_cannot_be_read_is_warned_about(entity: str, words: str) -> None:
+    (warning,) = warnings(entity)
+    assert words in warning
+
+
+@pytest.mark.parametrize(
+    "entity",
+    [
+        text.entity("TEXT", (67, 1), (10, 0), (20, 0), (40, 5), (1, "Scale 1:2")),
+        text.entity("VIEWPORT", (67, 1), (10, 0), (20, 0), (40, 5), (41, 5)),
+        text.entity("POINT", (10, 0), (20, 0)),
+        text.line(1, 1, 1, 1),
+    ],
+)
+def test_what_is_never_cut_is_left_out_without_a_warning(entity: str) -> None:
+    assert warnings(entity) == []
+
+
+@pytest.mark.parametrize(
+    ("layer", "hint_words"),
+    [
+        (text.layer("OLD", -1), "Switch the layer on"),
+        (text.layer("OLD", 1, flags=1), "Thaw the layer"),
+    ],
+)
+def test_the_hint_tells_how_a_hidden_layer_is_cut(layer: str, hint_words: str) -> None:
+    data = text.dxf(SIDE, text.line(0, 9, 50, 9, (8, "OLD")), layers=(layer,))
+    (warning,) = import_warnings(pipeline.read(data))
+    assert "on layer 'OLD'" in str(warning)
+    assert hint_words in hint(warning)
+
+
+def test_a_missing_end_mark_is_the_first_warning() -> None:
+    data = text.dxf(SIDE, hidden("A", 1.0)).replace(b"0\nEOF\n", b"")
+    first, second = import_warnings(pipeline.read(data))
+    assert str(first) == (
+        "Check the drawing: the end mark EOF of the file is missing, so objects may be missing."
+    )
+    assert hint(first).startswith("Compare the drawing")
+    assert "on layer 'A'" in str(second)

@@ -22,6 +22,7 @@ from knifetip.drawing_builder.report import ReportWriter
 from knifetip.drawing_builder.visibility import INVISIBLE
 from knifetip.dxf.attributes import Styles
 from knifetip.dxf.ezdxf_reader.entities import (
+    NEVER_CUT,
     READ,
     REASONS,
     EntityShape,
@@ -40,8 +41,8 @@ from knifetip.messages import Message
 #: Linear map of entities outside of blocks: the identity.
 ON_SHEET: Final[F64] = freeze(np.eye(2)[None], np.float64, 1, 2, 2)
 
-#: Reason for entities in paper space.
-IN_PAPER_SPACE: Final = Message("import.paper-space")
+_IN_PAPER_SPACE: Final = Message("import.paper-space")
+_ANNOTATION_IN_PAPER_SPACE: Final = Message("import.paper-space-annotation")
 
 
 class Placed(NamedTuple):
@@ -149,6 +150,11 @@ class Block:
 def no_geometry_reason(kind: str) -> Message:
     """Return the reason for dropping an entity of kind ``kind``, which has no geometry to cut."""
     return REASONS.get(kind) or Message("import.not-a-line", kind=kind)
+
+
+def paper_space_reason(kind: str) -> Message:
+    """Return the reason for dropping an entity of kind ``kind`` in paper space."""
+    return _ANNOTATION_IN_PAPER_SPACE if kind in NEVER_CUT else _IN_PAPER_SPACE
 
 
 def insert_note(name: str) -> Message:
@@ -285,7 +291,8 @@ class BlockExpansion:
             counted = replace(counted, layer=insert_style.layer)
         handle = path + entry.handle
         if counted.paper:
-            self.sheet.row(handle, counted.kind, counted.layer, IN_PAPER_SPACE)
+            reason = paper_space_reason(counted.kind)
+            self.sheet.row(handle, counted.kind, counted.layer, reason)
             return
         if counted.kind not in READ and counted.kind != "INSERT":
             self._add_dropped(counted, handle, placements, no_geometry_reason(counted.kind))

@@ -75,6 +75,7 @@ _FLAT: Final = 1e-6
 #: Kinds without geometry to cut, and the reason in the import report.
 _TEXT: Final = Message("import.text")
 _NOTE: Final = Message("import.dimension")
+_HATCH: Final = Message("import.hatch")
 _AREA: Final = Message("import.filled-area")
 _SOLID: Final = Message("import.solid")
 _ENDLESS: Final = Message("import.endless-line")
@@ -94,8 +95,8 @@ REASONS: Final[dict[str, Message]] = {
     "MLEADER": _NOTE,
     "TOLERANCE": _NOTE,
     "ACAD_TABLE": _NOTE,
-    "HATCH": _AREA,
-    "MPOLYGON": _AREA,
+    "HATCH": _HATCH,
+    "MPOLYGON": _HATCH,
     "SOLID": _AREA,
     "TRACE": _AREA,
     "WIPEOUT": _AREA,
@@ -128,6 +129,14 @@ REASONS: Final[dict[str, Message]] = {
     "VERTEX": Message("import.lone-vertex"),
     "SEQEND": Message("import.end-mark"),
 }
+
+#: Kinds that are never cut: texts, dimensions, construction lines, pictures, points and viewports.
+NEVER_CUT: Final = frozenset(
+    [
+        *(kind for kind, reason in REASONS.items() if reason in (_TEXT, _NOTE, _ENDLESS, _PICTURE)),
+        *("LIGHT", "POINT", "VIEWPORT"),
+    ]
+)
 
 
 def shape_of(entity: DXFGraphic) -> EntityShape:

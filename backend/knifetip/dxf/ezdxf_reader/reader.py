@@ -50,6 +50,8 @@ def read_with_ezdxf(data: bytes, unit: str, limits: Limits, lines_before: int = 
     _check(counted, limits)
     known = known_unit(unit, counted.variables)
     sheet, shapes = expand(load_document(data, counted, limits), counted, limits)
+    if not counted.ended:
+        sheet.row("EOF", "EOF", "", Message("import.no-end-mark", mark="EOF"))
     segments = columns(sheet, shapes, known.scale, limits)
     segments, styles = renumber_styles(segments, [shape.style for shape in shapes])
     return assemble(sheet, segments, styles, counted.annotations, known)

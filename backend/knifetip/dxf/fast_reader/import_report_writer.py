@@ -19,9 +19,9 @@ from knifetip.dxf.annotations import (
     plain_annotations,
 )
 from knifetip.dxf.ezdxf_reader.block_expansion import (
-    IN_PAPER_SPACE,
     insert_note,
     no_geometry_reason,
+    paper_space_reason,
 )
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader.handle_set import paths_of
@@ -77,11 +77,12 @@ def drop_reason(tables: Tables, row: int, layer: str) -> Message | None:
     for an entity on layer 0 of a block is the layer of the INSERT.
     """
     line = tables.scan.entity[row].tolist()
+    word = tables.words[line[f.WORD]]
     if line[f.PAPER]:
-        return IN_PAPER_SPACE
+        return paper_space_reason(word)
     kind = line[f.KIND]
     if kind == f.OTHER:
-        return no_geometry_reason(tables.words[line[f.WORD]])
+        return no_geometry_reason(word)
     if kind != f.INSERT and (reason := tables.styles.hidden(layer)):
         return reason
     return few_vertices_reason(tables, row)

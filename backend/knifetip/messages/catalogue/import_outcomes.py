@@ -92,6 +92,11 @@ MESSAGES: Final[Entries] = {
         bridges="number",
         width="number",
     ),
+    "import.check-drawing": entry(
+        "Check the drawing: {reason}.",
+        "{reason:hint}",
+        reason="message",
+    ),
     "import.clip-path": entry(
         "the object only limits the visible area of other objects (clipping path)",
     ),
@@ -157,6 +162,11 @@ MESSAGES: Final[Entries] = {
     "import.font-shape": entry(
         "the object is a shape from a font file, which cannot be read",
         "Explode the object into lines in the CAD program, and export the drawing again.",
+    ),
+    "import.hatch": entry(
+        "the object is a hatch (filled area), whose boundary is not read",
+        "Draw the boundary as lines in the CAD program, and export the drawing again if it must "
+        "be cut.",
     ),
     "import.height-not-a-number": entry("the height (z) of the object is not a number"),
     "import.height-too-far": entry(
@@ -250,8 +260,13 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "import.multiple-line": entry(
-        "the object is a multiline, which cannot be read",
+        "the object is a multiline (MLINE), which is not read",
         "Explode the multiline into lines in the CAD program, and export the drawing again.",
+    ),
+    "import.no-end-mark": entry(
+        "the end mark {mark} of the file is missing, so objects may be missing",
+        "Compare the drawing with the original, or export it again.",
+        mark="text",
     ),
     "import.no-length": entry(
         "the length of the object is {length:g}, which is too short to be cut",
@@ -318,6 +333,9 @@ MESSAGES: Final[Entries] = {
     "import.outside-page": entry("the object lies outside the visible area of the page"),
     "import.page-ends-early": entry(
         "the path has neither a stroke nor a fill, because the page ends before the path ends",
+    ),
+    "import.paper-space-annotation": entry(
+        "the object is an annotation or a viewport in a layout (paper space), not in the model",
     ),
     "import.paper-space": entry("the object is in a layout (paper space), not in the model"),
     "import.parameters-not-numbers": entry(
