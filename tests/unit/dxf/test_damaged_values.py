@@ -39,6 +39,12 @@ VALUES: dict[str, Make] = {
     "vertex": lambda bad: chain(
         entity("VERTEX", *point(10, 0, 0)), entity("VERTEX", *point(10, bad, 5))
     ),
+    "vertex after extension data": lambda bad: (
+        entity("POLYLINE", (66, 1), *point(10, 0, 0), (70, 0), (1001, "OTHER"), (1040, 2.5))
+        + entity("VERTEX", *point(10, bad, 5))
+        + entity("VERTEX", *point(10, 9, 5))
+        + entity("SEQEND")
+    ),
     "flag": lambda bad: entity(
         "LWPOLYLINE", (90, 2), (70, bad), *point(10, 0, 0), *point(10, 5, 0)
     ),
@@ -109,7 +115,6 @@ def test_an_integer_may_be_written_as_a_decimal_number() -> None:
         entity("DIMENSION", *point(10, "1,5", 0), (42, "1,5")),
         tags((999, "a comment, 1,5")),
         line(0, 5, 100, 5) + tags((1001, "OTHER"), (1040, "1,5")),
-        line(0, "1,5", 100, 5, (67, 1)),  # in paper space
     ],
 )
 def test_a_damaged_value_of_which_no_edge_is_made_does_no_harm(harmless: str) -> None:

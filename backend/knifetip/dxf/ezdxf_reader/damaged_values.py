@@ -46,9 +46,8 @@ def find_damaged_value(
     previous = previous_line = -1
     for tag, (code, value) in enumerate(zip(codes, values, strict=True)):
         line = lines_before + 2 * tag + 1
-        if code >= _EXTENSION:
-            break
-        if code == _COMMENT:
+        # The extension data of a POLYLINE precede its vertices.
+        if code >= _EXTENSION or code == _COMMENT:
             continue
         if code >= 0 and _IS_NUMBER[code] and not _NUMBER.fullmatch(value):
             text = value[:_LONGEST_SHOWN].decode("ascii", "replace").strip()

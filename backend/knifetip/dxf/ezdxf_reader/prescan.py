@@ -136,7 +136,7 @@ def prescan(data: bytes, lines_before: int = 0) -> Prescan:
             span = slice(row + 1, starts[last] if last < len(starts) else len(codes))
             box = box_of_tags(kind, codes[span], values[span])
             # The numbers of a binary file are numbers.
-            if kind in CHECKED and not (result.damage or paper or is_binary):
+            if kind in CHECKED and not (result.damage or is_binary):
                 before = 2 * (row + 1) + lines_before
                 result.damage = find_damaged_value(kind, codes[span], values[span], before)
             counted = PrescannedEntity(kind, handle, layer, paper, words, box)
