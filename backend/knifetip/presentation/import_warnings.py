@@ -13,7 +13,8 @@ from typing import Final
 import numpy as np
 
 from knifetip.messages import Message, printable
-from knifetip.model.drawing import Drawing, ImportOutcome
+from knifetip.model.drawing import Drawing, ImportOutcome, ImportReport
+from knifetip.model.words import Repeated
 
 #: Reasons for leaving out an entity because its author does not see it.
 NOT_SEEN: Final = frozenset(
@@ -85,25 +86,41 @@ ABOUT_FILE: Final = frozenset(
         "unit.cf2-scale-undecided",
     }
 )
+#: Notes on entities that are cut in a way that their author may not see.
+READ_DIFFERENTLY: Final = frozenset(
+    {
+        "import.not-clipped",
+    }
+)
 _WARNED: Final = NOT_SEEN | NOT_READ
 #: Number of warnings of a drawing; the rest is counted.
 _LONGEST: Final = 8
 
 
 def import_warnings(drawing: Drawing) -> list[Message]:
-    """Return the warnings about the file, and one for each layer and reason for leaving out.
+    """Return one warning for each layer and reason for which entities were left out.
 
-    The warnings about the file come first, then the warning for the most entities.  If there are
-    many, the last one counts the rest.
+    The warning for the most entities comes first; if there are many, the last one counts the rest.
+    Warnings about the file, and about entities that were read differently, precede them.
     """
     report = drawing.import_report
-    warnings: list[Message] = []
-    groups: Counter[tuple[Message, str]] = Counter()
-    for row in np.flatnonzero(report.outcome == ImportOutcome.DROPPED).tolist():
-        if (reason := report.reason[row]).code in _WARNED:
-            groups[reason, report.layer[row]] += 1
-        elif reason.code in ABOUT_FILE:
-            warnings.append(Message("import.check-drawing", reason=reason))
+    dropped = report.outcome == ImportOutcome.DROPPED
+    reasons, layers = (
+        np.asarray(column, object)[dropped].tolist() for column in (report.reason, report.layer)
+    )
+    left_out = Counter(zip(reasons, layers, strict=True))
+    warnings = [
+        Message("import.check-drawing", reason=reason)
+        for reason, _ in left_out
+        if reason.code in ABOUT_FILE
+    ]
+    warnings += [
+        Message("import.check-objects", objects=objects, reason=note)
+        for note, objects in _notes_to_check(report).items()
+    ]
+    groups = Counter(
+        {group: objects for group, objects in left_out.items() if group[0].code in _WARNED}
+    )
     warnings += [
         Message(
             "import.left-out-on-layer" if layer else "import.left-out",
@@ -115,3 +132,17 @@ def import_warnings(drawing: Drawing) -> list[Message]:
     ]
     rest = groups.total() - sum(objects for _, objects in groups.most_common(_LONGEST))
     return [*warnings, Message("import.left-out-further", objects=rest)] if rest else warnings
+
+
+def _notes_to_check(report: ImportReport) -> Counter[Message]:
+    """Return the notes on entities that were read differently, with the numbers of entities."""
+    column = report.reason
+    names = column.names if isinstance(column, Repeated) else set(column)
+    notes = {
+        reason: [note for note in reason.arguments["notes"] if note.code in READ_DIFFERENTLY]
+        for reason in names
+        if reason.code == "import.kept-changed"
+    }
+    if not any(notes.values()):
+        return Counter()
+    return Counter(note for reason in column for note in notes.get(reason, ()))

@@ -2179,6 +2179,10 @@ export const TEXTS = {
     "text": "Check the drawing: {reason}.",
     "hint": "{reason:hint}"
   },
+  "import.check-objects": {
+    "text": "Check {objects:# object|# objects} of the drawing: {reason}.",
+    "hint": "The import report lists {objects:it|them}. {reason:hint}"
+  },
   "import.clip-path": {
     "text": "the object only limits the visible area of other objects (clipping path)",
     "hint": ""
@@ -2405,7 +2409,7 @@ export const TEXTS = {
   },
   "import.not-clipped": {
     "text": "the file clips the object, but the complete object was imported",
-    "hint": ""
+    "hint": "Explode and trim the block in the CAD program, and export the drawing again."
   },
   "import.not-flat": {
     "text": "the object is not parallel to the XY plane",

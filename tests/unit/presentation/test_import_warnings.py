@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import io
 import sys
 from pathlib import Path
 
+import ezdxf
 import pytest
+from ezdxf.xclip import XClip
 
 from knifetip import pipeline
 from knifetip.cli import main
@@ -126,3 +129,19 @@ def test_a_missing_end_mark_is_the_first_warning() -> None:
     )
     assert hint(first).startswith("Compare the drawing")
     assert "on layer 'A'" in str(second)
+
+
+def test_a_clipped_block_is_to_be_checked() -> None:
+    document = ezdxf.new("R2010")
+    block = document.blocks.new("PART")
+    block.add_line((0, 0), (100, 0))
+    insert = document.modelspace().add_blockref("PART", (0, 0))
+    XClip(insert).set_block_clipping_path([(0, -5), (50, 5)])
+    stream = io.StringIO()
+    document.write(stream)
+    (warning,) = import_warnings(pipeline.read(stream.getvalue().encode()))
+    assert str(warning) == (
+        "Check 1 object of the drawing: the file clips the object, but the complete object was "
+        "imported."
+    )
+    assert "trim the block" in hint(warning)

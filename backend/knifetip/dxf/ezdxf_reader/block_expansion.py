@@ -291,8 +291,8 @@ class BlockExpansion:
             counted = replace(counted, layer=insert_style.layer)
         handle = path + entry.handle
         if counted.paper:
-            reason = paper_space_reason(counted.kind)
-            self.sheet.row(handle, counted.kind, counted.layer, reason)
+            in_layout = paper_space_reason(counted.kind)
+            self.sheet.row(handle, counted.kind, counted.layer, in_layout)
             return
         if counted.kind not in READ and counted.kind != "INSERT":
             self._add_dropped(counted, handle, placements, no_geometry_reason(counted.kind))

@@ -97,6 +97,12 @@ MESSAGES: Final[Entries] = {
         "{reason:hint}",
         reason="message",
     ),
+    "import.check-objects": entry(
+        "Check {objects:# object|# objects} of the drawing: {reason}.",
+        "The import report lists {objects:it|them}. {reason:hint}",
+        objects="count",
+        reason="message",
+    ),
     "import.clip-path": entry(
         "the object only limits the visible area of other objects (clipping path)",
     ),
@@ -302,6 +308,7 @@ MESSAGES: Final[Entries] = {
     ),
     "import.not-clipped": entry(
         "the file clips the object, but the complete object was imported",
+        "Explode and trim the block in the CAD program, and export the drawing again.",
     ),
     "import.not-flat": entry(
         "the object is not parallel to the XY plane",
