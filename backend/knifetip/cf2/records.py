@@ -123,6 +123,19 @@ def parse_records(text: str, limits: Limits) -> Cf2File:
     return source
 
 
+def parse_number(text: str) -> float:
+    """Return the number that is written in ``text``.
+
+    Raises
+    ------
+    ValueError
+        ``text`` is not a number.  Python's ``float`` would accept "1_0".
+    """
+    if "_" in text:
+        raise ValueError(text)
+    return float(text)
+
+
 class _Parser:
     """Parses the text lines of one CF2 into sections."""
 
@@ -249,7 +262,7 @@ class _Parser:
         if word in ("UM", "UI"):
             self.source.unit = word
         elif word in ("LL", "UR", "SCALE"):
-            self._header(word, fields)
+            self._header(section, word, fields)
         elif word == "C":
             self._call(section, fields)
         elif word == "T":
@@ -257,10 +270,11 @@ class _Parser:
         else:
             section.row(self._next_number(), word[:20], Message("import.unknown-record"))
 
-    def _header(self, word: str, fields: list[str]) -> None:
+    def _header(self, section: Section, word: str, fields: list[str]) -> None:
         try:
-            pair = float(fields[1]), float(fields[2])
+            pair = parse_number(fields[1]), parse_number(fields[2])
         except (ValueError, IndexError):
+            section.row(self._next_number(), word, self._not_numbers(fields[1:3]))
             return
         if word == "LL":
             self.source.low = pair
@@ -271,18 +285,20 @@ class _Parser:
 
     def _call(self, section: Section, fields: list[str]) -> None:
         entity = self._next_number()
+        texts = [*fields[2:7], *[""] * 5][:5]
         try:
-            values = [float(number) for number in fields[2:7] if number]
+            x, y, angle = (parse_number(text or "0") for text in texts[:3])
+            x_scale, y_scale = (parse_number(text or "1") for text in texts[3:])
         except ValueError:
-            shown = [text[:20] for text in fields[2:7]]
-            section.row(
-                entity, "C", Message("import.line-not-numbers", line=self.number, values=shown)
-            )
+            section.row(entity, "C", self._not_numbers(fields[2:7]))
             return
-        x, y, angle, x_scale, y_scale = values + [0.0, 0.0, 0.0, 1.0, 1.0][len(values) :]
         row = section.row(entity, "C")
         name = fields[1] if len(fields) > 1 else ""
         section.calls.append(Call(row, name, (x, y, angle, x_scale, y_scale)))
+
+    def _not_numbers(self, fields: list[str]) -> Message:
+        shown = [text[:20] for text in fields]
+        return Message("import.line-not-numbers", line=self.number, values=shown)
 
     def _text(self, section: Section, fields: list[str]) -> None:
         row = section.row(self._next_number(), "T", Message("import.text"))

@@ -11,7 +11,7 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.cf2.records import Section
+from knifetip.cf2.records import Section, parse_number
 from knifetip.drawing_builder.columns import Style
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.curve import Segments, fit_many
@@ -219,14 +219,13 @@ def _coordinates(
     wide = fields.stop - fields.start
     row = np.array(rows, np.int64)
     texts = list(chain.from_iterable(record[fields] for record in records))
-    # Python accepts "1_0" as a number.
     if "_" not in "".join(texts):
         with suppress(ValueError):
             return np.array(list(map(float, texts))).reshape(-1, wide), row
     values = np.full((len(records), wide), np.nan)
     for index, record in enumerate(records):
         try:
-            values[index] = [float(text.replace("_", "?")) for text in record[fields]]
+            values[index] = [parse_number(text) for text in record[fields]]
         except ValueError:
             shown = [text[:_MAX_SHOWN] for text in record[fields]]
             dropped[rows[index]] = Message("import.not-numbers", values=shown)

@@ -118,8 +118,13 @@ def import_warnings(drawing: Drawing) -> list[Message]:
         Message("import.check-objects", objects=objects, reason=note)
         for note, objects in _notes_to_check(report).items()
     ]
+    # Of a drawing without edges everything that was left out may have been meant.
     groups = Counter(
-        {group: objects for group, objects in left_out.items() if group[0].code in _WARNED}
+        {
+            (reason, layer): objects
+            for (reason, layer), objects in left_out.items()
+            if reason.code in _WARNED or (not len(drawing) and reason.code not in ABOUT_FILE)
+        }
     )
     warnings += [
         Message(

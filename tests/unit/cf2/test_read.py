@@ -239,6 +239,18 @@ def test_an_arc_around_one_of_its_ends_has_no_radius(centre: str) -> None:
     assert reasons(drawing)["#2"].startswith("the radius of the object is 0")
 
 
+def test_an_empty_field_of_a_call_does_not_shift_the_others() -> None:
+    drawing = read(cf2("C,A,,5,,,", subs=sub("A", line(0, 0, 1, 0))))
+    assert drawing.ends.tolist() == [[[0, 5], [1, 5]]]
+
+
+@pytest.mark.parametrize("record", ["SCALE,x,1", "SCALE,1", "UR,9O0,600"])
+def test_a_header_record_without_numbers_has_a_row_of_the_report(record: str) -> None:
+    drawing = read(cf2(line(0, 0, 1, 0), head=("UM", record)))
+    assert drawing.lengths.tolist() == [1.0]
+    assert reasons(drawing)["#1"].startswith("the values in line 8 of the file are not all numbers")
+
+
 def test_an_underscore_in_a_number_is_not_ignored() -> None:
     drawing = read(cf2(line(0, 0, 1, 0), "L,2,1,0,0,0,1_0,0,0,0"))
     assert drawing.lengths.tolist() == [1.0]

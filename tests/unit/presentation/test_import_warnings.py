@@ -121,6 +121,14 @@ def test_the_hint_tells_how_a_hidden_layer_is_cut(layer: str, hint_words: str) -
     assert hint_words in hint(warning)
 
 
+def test_everything_that_was_left_out_of_a_drawing_without_edges_is_warned_about() -> None:
+    label = text.entity("TEXT", (8, "N"), (10, 0), (20, 0), (40, 5), (1, "Rev. B"))
+    data = text.dxf(label, blocks=(text.block("PART", SIDE),))
+    label_warning, block_warning = import_warnings(pipeline.read(data))
+    assert "the object is a text" in str(label_warning)
+    assert "the drawing does not use it" in str(block_warning)
+
+
 def test_a_missing_end_mark_is_the_first_warning() -> None:
     data = text.dxf(SIDE, hidden("A", 1.0)).replace(b"0\nEOF\n", b"")
     first, second = import_warnings(pipeline.read(data))
