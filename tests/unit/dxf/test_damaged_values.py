@@ -9,7 +9,7 @@ import pytest
 from knifetip.dxf.read import read
 from knifetip.errors import NotADrawing
 from knifetip.model.drawing import Drawing
-from tests.support.writers.dxf_text import Tag, block, dxf, entity, insert, line, tags
+from tests.support.writers.dxf_text import Tag, block, dxf, entity, insert, layer, line, tags
 
 BAD = (
     *("160,875", "1,200.5", "160.8.75", "-1.#IND", "1.#QNAN", "16O.875", "1.5D+02", "1_000"),
@@ -134,6 +134,12 @@ def test_a_damaged_base_point_of_a_block_is_refused() -> None:
     assert refusal(data)[1] == {
         "line": line_of(data, "0,1"), "code": 10, "kind": "BLOCK", "text": "0,1",
     }  # fmt: skip
+
+
+def test_a_damaged_layer_which_may_be_hidden_is_refused() -> None:
+    data = dxf(line(0, 0, 1, 0), layers=(layer("CUT").replace("70\n0", "70\n0,1"),))
+    assert refusal(data)[1]["kind"] == "LAYER"
+    assert refusal(data)[1]["line"] == line_of(data, "0,1")
 
 
 def test_blank_lines_before_the_content_count_as_lines() -> None:

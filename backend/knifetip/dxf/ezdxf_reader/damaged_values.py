@@ -2,7 +2,8 @@
 
 When ezdxf repairs a file, it reads as many digits of a value as it can: "160,875" becomes 160.  It
 skips a vertex of which one coordinate is missing.  A drawing with such a value would have a wrong
-shape, so the file is refused.  Only entities from which edges are made are checked.
+shape, so the file is refused.  Only entities from which edges are made are checked, and layers,
+which may hide them.
 """
 
 from __future__ import annotations
@@ -15,8 +16,8 @@ from knifetip.dxf.ezdxf_reader.entities import READ
 from knifetip.dxf.value_types import DECIMAL, INTEGER, TYPE
 from knifetip.errors import NotADrawing
 
-#: Kinds of entities that are checked.  The vertices of a POLYLINE are checked with it.
-CHECKED: Final = frozenset([*READ, "BLOCK", "INSERT"])
+#: Kinds of entities and table records that are checked; a POLYLINE with its vertices.
+CHECKED: Final = frozenset([*READ, "BLOCK", "INSERT", "LAYER"])
 _NUMBER: Final = re.compile(rb"\s*[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*")
 #: Mask of the group codes of numbers.
 _IS_NUMBER: Final[list[bool]] = ((TYPE == DECIMAL) | (TYPE == INTEGER)).tolist()

@@ -96,6 +96,12 @@ def prescan(data: bytes, lines_before: int = 0) -> Prescan:
             return unescape(value.decode(result.encoding, "replace").strip())
         return unescape(str(value).strip())
 
+    def check_values(kind: str, span: slice) -> None:
+        # The numbers of a binary file are numbers.
+        if kind in CHECKED and not (result.damage or is_binary):
+            before = 2 * span.start + lines_before
+            result.damage = find_damaged_value(kind, codes[span], values[span], before)
+
     section = ""
     block: PrescannedBlock | None = None
     for number, row in enumerate(starts):
@@ -111,6 +117,8 @@ def prescan(data: bytes, lines_before: int = 0) -> Prescan:
         elif kind == "EOF":
             result.ended = True
             break
+        elif section == "TABLES":
+            check_values(kind, slice(row + 1, next_start))
         elif section in ("ENTITIES", "BLOCKS") and kind not in _PARTS:
             handle, layer, name, paper = "", "0", "", False
             marked = False
@@ -135,10 +143,7 @@ def prescan(data: bytes, lines_before: int = 0) -> Prescan:
             last = _index_after(kind, number, starts, values)
             span = slice(row + 1, starts[last] if last < len(starts) else len(codes))
             box = box_of_tags(kind, codes[span], values[span])
-            # The numbers of a binary file are numbers.
-            if kind in CHECKED and not (result.damage or is_binary):
-                before = 2 * (row + 1) + lines_before
-                result.damage = find_damaged_value(kind, codes[span], values[span], before)
+            check_values(kind, span)
             counted = PrescannedEntity(kind, handle, layer, paper, words, box)
             if section == "ENTITIES":
                 result.entities.append(counted)
