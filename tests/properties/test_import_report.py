@@ -81,4 +81,4 @@ def test_a_damaged_number_is_refused_or_changes_no_edge() -> None:
 
     unchanged()
     assert tally["refused"] > 50, tally
-    assert tally["read"] > 5, tally
+    assert tally["read"] > 0, tally
