@@ -113,8 +113,8 @@ def read(data: bytes, unit: str | None = None) -> Drawing:
     data
         The file; its format is detected from its content.
     unit
-        The unit of the drawing, whatever unit the file states: "mm", "cm", "m", "in", "ft", "pt" or
-        "px".  If it is None, the unit in the file is compared with the geometry.  It is replaced if
+        The unit of the drawing, whatever unit the file states: a key of ``model.unit.MILLIMETRES``.
+        If it is None, the unit in the file is compared with the geometry.  It is replaced if
         another unit is far likelier.  If the evidence is not conclusive, ``Drawing.unit`` is empty.
 
     Raises

@@ -49,8 +49,8 @@ DrawingFile = Annotated[
 Unit = Annotated[
     str | None,
     typer.Option(
-        help="Unit of the drawing: mm, cm, m, in, ft, pt or px. Default: the unit that the file "
-        "states or the drawing shows."
+        help="Unit of the drawing: mm, cm, m, in, ft, pt, px or px-90 (pixels of 1/90 in). "
+        "Default: the unit that the file states or the drawing shows."
     ),
 ]
 Profile = Annotated[str, typer.Option(help="Name of a classification profile, or its TOML file.")]

@@ -6,12 +6,14 @@ units.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, I32, I64, U8
+from knifetip.drawing_builder.clip import Clip
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 
 LINE: Final = 0
 CUBIC: Final = 1
@@ -29,14 +31,21 @@ class Table:
     numbers: F64
     path: I64  #: (n,) path of each segment
 
+    def select(self, kept: Bool) -> Table:
+        """Return the segments of the paths in the mask ``kept``, (p,), which are numbered anew."""
+        rows = kept[self.path]
+        number = np.cumsum(kept) - 1
+        return Table(self.kind[rows], self.numbers[rows], number[self.path[rows]])
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Paths:
-    """Import report row, style and matrix of each of p paths."""
+    """Import report row, style, matrix and clip of each of p paths."""
 
     row: I32  #: (p,) row in the import report
     style: I32  #: (p,) index of the style
     matrix: F64  #: (p, 6) a … f of the matrix from path coordinates to file units
+    clip: Sequence[Clip] = ()  #: (p,) visible area of each path; empty if nothing is clipped
 
 
 def boxes(table: Table, matrix: F64) -> F64:

@@ -5,6 +5,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import numpy as np
+
 from knifetip.kernels import OutI64_1, kernel
 
 
@@ -40,3 +44,17 @@ def flatten(parent: OutI64_1) -> None:
     for i in range(len(parent)):
         # The root is the least index of a set, so it is final already.
         parent[i] = parent[parent[i]]
+
+
+@kernel
+def component_roots(node: OutI64_1, count: int) -> Any:
+    """Return the number of the root of each of ``count`` graph nodes, shape (count,).
+
+    Each graph edge connects two nodes: edge i connects ``node[2 i]`` with ``node[2 i + 1]``.  Nodes
+    that are connected by a series of edges have the same root.
+    """
+    root = np.arange(count)
+    for edge in range(len(node) // 2):
+        union(root, node[2 * edge], node[2 * edge + 1])
+    flatten(root)
+    return root

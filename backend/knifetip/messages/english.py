@@ -21,6 +21,7 @@ UNITS: Final[Mapping[str, str]] = {
     "ft": "feet",
     "pt": "points",
     "px": "pixels",
+    "px-90": "pixels of 1/90 inch",
     "mi": "miles",
     "km": "kilometres",
     "uin": "microinches",

@@ -22,7 +22,7 @@ class Interpretation:
     data, so that it can be stored and sent to another process.
     """
 
-    unit: str = ""  #: "mm", "cm", "m", "in", "ft", "pt" or "px"; "" for the unit of the file
+    unit: str = ""  #: a key of ``model.unit.MILLIMETRES``; "" for the unit of the file
     profile: str = "default"  #: name of the classification profile
     rules: str = ""  #: TOML text of a customer's profile; "" for a profile of the library
     #: one byte per edge, ``NO_OVERRIDE`` or a LineType; b"" if no edge is overridden

@@ -19,6 +19,8 @@ MILLIMETRES: Final[Mapping[str, float]] = {
     "ft": 304.8,
     "pt": 25.4 / 72.0,
     "px": 25.4 / 96.0,
+    # Pixels of Inkscape before version 0.92.
+    "px-90": 25.4 / 90.0,
 }
 #: Units in which cartons are designed; points and pixels result from file conversion only.
 DRAWN_IN: Final = ("mm", "cm", "m", "in", "ft")
@@ -44,7 +46,7 @@ def factor(unit: str) -> float:
 class UnitHint:
     """A setting in the header of a file that makes one unit likely, without naming the unit."""
 
-    #: "metric", "imperial", "inches", "pixels", "points", or "shown × 25.4": the factor between
+    #: "metric", "imperial", "inches", "pixels", or "shown × 25.4": the factor between
     #: lengths and the values that dimensions show
     kind: str
     message: Message  #: the setting, as it is in the file

@@ -3,8 +3,8 @@
 ``PdfFile`` gives access to the objects of the file and limits their size and the reading time.
 ``first_page`` returns the ``Page``.
 
-pypdf parses the objects; this module checks the type of each object.  Encrypted files are refused.
-Files with a stream that cannot be unpacked to its end are also refused, because lines would be
+pypdf parses the objects; this module checks the type of each object.  Encrypted files that need a
+password are refused.  Files with a stream that cannot be unpacked to its end are also refused, because lines would be
 missing.
 
 Source: ISO 32000-1, chapters 7.5, 7.7 and 14.11.2.
@@ -20,9 +20,11 @@ import zlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any, Final
 
-from pypdf import PdfReader, apply_configuration
+from pypdf import PasswordType, PdfReader, apply_configuration
+from pypdf.errors import DependencyError
 from pypdf.generic import (
     ArrayObject,
     DictionaryObject,
@@ -34,6 +36,7 @@ from pypdf.generic import (
     StreamObject,
 )
 
+from knifetip.drawing_builder.clip import UNBOUNDED, Box
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats.limits import REACH, Limits
 from knifetip.model.unit import MILLIMETRES
@@ -41,11 +44,7 @@ from knifetip.model.unit import MILLIMETRES
 # pypdf logs everything that it repairs; the import report contains what matters to the user.
 logging.getLogger("pypdf").addHandler(logging.NullHandler())
 
-#: min x, min y, max x, max y (points).
-Box = tuple[float, float, float, float]
-UNBOUNDED: Final[Box] = (-math.inf, -math.inf, math.inf, math.inf)
-
-#: Largest number of nodes of the page tree that are searched for the first page.
+#: Largest number of nodes of the page tree that are searched for pages.
 _NODES: Final = 1000
 _INHERITED: Final = ("/Resources", "/MediaBox", "/CropBox", "/Rotate")
 #: Number of last bytes of a file in which its end mark is searched.
@@ -65,7 +64,7 @@ class PdfFile:
             raise NotADrawing("pdf.cut-short", bytes=len(data))
         try:
             self._reader = _Reader(_TimedBytes(data[start:], self.check_time), self.check_time)
-            locked = self._reader.is_encrypted
+            locked = self._reader.is_encrypted and not self._unlock()
         except KnifetipError:
             raise
         except Exception:
@@ -75,6 +74,17 @@ class PdfFile:
         if locked:
             raise NotADrawing("pdf.encrypted")
         self.root: DictionaryObject = self._reader.root_object
+
+    def _unlock(self) -> bool:
+        """Open an encrypted file with an empty password, as viewers do; return whether it opens.
+
+        Such a file only asks its readers not to print or copy it.
+        """
+        try:
+            return self._reader.decrypt("") != PasswordType.NOT_DECRYPTED
+        except DependencyError:
+            # Files with AES need the library cryptography, which is not installed.
+            return False
 
     def check_time(self) -> None:
         """Raise an error if the file has been open for longer than the time limit.
@@ -230,7 +240,6 @@ class Page:
     box: Box  #: the visible area, in page coordinates
     rotate: int  #: clockwise quarter turns for display
     unit: float  #: points in one unit of the page coordinates
-    count: int  #: number of pages that the file states
 
 
 def first_page(file: PdfFile) -> Page:
@@ -243,8 +252,38 @@ def first_page(file: PdfFile) -> Page:
     DrawingTooLarge
         The width or height of the page is larger than the limit of a drawing.
     """
-    pages = file.entry(file.root, "/Pages")
-    node, inherited = _first_leaf(file, pages)
+    leaf = next(_leaves(file), None)
+    if leaf is None:
+        raise NotADrawing("pdf.no-page")
+    return _page(file, *leaf)
+
+
+def other_pages(file: PdfFile) -> list[Page]:
+    """Return the pages of a PDF after the first page; of a very long file only the first ones.
+
+    Raises
+    ------
+    DrawingTooLarge
+        The width or height of a page is larger than the limit of a drawing.
+    """
+    return [_page(file, *leaf) for leaf in islice(_leaves(file), 1, None)]
+
+
+def _page(file: PdfFile, node: DictionaryObject, inherited: DictionaryObject) -> Page:
+    """Return a page of a PDF.
+
+    Parameters
+    ----------
+    file
+        The PDF.
+    node, inherited
+        Dictionary of the page, and the attributes that the page has or inherits.
+
+    Raises
+    ------
+    DrawingTooLarge
+        The width or height of the page is larger than the limit of a drawing.
+    """
     unit = number(file.entry(node, "/UserUnit"))
     unit = unit if 0.0 < unit < math.inf else 1.0
     media = _box(file, inherited, "/MediaBox")
@@ -263,25 +302,20 @@ def first_page(file: PdfFile) -> Page:
     resources = file.entry(inherited, "/Resources")
     if not isinstance(resources, DictionaryObject):
         resources = DictionaryObject()
-    count = file.entry(pages, "/Count")
-    return Page(node, resources, box, rotate, unit, count if isinstance(count, int) else 1)
+    return Page(node, resources, box, rotate, unit)
 
 
-def _first_leaf(file: PdfFile, pages: object) -> tuple[DictionaryObject, DictionaryObject]:
-    """Return the first page of the page tree with the root ``pages``.
+def _leaves(file: PdfFile) -> Iterator[tuple[DictionaryObject, DictionaryObject]]:
+    """Yield the pages of a PDF.
 
     The second value is a dictionary of the attributes that the page has or inherits from the nodes
-    of the tree that contain it.
-
-    Raises
-    ------
-    NotADrawing
-        The tree has no page.
+    of the page tree that contain it.
     """
+    pages = file.entry(file.root, "/Pages")
     stack: list[tuple[Any, DictionaryObject]] = [(pages, DictionaryObject())]
     for _ in range(_NODES):
         if not stack:
-            break
+            return
         node, inherited_entries = stack.pop()
         node = file.resolve(node)
         if not isinstance(node, DictionaryObject):
@@ -289,9 +323,9 @@ def _first_leaf(file: PdfFile, pages: object) -> tuple[DictionaryObject, Diction
         inherited = DictionaryObject(inherited_entries)
         inherited.update({key: node.raw_get(key) for key in _INHERITED if key in node})
         if "/Kids" not in node:
-            return node, inherited
+            yield node, inherited
+            continue
         stack += [(kid, inherited) for kid in reversed(file.array(node, "/Kids")[:_NODES])]
-    raise NotADrawing("pdf.no-page")
 
 
 def _box(file: PdfFile, holder: DictionaryObject, key: str) -> Box | None:

@@ -6,14 +6,17 @@ points on the displayed page, and a style.
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from knifetip.drawing_builder.clip import UNCLIPPED, Box, Clip
 from knifetip.drawing_builder.colours import nearest_index
 from knifetip.drawing_builder.columns import Style
+from knifetip.drawing_builder.page_border import compare_with_page, report_page_border
 from knifetip.drawing_builder.path_table import Paths, Table, boxes
 from knifetip.drawing_builder.report import ReportWriter
+from knifetip.drawing_builder.white_lines import is_white, unseen_white_lines
 from knifetip.errors import DrawingTooLarge
 from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix
@@ -21,7 +24,6 @@ from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.messages import Message
 from knifetip.model.drawing import Annotation, LocationBoxes
 from knifetip.pdf.colours import Paint
-from knifetip.pdf.document import Box
 from knifetip.pdf.layers import layer_names
 from knifetip.pdf.path_builder import PathBuilder
 
@@ -51,23 +53,21 @@ class PageLine(NamedTuple):
     row: int
     size: int  #: number of segments
     matrix: Matrix  #: from path coordinates to points on the displayed page
-    clip: Box  #: visible area of the path on the displayed page
+    clip: Clip  #: visible area of the path on the displayed page
     style: LineStyle
-    area: bool  #: whether the path is filled without a stroke
-
-
-#: Lines that exceed the visible area by less than this get no note (points).
-_MARGIN: Final = 0.01
+    stroke: int | None  #: colour of the stroke, None for none
+    fill: int | None  #: colour of the fill, None for none
 
 
 class PageLines:
     """The paths and texts of a page, and its import report."""
 
-    def __init__(self, limits: Limits) -> None:
+    def __init__(self, limits: Limits, page: Box) -> None:
         self.report = ReportWriter()
         self.path = PathBuilder(limits)
         self.annotations: list[Annotation] = []  #: in points
         self._limits = limits
+        self._page = page  # visible area of the displayed page
         self._lines: list[PageLine] = []
 
     def row(self, path: str, kind: str, mark: LayerMark, drop_reason: Message | None = None) -> int:
@@ -91,7 +91,15 @@ class PageLines:
         handle = f"{path}#{len(self.report.handle) + 1}"
         return self.report.row(handle, kind, mark.layer or "0", drop_reason)
 
-    def line(self, row: int, matrix: Matrix, clip: Box, style: LineStyle, *, area: bool) -> None:
+    def line(
+        self,
+        row: int,
+        matrix: Matrix,
+        clip: Clip,
+        style: LineStyle,
+        stroke: int | None,
+        fill: int | None,
+    ) -> None:
         """Add the current path of the path builder to the paths of the page.
 
         Parameters
@@ -104,10 +112,10 @@ class PageLines:
             Visible area of the path on the displayed page (points).
         style
             Layer, colour and dashes of the path.
-        area
-            Whether the path is filled without a stroke.
+        stroke, fill
+            Colours of the stroke and of the fill, None for none.
         """
-        self._lines.append(PageLine(row, self.path.keep(), matrix, clip, style, area))
+        self._lines.append(PageLine(row, self.path.keep(), matrix, clip, style, stroke, fill))
 
     @property
     def empty(self) -> bool:
@@ -117,7 +125,7 @@ class PageLines:
     def collect(self) -> tuple[Table, Paths, list[Style]]:
         """Return the paths of the page that are kept, and their styles.
 
-        Paths outside their visible area are dropped, and so are filled areas if the page has
+        Paths outside the page and white lines are dropped, and so are filled areas if the page has
         strokes.  The reasons are written into the import report.
 
         Returns
@@ -125,8 +133,8 @@ class PageLines:
         Table
             The segments of all kept paths.
         Paths
-            For each kept path: its row in the import report, the index of its style, and the matrix
-            from its coordinates to points on the displayed page.
+            For each kept path: its row in the import report, the index of its style, its visible
+            area, and the matrix from its coordinates to points on the displayed page.
         list of Style
             The styles of the kept paths.
         """
@@ -139,56 +147,47 @@ class PageLines:
         row = np.array([line.row for line in lines], np.int32)
         with np.errstate(all="ignore"):
             box = boxes(table, matrix)
-            keep = self._drop_invisible(box) & self._drop_fills()
+            border = compare_with_page(table, matrix, box, self._page)
+            report_page_border(self.report, row, border)
+            keep = self._drop_areas(box, ~border.outside)
         self.report.location_boxes.append(LocationBoxes(row[~keep], box[~keep]))
-        kept_segments = keep[path]
-        number = np.cumsum(keep) - 1
-        table = Table(
-            table.kind[kept_segments], numbers[kept_segments], number[path[kept_segments]]
-        )
-        styles, style = self._assign_styles(
-            [line for line, is_kept in zip(lines, keep.tolist(), strict=True) if is_kept]
-        )
-        return table, Paths(row[keep], style, matrix[keep]), styles
+        kept_lines = [line for line, is_kept in zip(lines, keep.tolist(), strict=True) if is_kept]
+        styles, style = self._assign_styles(kept_lines)
+        is_clipped = any(line.clip is not UNCLIPPED for line in kept_lines)
+        clip = [line.clip for line in kept_lines] if is_clipped else ()
+        return table.select(keep), Paths(row[keep], style, matrix[keep], clip), styles
 
-    def _drop_invisible(self, box: F64) -> Bool:
-        """Return the mask, (p,), of the paths that are at least partly inside their visible areas.
+    def _drop_areas(self, box: F64, on_page: Bool) -> Bool:
+        """Return the mask of the paths that are kept, shape (p,), one per path of the page.
 
-        The reason for dropping each path that is outside, and a note for each path that is only
-        partly inside, is written into the import report.
+        Paths with a visible stroke are kept, and paths with only a fill are dropped.  If no path of
+        the page has a stroke, all fills are kept.  The reasons for dropping paths are written into
+        the import report.
 
         Parameters
         ----------
         box : (p, 4)
             min x, min y, max x and max y of each of the page's p paths (points).
+        on_page : (p,)
+            Mask of the paths that are not outside the page.
         """
-        clip = np.array([line.clip for line in self._lines], np.float64).reshape(-1, 4)
-        low, high = box[:, :2], box[:, 2:]
-        outside = ((high < clip[:, :2]) | (low > clip[:, 2:])).any(axis=1)
-        crossing = ((low < clip[:, :2] - _MARGIN) | (high > clip[:, 2:] + _MARGIN)).any(axis=1)
-        for one in np.flatnonzero(outside).tolist():
-            self.report.dropped[self._lines[one].row] = Message("import.outside-page")
-        for one in np.flatnonzero(crossing & ~outside).tolist():
-            self._note(self._lines[one].row, Message("import.partly-outside-page"))
-        shown: Bool = np.logical_not(outside)
-        return shown
-
-    def _drop_fills(self) -> Bool:
-        """Return the mask of the paths that are kept, shape (p,), one per path of the page.
-
-        Paths with a stroke are kept, and paths with only a fill are dropped.  If no path of the
-        page has a stroke, all paths are kept.  The reasons for dropping paths are written into the
-        import report.
-        """
-        areas = np.array([line.area for line in self._lines], bool)
-        stroked = not areas.all()
-        for one in np.flatnonzero(areas).tolist():
-            row = self._lines[one].row
-            if stroked:
-                self.report.dropped.setdefault(row, Message("import.filled-area-on-page"))
-            else:
+        strokes = [line.stroke for line in self._lines]
+        fills = [line.fill for line in self._lines]
+        white = unseen_white_lines(strokes, fills, box, page=None)
+        areas = white | np.array([stroke is None for stroke in strokes], bool)
+        filled = np.array([fill is not None for fill in fills], bool)
+        stroked = bool((on_page & ~areas).any())
+        for one in np.flatnonzero(on_page & areas).tolist():
+            row, fill = self._lines[one].row, fills[one]
+            if fill is None:
+                self.report.dropped[row] = Message("import.white-line")
+            elif not stroked:
                 self._note(row, Message("import.area-outline-on-page"))
-        return ~areas | (not stroked)
+            else:
+                code = "import.white-area" if is_white(fill) else "import.filled-area-on-page"
+                self.report.dropped[row] = Message(code)
+        kept: Bool = on_page & ~(areas & (stroked | ~filled))
+        return kept
 
     def _assign_styles(self, lines: list[PageLine]) -> tuple[list[Style], I32]:
         """Return the list of the styles of n paths, and for each path the index of its style, (n,).

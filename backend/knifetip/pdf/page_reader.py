@@ -9,24 +9,27 @@ Source: ISO 32000-1, chapters 7.7.3, 7.8 and 8.10.
 
 from __future__ import annotations
 
+from contextlib import suppress
+from typing import Final
+
 from pypdf.generic import DictionaryObject, StreamObject
 
+from knifetip.drawing_builder.clip import UNBOUNDED, Box
+from knifetip.drawing_builder.filled_region import filled_region
 from knifetip.errors import DrawingTooLarge, NotADrawing
 from knifetip.geometry.affine import Matrix, compose
 from knifetip.messages import Message
 from knifetip.pdf.content import TruncatedStream
-from knifetip.pdf.document import UNBOUNDED, Box, Page, PdfFile
+from knifetip.pdf.document import Page, PdfFile, other_pages
 from knifetip.pdf.layers import Layers
 from knifetip.pdf.page_lines import LayerMark, PageLines
+from knifetip.pdf.path_builder import PathBuilder
 from knifetip.pdf.resources import Resources
-from knifetip.pdf.stream import (
-    PageContext,
-    State,
-    Stream,
-    StreamContext,
-    intersect,
-    transformed_box,
-)
+from knifetip.pdf.stream import PageContext, State, Stream, StreamContext
+
+#: Largest number of other pages of which the lines are counted, and of bytes of their content.
+_OTHER_PAGES: Final = 50
+_OTHER_PAGES_BYTES: Final = 2 * 2**20
 
 
 def read_page(file: PdfFile, page: Page) -> PageLines:
@@ -39,9 +42,36 @@ def read_page(file: PdfFile, page: Page) -> PageLines:
     DrawingTooLarge
         The size of the page with all copies of its forms exceeds the limits.
     """
-    reader = _PageReader(file)
+    reader = _PageReader(file, page, file.limits.bytes)
     reader.read_page(page)
     return reader.drawn
+
+
+def report_other_pages(file: PdfFile, lines: PageLines) -> None:
+    """Add a row to the import report ``lines`` of the first page if the file has other pages.
+
+    The row contains which of the other pages has the most lines, unless the pages are too many or
+    too large to be read.
+    """
+    pages = other_pages(file)
+    if not pages:
+        return
+    reason = Message("import.other-pages", pages=len(pages) + 1)
+    segments: list[int] = []
+    bytes_left = _OTHER_PAGES_BYTES
+    # A damaged page is no reason to refuse the first one, and pypdf may raise anything.
+    with suppress(Exception):
+        for page in pages if len(pages) <= _OTHER_PAGES else ():
+            reader = _PageReader(file, page, bytes_left)
+            reader.read_page(page)
+            bytes_left -= reader.bytes_read
+            segments.append(len(reader.drawn.path.kind))
+    if len(segments) == len(pages) and any(segments):
+        most = max(range(len(pages)), key=segments.__getitem__)
+        reason = Message(
+            "import.other-pages-lines", others=len(pages), most=most + 2, lines=segments[most]
+        )
+    lines.row("", "page", LayerMark("", ""), reason)
 
 
 def _display_matrix(page: Page) -> tuple[Matrix, Box]:
@@ -67,28 +97,27 @@ def _display_matrix(page: Page) -> tuple[Matrix, Box]:
 class _PageReader:
     """Interprets the content streams of a page and of the forms that the page contains."""
 
-    def __init__(self, file: PdfFile) -> None:
+    def __init__(self, file: PdfFile, page: Page, max_bytes: int) -> None:
         self.file = file
-        self.drawn = PageLines(file.limits)
-        self._page = PageContext(file, self.drawn, Layers(file), Resources(file), set(), self.form)
-        self._read = 0
+        self._matrix, visible = _display_matrix(page)
+        self.drawn = PageLines(file.limits, visible)
+        self._page = PageContext(
+            file, self.drawn, Layers(file), Resources(file), visible, set(), self.form
+        )
+        self.bytes_read = 0
+        self._max_bytes = max_bytes
 
     def read_page(self, page: Page) -> None:
         """Interpret the content of a page and collect its paths, its texts and its import report.
 
-        The page's annotations, and the other pages of the file, are added to the import report as
-        dropped.
+        The page's annotations are added to the import report as dropped.
         """
-        matrix, visible_area = _display_matrix(page)
-        state = State(matrix, visible_area)
+        state = State(self._matrix)
         none = LayerMark("", "")
         self.run(self._contents(page), state, StreamContext("", (), none, page.resources))
         if notes := len(self.file.array(page.node, "/Annots")):
             reason = Message("import.annotations", count=notes)
             self.drawn.row("", "annotation", none, reason)
-        if page.count > 1:
-            reason = Message("import.other-pages", pages=page.count)
-            self.drawn.row("", "page", none, reason)
 
     def _contents(self, page: Page) -> bytes:
         contents = self.file.entry(page.node, "/Contents")
@@ -111,10 +140,9 @@ class _PageReader:
         DrawingTooLarge
             The total size exceeds the limit.
         """
-        self._read += size
-        max_bytes = self.file.limits.bytes
-        if self._read > max_bytes:
-            raise DrawingTooLarge("pdf.expands-too-far", limit=max_bytes / 2**20)
+        self.bytes_read += size
+        if self.bytes_read > self._max_bytes:
+            raise DrawingTooLarge("pdf.expands-too-far", limit=self._max_bytes / 2**20)
 
     def run(self, data: bytes, state: State, context: StreamContext) -> None:
         """Interpret a content stream of a page or of a form.
@@ -159,10 +187,11 @@ class _PageReader:
             a, b, c, d, e, f = matrix
             state = state._replace(matrix=compose(state.matrix, (a, b, c, d, e, f)))
         if (box := file.numbers(node, "/BBox", 4)) is not None:
-            corners = [(x, y) for x in box[::2] for y in box[1::2]]
-            state = state._replace(
-                clip=intersect(state.clip, transformed_box(state.matrix, corners))
-            )
+            left, low, right, high = box
+            frame = PathBuilder(file.limits)
+            frame.add("re", [left, low, right - left, high - low])
+            region = filled_region(frame.table(), state.matrix, even_odd=False)
+            state = state._replace(clip=self._page.clip(state.clip, region))
         resources = file.entry(node, "/Resources")
         if isinstance(resources, DictionaryObject):
             context = context._replace(resources=resources)

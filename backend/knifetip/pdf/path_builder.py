@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.drawing_builder.path_segments import too_many
-from knifetip.drawing_builder.path_table import CUBIC, LINE
+from knifetip.drawing_builder.path_table import CUBIC, LINE, Table
 from knifetip.formats.limits import Limits
 from knifetip.geometry.columns import F64
 
@@ -54,6 +54,13 @@ class PathBuilder:
         numbers = np.array(self.numbers[8 * self._kept :]).reshape(-1, 4, 2)
         curved = np.array(self.kind[self._kept :]) == CUBIC
         return np.concatenate([numbers[:, :2].reshape(-1, 2), numbers[curved, 2:].reshape(-1, 2)])
+
+    def table(self) -> Table:
+        """Return the segments of the current path."""
+        numbers = np.array(self.numbers[8 * self._kept :]).reshape(-1, 8)
+        return Table(
+            np.array(self.kind[self._kept :], np.uint8), numbers, np.zeros(self.size, np.int64)
+        )
 
     def keep(self) -> int:
         """Add the current path to the kept paths and start a new path.

@@ -21,7 +21,7 @@ from knifetip.model.drawing import Drawing
 from knifetip.model.unit import MILLIMETRES, factor
 from knifetip.pdf.document import Page, PdfFile, first_page, limit_pypdf
 from knifetip.pdf.page_lines import PageLines
-from knifetip.pdf.page_reader import read_page
+from knifetip.pdf.page_reader import read_page, report_other_pages
 
 #: Largest number of characters of a pypdf message in an error.
 _REASON_LENGTH = 120
@@ -82,6 +82,7 @@ def _build_drawing(data: bytes, unit: str, millimetres: float, limits: Limits) -
     try:
         page = first_page(file)
         lines = read_page(file, page)
+        report_other_pages(file, lines)
     finally:
         # A time-out inside pypdf may look like a damaged or empty file.
         file.check_time()

@@ -15,13 +15,16 @@ from typing import Any, Final, NamedTuple
 
 from pypdf.generic import DictionaryObject, IndirectObject, StreamObject
 
+from knifetip.drawing_builder.clip import UNCLIPPED, Box, Clip, Region
+from knifetip.drawing_builder.colours import UNKNOWN_COLOUR
+from knifetip.drawing_builder.filled_region import filled_region
 from knifetip.errors import DrawingTooLarge
 from knifetip.geometry.affine import Matrix, compose
 from knifetip.messages import Message
 from knifetip.model.drawing import Annotation
 from knifetip.pdf.colours import BLACK, CMYK, GRAY, PATTERN, RGB, ColourSpace, Paint
 from knifetip.pdf.content import Name, parse_operations
-from knifetip.pdf.document import Box, PdfFile, number
+from knifetip.pdf.document import PdfFile, number
 from knifetip.pdf.layers import Layers
 from knifetip.pdf.page_lines import LayerMark, LineStyle, PageLines
 from knifetip.pdf.path_builder import BUILDERS
@@ -51,16 +54,17 @@ _MAX_STACK: Final = 100_000
 #: Largest number of unknown operators in the import report.
 _MAX_UNKNOWN: Final = 20
 _INVALID: Final[Matrix] = (math.nan, math.nan, math.nan, math.nan, math.nan, math.nan)
+#: A clip path that ends this close to the border of the page shows the whole page (points).
+_BORDER: Final = 0.05
 #: The corners of an image, in its own coordinates.
 _UNIT_SQUARE: Final = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
-_EMPTY_BOX: Final[Box] = (math.inf, math.inf, -math.inf, -math.inf)
 
 
 class State(NamedTuple):
     """The part of the graphics state that determines position and style of lines."""
 
     matrix: Matrix
-    clip: Box
+    clip: Clip = UNCLIPPED
     stroke: Paint = BLACK
     fill: Paint = BLACK
     stroke_space: ColourSpace = GRAY
@@ -81,7 +85,7 @@ class StreamContext(NamedTuple):
     resources: DictionaryObject
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class PageContext:
     """The objects that are common to all content streams of a page."""
 
@@ -89,8 +93,28 @@ class PageContext:
     drawn: PageLines
     layers: Layers
     resources: Resources
+    visible: Box  #: visible area of the displayed page
     unknown: set[str]  #: unknown operators
     form: Callable[[StreamObject, State, StreamContext], None]  #: interprets a form
+    clip_edges: int = 0  #: number of edges of all clip paths
+
+    def clip(self, clip: Clip, region: Region) -> Clip:
+        """Return the part of a clip in a region; a region that shows the whole page is ignored."""
+        low_x, low_y, high_x, high_y = region.box
+        left, bottom, right, top = self.visible
+        if (
+            region.is_rectangle()
+            and low_x <= left + _BORDER
+            and low_y <= bottom + _BORDER
+            and high_x >= right - _BORDER
+            and high_y >= top - _BORDER
+        ):
+            return clip
+        # The edges of all regions are limited, because a file may repeat a clip path in each form.
+        self.clip_edges += len(region.edges)
+        if self.clip_edges > self.file.limits.segments:
+            return clip.intersect_box(region.box)._replace(incomplete=True)
+        return clip.intersect(region)
 
 
 class Stream:
@@ -103,7 +127,7 @@ class Stream:
         self._stack: list[State] = []
         self._marks: list[LayerMark] = [context.mark]
         self._text_object = TextObject()
-        self._clips = False
+        self._clip_rule = ""  # the operator W or W* that makes the current path a clip path
 
     def interpret(self, data: bytes) -> None:
         """Interpret all operators of the content stream ``data``."""
@@ -162,12 +186,13 @@ class Stream:
             Whether the operator that ends the path closes, strokes or fills it.
         """
         self._page.file.check_time()
-        path, state = self._page.drawn.path, self._state
+        path = self._page.drawn.path
         if closes:
             path.add("h", [])
-        clips, self._clips = self._clips, False
+        clips, self._clip_rule = self._clip_rule, ""
         if not (path.started or strokes or fills or clips):
             return
+        state = self._state
         if path.wrong:
             self._drop_path(Message("import.bad-operands", operator=path.wrong))
             return
@@ -181,8 +206,7 @@ class Stream:
         elif not path.size:
             reason = Message("import.empty-path")
         if clips:
-            bounds = transformed_box(state.matrix, path.ends().tolist())
-            self._state = state._replace(clip=intersect(state.clip, bounds))
+            self._state = state._replace(clip=self._clip_to_path(even_odd=clips == "W*"))
         mark = self._marks[-1]
         if reason or mark.hidden:
             self._drop_path(reason)
@@ -193,10 +217,27 @@ class Stream:
             state.stroke if stroked else state.fill,
             state.dashed and stroked,
         )
-        self._page.drawn.line(row, state.matrix, state.clip, style, area=not stroked)
+        self._page.drawn.line(
+            row,
+            state.matrix,
+            state.clip,
+            style,
+            _colour(state.stroke) if stroked else None,
+            _colour(state.fill) if filled else None,
+        )
 
-    def _clip(self, _operator: str, _operands: list[Any]) -> None:
-        self._clips = True
+    def _clip(self, operator: str, _operands: list[Any]) -> None:
+        self._clip_rule = operator
+
+    def _clip_to_path(self, *, even_odd: bool) -> Clip:
+        """Return the part of the visible area that lies inside the current path.
+
+        A clip path that shows the whole page is ignored: objects that cross the border of the page
+        are kept.  ``even_odd`` is the rule by which the path is filled.
+        """
+        path, state = self._page.drawn.path, self._state
+        region = filled_region(path.table(), state.matrix, even_odd=even_odd)
+        return self._page.clip(state.clip, region)
 
     def _unknown(self, operator: str) -> None:
         unknown = self._page.unknown
@@ -358,7 +399,7 @@ class Stream:
 
     def _shade(self, _operator: str, _operands: list[Any]) -> None:
         row = self._row("shading", Message("import.shading"))
-        self._page.drawn.report.set_location(row, self._state.clip)
+        self._page.drawn.report.set_location(row, self._state.clip.box)
 
     def _text(self, operator: str, _operands: list[Any]) -> None:
         if operator == "BT":
@@ -410,22 +451,14 @@ _HANDLERS: Final[dict[str, Callable[[Stream, str, list[Any]], None]]] = {
 }
 
 
+def _colour(paint: Paint) -> int:
+    """Return the colour of a paint; an ink has no colour that can be compared with the page."""
+    return UNKNOWN_COLOUR if paint.spot else paint.colour
+
+
 def transformed_box(matrix: Matrix, points: Sequence[Any]) -> Box:
     """Return min x, min y, max x and max y of points after a transformation by ``matrix``."""
     a, b, c, d, e, f = matrix
     x = [a * x + c * y + e for x, y in points]
     y = [b * x + d * y + f for x, y in points]
-    return (min(x), min(y), max(x), max(y)) if points else _EMPTY_BOX
-
-
-def intersect(first: Box, second: Box) -> Box:
-    """Return the intersection of two boxes: min x, min y, max x and max y.
-
-    If the intersection is empty, a minimum of the returned box is greater than its maximum.
-    """
-    return (
-        max(first[0], second[0]),
-        max(first[1], second[1]),
-        min(first[2], second[2]),
-        min(first[3], second[3]),
-    )
+    return min(x), min(y), max(x), max(y)

@@ -6,11 +6,15 @@ For example, "#e02020" and "rgb(224, 32, 32)" give 0xE02020.
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import Final
 
 import tinycss2
 from tinycss2 import color4
 
 from knifetip.drawing_builder.colours import UNKNOWN_COLOUR
+
+#: Least opacity of visible paint: with less, an object cannot be told from a white page.
+VISIBLE: Final = 0.02
 
 
 @lru_cache(maxsize=4096)
@@ -52,7 +56,7 @@ def parse_paint(text: str, current: int | None = 0) -> int | None:
         return current
     if colour is None:
         raise ValueError(f"{text[:30]!r} is not a colour")
-    if colour.alpha <= 0.0:
+    if colour.alpha < VISIBLE:
         return None
     try:
         shares = colour.to("srgb").coordinates

@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from knifetip.drawing_builder.clip import UNBOUNDED, Box, Clip
 from knifetip.drawing_builder.colours import UNKNOWN_COLOUR, nearest_index
 from knifetip.drawing_builder.columns import Style
-from knifetip.drawing_builder.report import ReportWriter
 from knifetip.geometry.affine import Matrix
-from knifetip.messages import Message
 from knifetip.model.drawing import Annotation
 from knifetip.svg.style import Appearance
 
@@ -37,13 +36,24 @@ class DrawnPaths:
     row: list[int] = field(default_factory=list)  #: row of the import report
     style: list[int] = field(default_factory=list)  #: index in ``styles``
     styles: list[Style] = field(default_factory=list)
+    stroke: list[int | None] = field(default_factory=list)  #: colours of strokes, None for none
+    fill: list[int | None] = field(default_factory=list)  #: colours of fills, None for none
+    clip: list[Clip] = field(default_factory=list)  #: visible areas
+    page: Box = UNBOUNDED  #: visible area of the page (file units)
+    page_colour: int | None = None  #: background of the page, None if the file states none
     omitted: list[OmittedShape] = field(default_factory=list)
     annotations: list[Annotation] = field(default_factory=list)  #: in file units
     _numbers: dict[Style, int] = field(default_factory=dict)  #: index of each style
-    _fills: list[int] = field(default_factory=list)  #: paths with a fill but no stroke
-    _has_stroke: bool = False  #: whether any path has a stroke
 
-    def add(self, row: int, data: str, layer: str, matrix: Matrix, appearance: Appearance) -> None:
+    def add(
+        self,
+        row: int,
+        data: str,
+        layer: str,
+        matrix: Matrix,
+        appearance: Appearance,
+        clip: Clip,
+    ) -> None:
         """Add the path of an element, with the style of the element.
 
         Parameters
@@ -58,18 +68,17 @@ class DrawnPaths:
             Matrix from the coordinates of the element to file units.
         appearance
             Stroke, fill and dashes of the element.
+        clip
+            Visible area of the element.
         """
-        paint = appearance.stroke if appearance.stroke is not None else appearance.fill
+        stroke, fill = appearance.drawn_stroke, appearance.drawn_fill
+        paint = stroke if stroke is not None else fill
         colour = UNKNOWN_COLOUR if paint is None else paint
-        if appearance.stroke is None:
-            self._fills.append(len(self.row))
-        else:
-            self._has_stroke = True
         style = Style(
             layer,
             nearest_index(colour),
             colour if colour >= 0 else -1,
-            "dashed" if appearance.dashed and appearance.stroke is not None else "Continuous",
+            "dashed" if appearance.dashed and stroke is not None else "Continuous",
         )
         number = self._numbers.get(style)
         if number is None:
@@ -79,25 +88,6 @@ class DrawnPaths:
         self.matrix.append(matrix)
         self.row.append(row)
         self.style.append(number)
-
-    def drop_fills(self, report: ReportWriter) -> None:
-        """If any path has a stroke, drop the paths that have only a fill; otherwise keep all paths.
-
-        The reason for each dropped path, or a note for each filled path that is kept, is added to
-        the import report ``report``.  Dropped paths are moved to the list ``omitted``.
-        """
-        for number in self._fills:
-            row = self.row[number]
-            if self._has_stroke:
-                report.dropped[row] = Message("import.filled-area-beside-strokes")
-            else:
-                report.notes.setdefault(row, []).append(Message("import.area-outline"))
-        if self._has_stroke and self._fills:
-            dropped_paths = set(self._fills)
-            self.omitted += [
-                OmittedShape(self.row[one], self.data[one], self.matrix[one]) for one in self._fills
-            ]
-            kept_paths = [number for number in range(len(self.row)) if number not in dropped_paths]
-            for name in ("data", "matrix", "row", "style"):
-                column = getattr(self, name)
-                column[:] = [column[number] for number in kept_paths]
+        self.stroke.append(stroke)
+        self.fill.append(fill)
+        self.clip.append(clip)

@@ -11,19 +11,23 @@ import math
 import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from dataclasses import replace
 from typing import Final, NamedTuple
 
+from knifetip.drawing_builder.clip import UNBOUNDED, UNCLIPPED, Clip
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.errors import DrawingTooLarge
 from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix, compose
 from knifetip.messages import Message
 from knifetip.svg import layers, shapes
+from knifetip.svg.clip_paths import ClipPaths, window_region
 from knifetip.svg.document import Node
 from knifetip.svg.drawn_paths import DrawnPaths, OmittedShape
 from knifetip.svg.invalid import InvalidValue
 from knifetip.svg.lengths import to_pixels
 from knifetip.svg.page import Page, view_box, view_box_matrix
+from knifetip.svg.references import href
 from knifetip.svg.style import INITIAL, Appearance, Cascade, StyleSheet
 from knifetip.svg.texts import text_annotation, text_content
 from knifetip.svg.transform import parse_transform
@@ -72,6 +76,10 @@ _REASONS: Final = {
     "script": Message("import.script"),
 }
 _HIDDEN: Final = Message("import.hidden")
+_OTHER_LANGUAGE: Final = Message("import.other-language")
+_LANGUAGE: Final = "en"
+#: Values of ``overflow`` with which a window does not clip its content.
+_SHOWN_OVERFLOW: Final = ("visible", "auto")
 #: Largest number of rules in a style sheet.
 _RULES: Final = 2000
 
@@ -87,6 +95,7 @@ class _Context(NamedTuple):
     uses: int  #: number of containing ``use`` elements
     left_out: Message | None  #: reason why the content is not drawn, None if it is drawn
     window: shapes.Window
+    clip: Clip
 
 
 def expand(root: Node, page: Page, limits: Limits) -> tuple[ReportWriter, DrawnPaths]:
@@ -109,7 +118,6 @@ def expand(root: Node, page: Page, limits: Limits) -> tuple[ReportWriter, DrawnP
     """
     expansion = _Expansion(root, page, limits)
     expansion.visit_all()
-    expansion.drawn.drop_fills(expansion.report)
     return expansion.report, expansion.drawn
 
 
@@ -141,10 +149,24 @@ class _Expansion:
             rules = [selector[:40] for selector in style_sheet.unsupported[:5]]
             reason = Message("import.rules-not-read", rules=rules)
             self.report.row("style", "style", layers.UNNAMED, reason)
-        box = view_box(root)
-        wide, high = box[2:] if box else (0.0, 0.0)
+        appearance = self._cascade.appearance(root, INITIAL)
+        self.drawn.page_colour = appearance.background
+        if appearance.overflow == "visible":
+            page = replace(page, visible=UNBOUNDED)
+        self.drawn.page = page.visible
+        for warning in page.warnings:
+            self.report.row("svg", "svg", layers.UNNAMED, warning)
+        self._clip_paths = ClipPaths(self._named, self._cascade, limits)
         self._start = _Context(
-            INITIAL, page.matrix, layers.NO_LAYER, "", (), 0, None, _window(wide, high)
+            INITIAL,
+            page.matrix,
+            layers.NO_LAYER,
+            "",
+            (),
+            0,
+            None,
+            _window(*_root_size(root)),
+            UNCLIPPED,
         )
 
     def _check_size(self) -> None:
@@ -180,8 +202,8 @@ class _Expansion:
 
         None is returned if no element of the document has the id that the ``use`` element names.
         """
-        href = _href(node)
-        return self._named.get(href[1:]) if href.startswith("#") else None
+        link = href(node)
+        return self._named.get(link[1:]) if link.startswith("#") else None
 
     def visit_all(self) -> None:
         """Visit all elements of the document and fill the import report and the drawn paths.
@@ -197,9 +219,22 @@ class _Expansion:
                 )
             inner = self._visit(node, context)
             if inner is not None:
-                stack += [(child, inner) for child in reversed(_children(node)) if child.tag]
+                children = [child for child in _children(node) if child.tag]
+                contexts = self._contexts(node, children, inner)
+                stack += reversed(list(zip(children, contexts, strict=True)))
             elif node.tag == "use" and (use_target := self._follow_use(node, context)) is not None:
                 stack.append(use_target)
+
+    def _contexts(self, node: Node, children: list[Node], inner: _Context) -> list[_Context]:
+        """Return the properties that each child of a group inherits.
+
+        Only the first child of a ``switch`` element that is for the reader is drawn.
+        """
+        if node.tag != "switch":
+            return [inner] * len(children)
+        hidden = inner._replace(left_out=inner.left_out or _OTHER_LANGUAGE)
+        chosen = next((child for child in children if _is_for_reader(child)), None)
+        return [inner if child is chosen else hidden for child in children]
 
     def _visit(self, node: Node, context: _Context) -> _Context | None:
         """Return the properties that the children of a group inherit; None for all other elements.
@@ -233,8 +268,7 @@ class _Expansion:
             return None
         omit_reason = context.left_out or (None if context.appearance.visible else _HIDDEN)
         appearance = context.appearance
-        if not omit_reason and appearance.stroke is None and appearance.fill is None:
-            omit_reason = Message("import.no-paint")
+        omit_reason = omit_reason or _invisible(appearance)
         data = ""
         if not omit_reason:
             try:
@@ -245,7 +279,7 @@ class _Expansion:
         if omit_reason:
             self._omit(row, shapes.shape_path_data, node, context)
         else:
-            self.drawn.add(row, data, layer, context.matrix, appearance)
+            self.drawn.add(row, data, layer, context.matrix, appearance, context.clip)
         return None
 
     def _omit(
@@ -280,6 +314,8 @@ class _Expansion:
         """
         appearance = self._cascade.appearance(node, context.appearance)
         left_out = context.left_out or (None if appearance.shown else _HIDDEN)
+        if not left_out and not _is_for_reader(node):
+            left_out = _OTHER_LANGUAGE
         outer = context.matrix
         if (text := node.attributes.get("transform")) is not None:
             try:
@@ -287,8 +323,9 @@ class _Expansion:
             except InvalidValue as invalid:
                 left_out = left_out or Message("import.bad-transform", reason=invalid.message)
         ancestors = (*context.ancestors, node) if "id" in node.attributes else context.ancestors
+        clip = self._clip_paths.clip(context.clip, appearance, outer, context.window)
         return context._replace(
-            appearance=appearance, matrix=outer, left_out=left_out, ancestors=ancestors
+            appearance=appearance, matrix=outer, left_out=left_out, ancestors=ancestors, clip=clip
         )
 
     def _enter_window(self, node: Node, sizes: Node, context: _Context) -> _Context:
@@ -325,6 +362,9 @@ class _Expansion:
                 left_out=context.left_out or Message("import.bad-window", reason=invalid.message)
             )
         inner = compose(context.matrix, (1.0, 0.0, 0.0, 1.0, x, y))
+        if context.appearance.overflow not in _SHOWN_OVERFLOW and wide > 0.0 and high > 0.0:
+            clip = context.clip.intersect(window_region(wide, high, inner))
+            context = context._replace(clip=clip)
         box = view_box(node)
         if box is None:
             return context._replace(matrix=inner, window=_window(wide, high))
@@ -347,14 +387,14 @@ class _Expansion:
         handle = self._handle(node)
         context = self._context_of(node, context)
         layer = layers.layer_of_element(node, context.layer)
-        href = _href(node)
+        link = href(node)
         target = self._target(node)
         reason = context.left_out
         if not reason and target is None:
             reason = (
-                Message("import.missing-id", id=href[1:41])
-                if href.startswith("#")
-                else Message("import.other-file", file=href[:60])
+                Message("import.missing-id", id=link[1:41])
+                if link.startswith("#")
+                else Message("import.other-file", file=link[:60])
             )
         if not reason and target in context.ancestors:
             reason = Message("import.contains-itself")
@@ -405,6 +445,30 @@ class _Expansion:
         return f"#{len(self.report.handle) + 1}"
 
 
+def _invisible(appearance: Appearance) -> Message | None:
+    """Return the reason why an element with this appearance is not visible, None if it is."""
+    if appearance.drawn_stroke is not None or appearance.drawn_fill is not None:
+        return None
+    if appearance.stroke is None and appearance.fill is None:
+        return Message("import.no-paint")
+    if appearance.stroke is not None and appearance.stroke_width <= 0.0:
+        return Message("import.no-stroke-width")
+    return Message("import.not-visible")
+
+
+def _root_size(root: Node) -> tuple[float, float]:
+    """Return width and height of the window of the root element, 0 where the file has none."""
+    if (box := view_box(root)) is not None:
+        return box[2:]
+    size = []
+    for name in ("width", "height"):
+        try:
+            size.append(to_pixels(root.attributes.get(name, "0")))
+        except InvalidValue:
+            size.append(0.0)
+    return size[0], size[1]
+
+
 def _window(wide: float, high: float) -> shapes.Window:
     """Return three lengths to which percentages in the attributes of SVG elements refer.
 
@@ -426,10 +490,9 @@ def _all_nodes(root: Node) -> Iterator[Node]:
 
 
 def _children(node: Node) -> list[Node]:
-    """Return the children of an element that are to be drawn, including texts between them.
+    """Return the children of an element that are to be visited, including texts between them.
 
-    For a ``switch`` element only the first child without the attribute ``requiredExtensions`` is
-    returned.
+    Of the children of a ``switch`` element, those that require an extension are left out.
     """
     if node.tag != "switch":
         return node.children
@@ -437,16 +500,15 @@ def _children(node: Node) -> list[Node]:
         child
         for child in node.children
         if child.tag and "requiredExtensions" not in child.attributes
-    ][:1]
+    ]
 
 
-def _href(node: Node) -> str:
-    """Return the value of the attribute ``href`` of an element.
+def _is_for_reader(node: Node) -> bool:
+    """Return whether an element is drawn for a reader of English.
 
-    If there is none, the value of an attribute with a prefix, such as ``xlink:href``, is returned,
-    or "" if there is no such attribute either.
+    The attribute ``systemLanguage`` lists the languages of an element, such as "de, en-GB".
     """
-    attributes = node.attributes
-    return next((value for key, value in attributes.items() if key == "href"), None) or next(
-        (value for key, value in attributes.items() if key.endswith(":href")), ""
+    languages = node.get("systemLanguage")
+    return languages is None or any(
+        one.strip().lower().partition("-")[0] == _LANGUAGE for one in languages.split(",")
     )

@@ -3,19 +3,21 @@
 ``read_page`` returns the unit, and a matrix with y upwards, from the attributes ``width``,
 ``height`` and ``viewBox`` of the root element.
 
-Only the physical units mm, cm, in, pt, pc and Q define the size.  Numbers without a unit and
-numbers in px do not: browsers and Inkscape use 96 pixels per inch, Illustrator 72, and older
-versions of Inkscape 90.
+The physical units mm, cm, in, pt, pc and Q define the size.  Numbers without a unit and numbers in
+px do so only if the program that wrote the file is known: browsers and Inkscape use 96 pixels per
+inch, Illustrator 72, and older versions of Inkscape 90.
 
 Source: Scalable Vector Graphics (SVG) 1.1, second edition, chapters 7.7 and 7.8.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from knifetip.drawing_builder.clip import UNBOUNDED, Box
 from knifetip.geometry.affine import Matrix
 from knifetip.messages import Message
 from knifetip.model.unit import MILLIMETRES, UnitHint
@@ -32,7 +34,8 @@ _PHYSICAL: Final = {
     "pc": ("pt", 12.0, MILLIMETRES["pt"]),
     "q": ("mm", 0.25, 1.0),
 }
-_PIXEL: Final = MILLIMETRES["px"]
+#: Scales of width and height that differ by less are equal.
+_SAME_ASPECT: Final = 0.005
 #: Fraction of the free space before the content, by the words of ``preserveAspectRatio``.
 _ALIGN: Final = {"min": 0.0, "mid": 0.5, "max": 1.0}
 
@@ -47,9 +50,11 @@ class Page:
     evidence: Message
     stated: str  #: the unit that the file states
     hints: tuple[UnitHint, ...] = ()  #: other settings that depend on the unit
+    visible: Box = UNBOUNDED  #: visible area (file units)
+    warnings: tuple[Message, ...] = ()  #: contradictions about the size of the page
 
 
-def read_page(root: Node, unit: str, millimetres_per_unit: float, illustrator: bool) -> Page:
+def read_page(root: Node, unit: str, millimetres_per_unit: float, pixel: str) -> Page:
     """Return the unit of an SVG and the matrix of its page, from the root element.
 
     Parameters
@@ -57,41 +62,133 @@ def read_page(root: Node, unit: str, millimetres_per_unit: float, illustrator: b
     root
         Root element of the SVG.
     unit
-        The unit that the user gives, "" if the user gives none.  If the file states the size of the
-        page with a physical unit, this unit is replaced and the number is kept: "90mm" is read as
-        90 inches if ``unit`` is "in".  Otherwise one unit of the coordinates in the file has the
-        length ``unit``.
+        The unit that the user gives, "" if the user gives none.  If the size of the page is known,
+        its unit is replaced and the number is kept: "90mm" is read as 90 inches if ``unit`` is
+        "in".  Otherwise one unit of the coordinates in the file has the length ``unit``.
     millimetres_per_unit
         Number of millimetres in ``unit``, 0 if the user gives no unit.
-    illustrator
-        Whether the file was written by Adobe Illustrator.
+    pixel
+        The unit in which the program that wrote the file writes pixels, such as "pt" or "px-90";
+        empty if it is not known.
     """
     box = view_box(root)
     wide, high = (_side_length(root, name) for name in ("width", "height"))
     physical = next((side for side in (wide, high) if side and side[1] in _PHYSICAL), None)
-    if physical is None:
-        top = box[1] + box[3] if box else high[0] if high else 0.0
-        source = Message("unit.given") if unit else _unknown_unit(root, illustrator)
-        hints = [UnitHint("pixels", Message("unit.page-in-pixels"))]
-        if illustrator:
-            hints.append(UnitHint("points", Message("unit.page-in-points")))
-        upright = (1.0, 0.0, 0.0, -1.0, 0.0, top)
-        return Page(upright, millimetres_per_unit, unit, source, "", tuple(hints))
-    file_unit, _, millimetres = _PHYSICAL[physical[1]]
-    width, height = (_in_unit(side, millimetres) for side in (wide, high))
-    written = _written_size(
-        root, [name for name, side in (("width", wide), ("height", high)) if side]
-    )
+    names = [name for name, side in (("width", wide), ("height", high)) if side]
+    written = _written_size(root, names)
+    if physical is None and not pixel:
+        return _unscaled_page(root, unit, millimetres_per_unit)
+    if physical is not None:
+        file_unit, _, millimetres = _PHYSICAL[physical[1]]
+    else:
+        file_unit, millimetres = pixel, MILLIMETRES[pixel]
+    pixel_length = MILLIMETRES[pixel or "px"]
+    width, height = (_in_unit(side, millimetres, pixel_length) for side in (wide, high))
     if box is None:
-        # Without a viewBox the coordinates are CSS pixels.
-        size = _PIXEL / millimetres
+        size = pixel_length / millimetres
         matrix = (size, 0.0, 0.0, -size, 0.0, height or 0.0)
-        evidence = Message("unit.svg-size-in-pixels", size=written)
+        visible = _page_box(width, height)
+        evidence = Message("unit.svg-size-in-pixels", size=written, pixel=pixel or "px")
     else:
         matrix = _flipped(view_box_matrix(box, width, height, root), box, width, height)
+        visible = _page_box(
+            width or (height * box[2] / box[3] if height else box[2]),
+            height or (width * box[3] / box[2] if width else box[3]),
+        )
         evidence = Message("unit.svg-size", size=written, width=box[2], height=box[3])
+    if physical is None:
+        evidence = Message("unit.svg-writer", pixel=pixel)
     source = Message("unit.given") if unit else evidence
-    return Page(matrix, millimetres_per_unit or millimetres, unit or file_unit, source, file_unit)
+    return Page(
+        matrix,
+        millimetres_per_unit or millimetres,
+        unit or file_unit,
+        source,
+        file_unit,
+        visible=visible,
+        warnings=_aspect_warnings(root, box, width, height, written),
+    )
+
+
+def _unscaled_page(root: Node, unit: str, millimetres_per_unit: float) -> Page:
+    """Return a page of unknown size, in units of the coordinates of the file.
+
+    The parameters are those of ``read_page``.
+    """
+    box = view_box(root)
+    width, height = (
+        None if side is None else side[0]
+        for side in (_side_length(root, name) for name in ("width", "height"))
+    )
+    top = box[1] + box[3] if box else height or 0.0
+    visible = _page_box(width, height)
+    if box is not None:
+        x_scale, _, _, y_scale, left, above = view_box_matrix(box, width, height, root)
+        visible = (
+            -left / x_scale,
+            top - ((height or y_scale * box[3]) - above) / y_scale,
+            ((width or x_scale * box[2]) - left) / x_scale,
+            top + above / y_scale,
+        )
+    return Page(
+        (1.0, 0.0, 0.0, -1.0, 0.0, top),
+        millimetres_per_unit,
+        unit,
+        Message("unit.given") if unit else _unknown_unit(root),
+        "",
+        (UnitHint("pixels", Message("unit.page-in-pixels")),),
+        visible,
+    )
+
+
+def _page_box(width: float | None, height: float | None) -> Box:
+    """Return the visible area of a page; it is not limited where a side is not known."""
+    return (
+        0.0 if width else -math.inf,
+        0.0 if height else -math.inf,
+        width or math.inf,
+        height or math.inf,
+    )
+
+
+def _aspect_warnings(
+    root: Node,
+    box: tuple[float, float, float, float] | None,
+    width: float | None,
+    height: float | None,
+    written: list[str],
+) -> tuple[Message, ...]:
+    """Return a warning if width and height of the page scale the viewBox differently.
+
+    Parameters
+    ----------
+    root, box
+        Root element of the SVG, and its viewBox.
+    width, height
+        Size of the page (file units).
+    written
+        Size of the page as in the file.
+    """
+    if box is None or not width or not height:
+        return ()
+    across, down = width / box[2], height / box[3]
+    if abs(across / down - 1.0) <= _SAME_ASPECT:
+        return ()
+    used, _, _, used_down, *_ = view_box_matrix(box, width, height, root)
+    if used != used_down:
+        # preserveAspectRatio="none" asks for two scales.
+        return ()
+    return (
+        Message(
+            "import.aspect-ratio",
+            size=written,
+            width=box[2],
+            height=box[3],
+            across=across,
+            down=down,
+            used=used,
+        ),
+    )
 
 
 def view_box(node: Node) -> tuple[float, float, float, float] | None:
@@ -178,11 +275,13 @@ def _side_length(root: Node, name: str) -> tuple[float, str] | None:
     return (value, unit) if value > 0.0 and unit != "%" else None
 
 
-def _in_unit(side: tuple[float, str] | None, millimetres: float) -> float | None:
+def _in_unit(
+    side: tuple[float, str] | None, millimetres: float, pixel_length: float
+) -> float | None:
     """Return the length of a side of the page in a unit that is ``millimetres`` mm long.
 
-    ``side`` is the number and the unit of the side; a number without a unit is in CSS pixels.  None
-    is returned if ``side`` is None.
+    ``side`` is the number and the unit of the side; a number without a unit is in pixels, which are
+    ``pixel_length`` mm long.  None is returned if ``side`` is None.
     """
     if side is None:
         return None
@@ -190,16 +289,13 @@ def _in_unit(side: tuple[float, str] | None, millimetres: float) -> float | None
     if unit in _PHYSICAL:
         _, part, own = _PHYSICAL[unit]
         return value * part * (own / millimetres)
-    return value * _PIXEL / millimetres
+    return value * pixel_length / millimetres
 
 
-def _unknown_unit(root: Node, illustrator: bool) -> Message:
-    """Return the message that explains why the unit of a page is unknown.
-
-    ``root`` is the root element, and ``illustrator`` is True if Adobe Illustrator wrote the file.
-    """
+def _unknown_unit(root: Node) -> Message:
+    """Return the message that explains why the unit of a page is unknown."""
     written = _written_size(root, [name for name in ("width", "height") if name in root.attributes])
-    pixel = Message("unit.svg-pixel-illustrator" if illustrator else "unit.svg-pixel")
+    pixel = Message("unit.svg-pixel")
     if not written:
         return Message("unit.svg-no-size", pixel=pixel)
     return Message("unit.svg-no-unit", size=written, pixel=pixel)

@@ -17,9 +17,7 @@ from knifetip.svg.document import parse_document
 from knifetip.svg.expand import expand
 from knifetip.svg.page import read_page
 from knifetip.svg.segments import segment_columns
-
-#: Number of bytes in which the name of the program that wrote the file is searched.
-_HEAD = 4096
+from knifetip.svg.writer import pixel_unit
 
 
 def read(
@@ -62,9 +60,9 @@ def read(
     limits.admit(len(data))
     try:
         root = parse_document(data, limits)
-        page = read_page(root, unit or "", millimetres, b"Adobe Illustrator" in data[:_HEAD])
+        page = read_page(root, unit or "", millimetres, pixel_unit(root, data))
         report, paths = expand(root, page, limits)
-        columns = segment_columns(report, paths, page.scale, limits)
+        columns = segment_columns(report, paths, page, limits)
         known = KnownUnit(page.scale, page.unit, page.evidence, page.stated, page.hints)
         return assemble(report, columns, paths.styles, paths.annotations, known)
     except KnifetipError:

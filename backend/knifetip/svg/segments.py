@@ -9,32 +9,37 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from knifetip.drawing_builder.clip import UNCLIPPED
 from knifetip.drawing_builder.columns import Columns
+from knifetip.drawing_builder.page_border import compare_with_page, report_page_border
 from knifetip.drawing_builder.path_segments import too_many
 from knifetip.drawing_builder.path_table import Paths, boxes
 from knifetip.drawing_builder.paths import columns
 from knifetip.drawing_builder.report import ReportWriter
+from knifetip.drawing_builder.white_lines import is_white, unseen_white_lines
 from knifetip.formats.limits import Limits
+from knifetip.geometry.columns import F64, Bool
 from knifetip.messages import Message
 from knifetip.model.drawing import LocationBoxes
 from knifetip.svg.drawn_paths import DrawnPaths, OmittedShape
-from knifetip.svg.path_data import scan_paths
+from knifetip.svg.page import Page
+from knifetip.svg.path_data import ScannedPaths, scan_paths
 
 
 def segment_columns(
-    report: ReportWriter, drawn_paths: DrawnPaths, scale: float, limits: Limits
+    report: ReportWriter, drawn_paths: DrawnPaths, page: Page, limits: Limits
 ) -> Columns:
-    """Return the segments of all drawn paths as lines and arcs.
+    """Return the segments of all visible paths as lines and arcs.
 
     Parameters
     ----------
     report
-        Import report, which is changed: it gets notes on errors in path data, reasons for dropped
-        paths, and the locations of elements that give no edge.
+        Import report, which is changed: it gets reasons for dropped paths, notes about changed
+        ones, and the locations of elements that give no edge.
     drawn_paths
         Paths of the drawn elements.
-    scale
-        Millimetres in one file unit, 0 if unknown.
+    page
+        The page, with the length of a file unit.
     limits
         Limits of the number of segments and of the time.
 
@@ -46,27 +51,104 @@ def segment_columns(
     table = scan_paths(drawn_paths.data, limits.segments)
     if table is None:
         raise too_many(limits, "SVG")
-    for path in np.flatnonzero(table.wrong >= 0).tolist():
-        text = drawn_paths.data[path]
-        error_position = int(table.wrong[path])
-        note = (
-            Message(
-                "import.bad-path-data",
-                character=error_position + 1,
-                text=text[error_position : error_position + 12],
-            )
-            if error_position < len(text)
-            else Message("import.short-path-data")
-        )
-        report.notes.setdefault(drawn_paths.row[path], []).append(note)
+    row = np.array(drawn_paths.row, np.int32)
+    matrix = np.array(drawn_paths.matrix, np.float64).reshape(-1, 6)
+    with np.errstate(all="ignore"):
+        box = boxes(table, matrix)
+        kept = _report_broken_paths(report, drawn_paths, table)
+        kept &= _report_invisible_paths(report, drawn_paths, table, matrix, box, kept)
     if drawn_paths.omitted:
         report.location_boxes.append(_location_boxes(drawn_paths.omitted, limits))
+    report.location_boxes.append(LocationBoxes(row[~kept], box[~kept]))
+    is_clipped = any(clip is not UNCLIPPED for clip in drawn_paths.clip)
     placed = Paths(
-        np.array(drawn_paths.row, np.int32),
-        np.array(drawn_paths.style, np.int32),
-        np.array(drawn_paths.matrix, np.float64).reshape(-1, 6),
+        row[kept],
+        np.array(drawn_paths.style, np.int32)[kept],
+        matrix[kept],
+        [drawn_paths.clip[path] for path in np.flatnonzero(kept).tolist()] if is_clipped else (),
     )
-    return columns(report, table, placed, scale, limits, "SVG")
+    return columns(report, table.select(kept), placed, page.scale, limits, "SVG")
+
+
+def _report_broken_paths(
+    report: ReportWriter, drawn_paths: DrawnPaths, table: ScannedPaths
+) -> Bool:
+    """Drop the paths with an error in their data, and return the mask of the others, (p,).
+
+    A browser draws such a path up to the error, but half an outline is not what its author drew.
+    """
+    for path in np.flatnonzero(table.wrong >= 0).tolist():
+        row = drawn_paths.row[path]
+        text, position = drawn_paths.data[path], int(table.wrong[path])
+        kind = report.kind[row]
+        if kind in ("polyline", "polygon"):
+            # The path data begin with "M", and those of a polygon end with "Z".
+            rest = text[position:].removesuffix("Z")
+            reason = (
+                Message("import.bad-points", points=text[position : position + 12])
+                if rest.strip(" \t\r\n,") and not _is_number(rest)
+                else Message("import.odd-points")
+            )
+        elif position < len(text):
+            part = text[position : position + 12]
+            reason = Message("import.bad-path-data", character=position + 1, text=part)
+        else:
+            reason = Message("import.short-path-data")
+        report.dropped[row] = reason
+    unbroken: Bool = table.wrong < 0
+    return unbroken
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def _report_invisible_paths(
+    report: ReportWriter,
+    drawn_paths: DrawnPaths,
+    table: ScannedPaths,
+    matrix: F64,
+    box: F64,
+    unbroken: Bool,
+) -> Bool:
+    """Drop the paths that are not visible and areas beside lines; return the mask of the others.
+
+    Parameters
+    ----------
+    report
+        Import report, which gets the reasons and notes.
+    drawn_paths, table, matrix, box
+        The p paths with their segments, matrices, (p, 6), and bounding boxes, (p, 4).
+    unbroken : (p,)
+        Mask of the paths without an error in their data.
+    """
+    row = np.array(drawn_paths.row, np.int32)
+    white = unbroken & unseen_white_lines(
+        drawn_paths.stroke, drawn_paths.fill, box, page=drawn_paths.page_colour
+    )
+    border = compare_with_page(table, matrix, box, drawn_paths.page)
+    report_page_border(report, row, border)
+    on_page = unbroken & ~border.outside
+    is_area = white | np.array([stroke is None for stroke in drawn_paths.stroke], bool)
+    filled = np.array([fill is not None for fill in drawn_paths.fill], bool)
+    has_lines = bool((on_page & ~is_area).any())
+    for path in np.flatnonzero(on_page & is_area).tolist():
+        one = int(row[path])
+        fill = drawn_paths.fill[path]
+        if not filled[path]:
+            report.dropped[one] = Message("import.white-line")
+        elif not has_lines:
+            report.notes.setdefault(one, []).append(Message("import.area-outline"))
+        elif fill is not None and is_white(fill):
+            report.dropped[one] = Message("import.white-area")
+        else:
+            report.dropped[one] = Message("import.filled-area-beside-strokes")
+    visible: Bool = on_page & ~(is_area & (has_lines | ~filled))
+    return visible
 
 
 def _location_boxes(omitted: Sequence[OmittedShape], limits: Limits) -> LocationBoxes:

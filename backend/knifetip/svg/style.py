@@ -6,6 +6,7 @@ decide whether and how a line is drawn are used.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Final, NamedTuple, TypeAlias
 
@@ -13,39 +14,67 @@ import cssselect2
 import tinycss2
 from cssselect2 import parser as selectors
 
-from knifetip.svg.colours import parse_paint
+from knifetip.svg.colours import VISIBLE, parse_paint
 from knifetip.svg.document import Node
 from knifetip.svg.lengths import to_pixels
 
 
 class Appearance(NamedTuple):
-    """How an element is drawn: colours, dashes, visibility and font size.
+    """How an element is drawn: colours, dashes, visibility, clip path and font size.
 
-    The children of the element inherit these properties.
+    The children of the element inherit these properties, except those of its clip path and window.
     """
 
-    stroke: int | None  #: 0xRRGGBB, ``UNKNOWN_COLOUR``, None for none
-    fill: int | None
-    colour: int | None  #: value of ``currentColor``
-    dashed: bool
-    visible: bool  #: ``visibility``; a child may override it
-    shown: bool  #: ``display``; a child cannot override it
-    font_size: float  #: pixels
+    stroke: int | None = None  #: 0xRRGGBB, ``UNKNOWN_COLOUR``, None for none
+    fill: int | None = 0
+    colour: int | None = 0  #: value of ``currentColor``
+    dashed: bool = False
+    visible: bool = True  #: ``visibility``; a child may override it
+    shown: bool = True  #: ``display``; a child cannot override it
+    font_size: float = 16.0  #: pixels
+    stroke_opacity: float = 1.0
+    fill_opacity: float = 1.0
+    opacity: float = 1.0  #: product of the element and the elements that contain it
+    stroke_width: float = 1.0  #: user units
+    clip_even_odd: bool = False  #: whether ``clip-rule`` is evenodd
+    clip_path: str = ""  #: value of ``clip-path``, empty for none; not inherited
+    mask: str = ""  #: value of ``mask``, empty for none; not inherited
+    overflow: str = ""  #: value of ``overflow``; not inherited
+    background: int | None = None  #: background colour, None for none; not inherited
+
+    @property
+    def drawn_stroke(self) -> int | None:
+        """The colour of the stroke; None if the stroke is not visible."""
+        is_seen = self.stroke_opacity * self.opacity >= VISIBLE and self.stroke_width > 0.0
+        return self.stroke if is_seen else None
+
+    @property
+    def drawn_fill(self) -> int | None:
+        """The colour of the fill; None if the fill is not visible."""
+        return self.fill if self.fill_opacity * self.opacity >= VISIBLE else None
 
 
 #: Initial values: a black area without an outline.
-INITIAL: Final = Appearance(None, 0, 0, False, True, True, 16.0)
+INITIAL: Final = Appearance()
 
 _PROPERTIES: Final[tuple[str, ...]] = (
     "color",
     "stroke",
     "stroke-dasharray",
     "stroke-opacity",
+    "stroke-width",
     "fill",
     "fill-opacity",
+    "opacity",
     "display",
     "visibility",
     "font-size",
+    "clip-path",
+    "clip-rule",
+    "mask",
+    "overflow",
+    "background",
+    "background-color",
 )
 
 #: Property, value, and whether it is marked as important.
@@ -218,10 +247,6 @@ def _appearance(values: dict[str, str], inherited: Appearance) -> Appearance:
     colour = _paint(values.get("color"), inherited.colour, inherited.colour)
     stroke = _paint(values.get("stroke"), inherited.stroke, colour)
     fill = _paint(values.get("fill"), inherited.fill, colour)
-    if _is_transparent(values.get("stroke-opacity")):
-        stroke = None
-    if _is_transparent(values.get("fill-opacity")):
-        fill = None
     dashed = inherited.dashed
     if (dash := values.get("stroke-dasharray", "inherit")) != "inherit":
         # "none" and lists of zeros are continuous lines.
@@ -235,8 +260,28 @@ def _appearance(values: dict[str, str], inherited: Appearance) -> Appearance:
             font_size = to_pixels(size, inherited.font_size, inherited.font_size)
         except ValueError:
             font_size = inherited.font_size
+    even_odd = inherited.clip_even_odd
+    if (word := values.get("clip-rule", "inherit").strip().lower()) != "inherit":
+        even_odd = word == "evenodd"
     shown = inherited.shown and values.get("display", "").lower() != "none"
-    return Appearance(stroke, fill, colour, dashed, visible, shown, font_size)
+    return Appearance(
+        stroke,
+        fill,
+        colour,
+        dashed,
+        visible,
+        shown,
+        font_size,
+        stroke_opacity=_opacity(values.get("stroke-opacity"), inherited.stroke_opacity),
+        fill_opacity=_opacity(values.get("fill-opacity"), inherited.fill_opacity),
+        opacity=inherited.opacity * _opacity(values.get("opacity"), 1.0),
+        stroke_width=_stroke_width(values.get("stroke-width"), inherited.stroke_width, font_size),
+        clip_even_odd=even_odd,
+        clip_path=_reference(values.get("clip-path")),
+        mask=_reference(values.get("mask")),
+        overflow=values.get("overflow", "").strip().lower(),
+        background=_paint(values.get("background-color", values.get("background")), None, colour),
+    )
 
 
 def _paint(value: str | None, inherited: int | None, current: int | None) -> int | None:
@@ -248,10 +293,28 @@ def _paint(value: str | None, inherited: int | None, current: int | None) -> int
         return inherited
 
 
-def _is_transparent(opacity: str | None) -> bool:
-    if opacity is None:
-        return False
+def _reference(value: str | None) -> str:
+    """Return the value of ``clip-path`` or ``mask``, empty if it is "none"."""
+    text = (value or "").strip()
+    return "" if text.lower() in ("none", "initial", "unset") else text
+
+
+def _opacity(value: str | None, inherited: float) -> float:
+    """Return an opacity, 0 … 1, from its value, such as "0.5" or "50%"."""
+    text = (value or "").strip()
     try:
-        return float(opacity.strip().rstrip("%")) <= 0.0
+        share = float(text.rstrip("%")) / (100.0 if text.endswith("%") else 1.0)
     except ValueError:
-        return False
+        return inherited
+    return min(max(share, 0.0), 1.0) if math.isfinite(share) else inherited
+
+
+def _stroke_width(value: str | None, inherited: float, font_size: float) -> float:
+    if value is None:
+        return inherited
+    try:
+        # The percentage of a window is not 0 unless the value is.
+        width = to_pixels(value, 100.0, font_size)
+    except ValueError:
+        return inherited
+    return width if width >= 0.0 else inherited

@@ -12,12 +12,13 @@ larger margin.  Otherwise the user must choose.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 import numpy as np
 
 from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
-from knifetip.model.unit import MILLIMETRES, UnitEvidence, UnitFinding
+from knifetip.model.unit import DRAWN_IN, MILLIMETRES, UnitEvidence, UnitFinding
 from knifetip.units import weights
 from knifetip.units.lengths import (
     Lengths,
@@ -68,13 +69,17 @@ def find_unit(drawing: Drawing) -> UnitFinding:
         fits = low <= found.longer * MILLIMETRES[drawing.stated] <= high
         unit = drawing.stated if fits else ""
     else:
-        # Round numbers on a page without a physical size may be pixels: only texts are conclusive.
+        # Round numbers on a page without a physical size may be pixels: only texts are conclusive,
+        # and only if they do not suit another unit of pages as well.
         sized = all(hint.kind != "pixels" for hint in drawing.hints)
-        certain = sized or any(one.unit == ranking[0] for one in from_texts)
+        certain = sized or _text_lead(from_texts, ranking[0]) >= weights.STATED_MARGIN
         doubtful = bool(warnings) or not certain
         unit = _choose_unit(drawing.stated, ranking[0], margin, doubtful=doubtful)
     if has_size:
         lead = 0.0 if not drawing.unit else total[ranking[0]] - total[drawing.unit]
+        if drawing.unit == drawing.stated and drawing.unit not in DRAWN_IN:
+            # Round numbers are no evidence against points and pixels that the format defines.
+            lead = min(lead, _text_lead(from_texts, ranking[0]))
         warnings = (*_contradictions(drawing, found, ranking[0], lead), *warnings)
     return UnitFinding(
         unit,
@@ -84,6 +89,14 @@ def find_unit(drawing: Drawing) -> UnitFinding:
         margin,
         warnings,
     )
+
+
+def _text_lead(evidence: Iterable[UnitEvidence], unit: str) -> float:
+    """Return the weight of the texts for a unit, minus their greatest weight for another unit."""
+    total = dict.fromkeys(MILLIMETRES, 0.0)
+    for one in evidence:
+        total[one.unit] += one.weight
+    return total[unit] - max(total[other] for other in total if other != unit)
 
 
 def _by_weight(one: UnitEvidence) -> float:

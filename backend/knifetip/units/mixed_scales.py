@@ -7,14 +7,13 @@ after a block was inserted 25.4 times too large.
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
 from knifetip.geometry.columns import F64, I64
-from knifetip.geometry.union_find import flatten, union
+from knifetip.geometry.union_find import component_roots
 from knifetip.geometry.unique_rows import unique_rows
-from knifetip.kernels import OutI64_1, kernel
 from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import MILLIMETRES, factor
@@ -62,7 +61,7 @@ def _largest_parts(ends: F64) -> list[I64]:
         return []
     # The offset keeps round coordinates away from the borders between cells.
     _, node = unique_rows(np.round((flat - low) / step + 0.37).astype(np.int64))
-    root = _component_roots(node, int(node.max()) + 1)[node[::2]]
+    root = component_roots(node, int(node.max()) + 1)[node[::2]]
     edges = np.bincount(root)
     largest = np.argsort(-edges, kind="stable")[:_PARTS]
     if len(ends) - edges[largest[0]] < _EDGES:
@@ -166,17 +165,3 @@ def _drawn_in(key: tuple[str, str]) -> Message:
             return Message("unit.drawn-in-metric", unit=unit)
         case (unit, _):
             return Message("unit.drawn-in-imperial", unit=unit)
-
-
-@kernel
-def _component_roots(node: OutI64_1, count: int) -> Any:
-    """Return the number of the union-find root of each of ``count`` graph nodes, shape (count,).
-
-    Each graph edge connects two nodes: edge i connects ``node[2 i]`` with ``node[2 i + 1]``.  Nodes
-    that are connected by a series of edges have the same root.
-    """
-    root = np.arange(count)
-    for edge in range(len(node) // 2):
-        union(root, node[2 * edge], node[2 * edge + 1])
-    flatten(root)
-    return root

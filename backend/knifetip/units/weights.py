@@ -15,19 +15,103 @@ from typing import Final
 #: Fraction of carton drawings in each unit, by the unit that the header states ("" for none).
 STATED: Final[Mapping[str, Mapping[str, float]]] = {
     # Most countries draw cartons in mm, some in inches; points and pixels come from conversion.
-    "": {"mm": 0.80, "cm": 0.04, "m": 0.01, "in": 0.10, "ft": 0.002, "pt": 0.024, "px": 0.024},
+    "": {
+        "mm": 0.80,
+        "cm": 0.04,
+        "m": 0.01,
+        "in": 0.10,
+        "ft": 0.002,
+        "pt": 0.024,
+        "px": 0.020,
+        "px-90": 0.004,
+    },
     # Chosen by the user or by a metric template: nearly always right.
-    "mm": {"mm": 0.94, "cm": 0.008, "m": 0.002, "in": 0.013, "ft": 1e-3, "pt": 0.018, "px": 0.018},
+    "mm": {
+        "mm": 0.94,
+        "cm": 0.008,
+        "m": 0.002,
+        "in": 0.013,
+        "ft": 1e-3,
+        "pt": 0.018,
+        "px": 0.016,
+        "px-90": 0.002,
+    },
     # Not the default of a program, but often a setting of the document that its numbers ignore.
-    "cm": {"mm": 0.18, "cm": 0.58, "m": 0.01, "in": 0.19, "ft": 0.005, "pt": 0.018, "px": 0.017},
+    "cm": {
+        "mm": 0.18,
+        "cm": 0.58,
+        "m": 0.01,
+        "in": 0.19,
+        "ft": 0.005,
+        "pt": 0.018,
+        "px": 0.015,
+        "px-90": 0.002,
+    },
     # The default of several libraries that write DXF: more often unchanged than chosen.
-    "m": {"mm": 0.50, "cm": 0.06, "m": 0.34, "in": 0.06, "ft": 0.01, "pt": 0.015, "px": 0.015},
+    "m": {
+        "mm": 0.50,
+        "cm": 0.06,
+        "m": 0.34,
+        "in": 0.06,
+        "ft": 0.01,
+        "pt": 0.015,
+        "px": 0.013,
+        "px-90": 0.002,
+    },
     # The default template of the most common CAD program: often unchanged over millimetres.
-    "in": {"mm": 0.20, "cm": 0.02, "m": 0.003, "in": 0.74, "ft": 0.017, "pt": 0.01, "px": 0.01},
+    "in": {
+        "mm": 0.20,
+        "cm": 0.02,
+        "m": 0.003,
+        "in": 0.74,
+        "ft": 0.017,
+        "pt": 0.01,
+        "px": 0.008,
+        "px-90": 0.002,
+    },
     # Cartons are not drawn in feet: the header is often an accident.
-    "ft": {"mm": 0.25, "cm": 0.02, "m": 0.01, "in": 0.30, "ft": 0.40, "pt": 0.01, "px": 0.01},
+    "ft": {
+        "mm": 0.25,
+        "cm": 0.02,
+        "m": 0.01,
+        "in": 0.30,
+        "ft": 0.40,
+        "pt": 0.01,
+        "px": 0.008,
+        "px-90": 0.002,
+    },
     # Only SVG and PDF state points, for pages whose coordinates are scaled to points.
-    "pt": {"mm": 0.10, "cm": 0.005, "m": 1e-3, "in": 0.03, "ft": 1e-3, "pt": 0.85, "px": 0.013},
+    "pt": {
+        "mm": 0.10,
+        "cm": 0.005,
+        "m": 1e-3,
+        "in": 0.03,
+        "ft": 1e-3,
+        "pt": 0.85,
+        "px": 0.011,
+        "px-90": 0.002,
+    },
+    # The program that wrote an SVG defines the length of a pixel.
+    "px": {
+        "mm": 0.10,
+        "cm": 0.005,
+        "m": 1e-3,
+        "in": 0.03,
+        "ft": 1e-3,
+        "pt": 0.01,
+        "px": 0.85,
+        "px-90": 0.003,
+    },
+    "px-90": {
+        "mm": 0.10,
+        "cm": 0.005,
+        "m": 1e-3,
+        "in": 0.03,
+        "ft": 1e-3,
+        "pt": 0.005,
+        "px": 0.008,
+        "px-90": 0.85,
+    },
 }
 
 #: Longer side of a drawing (mm) and its weight, interpolated linearly in log size.  A flat carton
@@ -110,6 +194,7 @@ DESIGNED_METRIC: Final[Mapping[str, float]] = {
     "ft": 0.10,
     "pt": 0.80,
     "px": 0.80,
+    "px-90": 0.80,
 }
 #: The grids of these units are multiples of each other, so round numbers in one are round in all.
 #: The unit in which they are roundest leads by at most ``FAMILY_ADVANTAGE``: whole centimetres do
@@ -147,9 +232,7 @@ HINTS: Final[Mapping[str, tuple[tuple[str, ...], float]]] = {
     "shown × 10": (("cm",), 2.0),
     "shown × 1000": (("m",), 2.5),
     # An SVG without a physical size is as often a page in points or pixels as a carton in mm.
-    "pixels": (("pt", "px"), 3.5),
-    # Illustrator writes coordinates in points.
-    "points": (("pt",), 3.0),
+    "pixels": (("pt", "px", "px-90"), 3.5),
 }
 
 #: The unit that the header states is kept if its weight is greater by this: a hundred to one.

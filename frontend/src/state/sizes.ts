@@ -12,6 +12,7 @@ export const UNITS: Readonly<Record<Unit, { title: string; mm: number }>> = {
   ft: { title: "Feet", mm: 304.8 },
   pt: { title: "Points (1/72 inch)", mm: 25.4 / 72 },
   px: { title: "Pixels (1/96 inch)", mm: 25.4 / 96 },
+  "px-90": { title: "Pixels (1/90 inch, old Inkscape)", mm: 25.4 / 90 },
 };
 
 export const isUnit = (word: string): word is Unit => word in UNITS;

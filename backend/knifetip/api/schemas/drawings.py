@@ -26,7 +26,7 @@ from knifetip.fields import LISTED
 from knifetip.library.custom_profiles import MAX_BYTES
 
 OutcomeWord = Annotated[Literal["kept", "merged", "dropped"], LISTED]
-_UnitWord = Literal["mm", "cm", "m", "in", "ft", "pt", "px"]
+_UnitWord = Literal["mm", "cm", "m", "in", "ft", "pt", "px", "px-90"]
 Unit = Annotated[_UnitWord, LISTED]
 
 

@@ -7,6 +7,11 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "import.all-outside-page": entry(
+        "the whole drawing lies outside the visible area of the page",
+        "Move the drawing onto the page in the program that drew it, so that objects beside the "
+        "page are left out.",
+    ),
     "import.angles-not-numbers": entry(
         "the start or end angle of the arc is not a number",
     ),
@@ -28,13 +33,26 @@ MESSAGES: Final[Entries] = {
         columns="count",
         rows="count",
     ),
+    "import.aspect-ratio": entry(
+        "The size of the page ({size: }) does not have the proportions of its viewBox ({width:g} × "
+        "{height:g}): the width gives the scale {across:.4g}, the height {down:.4g}. The drawing "
+        "is read at the scale {used:.4g}, as browsers display it.",
+        "Check the size of the drawing. If it is wrong, correct the page size in the program that "
+        "drew it, and export the drawing again.",
+        size="texts",
+        width="number",
+        height="number",
+        across="number",
+        down="number",
+        used="number",
+    ),
     "import.bad-operands": entry(
         "the path uses the PDF operator {operator!r} with a wrong number or type of values",
         operator="text",
     ),
     "import.bad-path-data": entry(
-        "the path data of the object is invalid at character {character} ({text!r}), so only the "
-        "path before this character was imported (browsers do the same)",
+        "the path data of the object is invalid at character {character} ({text!r})",
+        "Correct the object in the program that drew it, and export the drawing again.",
         character="count",
         text="text",
     ),
@@ -92,19 +110,36 @@ MESSAGES: Final[Entries] = {
         bridges="number",
         width="number",
     ),
+    "import.changed": entry(
+        "{objects:# object is|# objects are} imported with a change: {reason}.",
+        "The import report lists {objects:it|them}. {reason:hint}",
+        objects="count",
+        reason="message",
+    ),
+    "import.changed-on-layer": entry(
+        "{objects:# object|# objects} on layer {layer!r} {objects:is|are} imported with a change: "
+        "{reason}.",
+        "The import report lists {objects:it|them}. {reason:hint}",
+        objects="count",
+        layer="text",
+        reason="message",
+    ),
     "import.check-drawing": entry(
         "Check the drawing: {reason}.",
         "{reason:hint}",
         reason="message",
     ),
-    "import.check-objects": entry(
-        "Check {objects:# object|# objects} of the drawing: {reason}.",
-        "The import report lists {objects:it|them}. {reason:hint}",
-        objects="count",
-        reason="message",
-    ),
     "import.clip-path": entry(
         "the object only limits the visible area of other objects (clipping path)",
+    ),
+    "import.clipped": entry(
+        "only the part of the object that is visible inside its clip path or mask was imported",
+        "Remove the clip path or mask and export the drawing again if the whole object must be "
+        "cut.",
+    ),
+    "import.clipped-away": entry(
+        "the object lies outside its clip path or mask, so it is not visible",
+        "Remove the clip path or mask and export the drawing again if the object must be cut.",
     ),
     "import.contains-itself": entry(
         "the object contains a reference to itself",
@@ -298,6 +333,10 @@ MESSAGES: Final[Entries] = {
         width="number",
         height="number",
     ),
+    "import.no-stroke-width": entry(
+        "the stroke of the object has a width of 0, so it is not visible",
+        "Give the stroke a width and export the drawing again if the object must be cut.",
+    ),
     "import.no-sweep": entry(
         "the arc has no length, because it starts and ends at the same angle, {degrees:g}°",
         degrees="number",
@@ -308,7 +347,8 @@ MESSAGES: Final[Entries] = {
     ),
     "import.not-clipped": entry(
         "the file clips the object, but the complete object was imported",
-        "Explode and trim the block in the CAD program, and export the drawing again.",
+        "Trim the object, or apply the clip path, in the program that drew the file, and export the "
+        "drawing again.",
     ),
     "import.not-flat": entry(
         "the object is not parallel to the XY plane",
@@ -323,6 +363,10 @@ MESSAGES: Final[Entries] = {
         "the PDF page uses a form or image with the name {name!r}, which the PDF does not contain",
         name="text",
     ),
+    "import.odd-points": entry(
+        "the list of points of the object is incomplete: the last point has no y coordinate",
+        "Correct the object in the program that drew it, and export the drawing again.",
+    ),
     "import.on-layer": entry(
         "the object also lies on the layer {layer}",
         layer="text",
@@ -332,10 +376,21 @@ MESSAGES: Final[Entries] = {
         "Embed the object in the file and export again.",
         file="text",
     ),
+    "import.other-language": entry(
+        "the object is for readers of another language, so it is not visible",
+    ),
     "import.other-pages": entry(
-        "the file has {pages:# page|# pages}, but only the first page is read",
-        "Export each page as a separate file.",
+        "The PDF has {pages:# page|# pages}, but only the first page is read.",
+        "If the drawing is on another page, export this page as a separate file.",
         pages="count",
+    ),
+    "import.other-pages-lines": entry(
+        "The PDF has {others:# other page|# other pages} besides the first page, and only the "
+        "first page is read. Page {most} has the most lines of the other pages ({lines:,}).",
+        "If the drawing is on another page, export this page as a separate file.",
+        others="count",
+        most="count",
+        lines="count",
     ),
     "import.outside-page": entry("the object lies outside the visible area of the page"),
     "import.page-ends-early": entry(
@@ -416,8 +471,8 @@ MESSAGES: Final[Entries] = {
         "the object is a shading (colour gradient), which is not cut",
     ),
     "import.short-path-data": entry(
-        "the path data of the object ends inside a command, so only the commands before the "
-        "incomplete command were imported (browsers do the same)",
+        "the path data of the object is incomplete: it ends inside a command",
+        "Correct the object in the program that drew it, and export the drawing again.",
     ),
     "import.solid": entry(
         "the object is a solid or a face, not a line in a plane",
@@ -516,6 +571,13 @@ MESSAGES: Final[Entries] = {
     ),
     "import.viewport": entry(
         "the object is a viewport, which only displays a part of the drawing",
+    ),
+    "import.white-area": entry(
+        "the object is a white area without an outline, so it is not cut",
+    ),
+    "import.white-line": entry(
+        "the object is drawn in white on a white page, so it is not visible",
+        "Give the object another colour and export the drawing again if it must be cut.",
     ),
     "import.wrong-field-count": entry(
         "line {line} of the file has {fields:# field|# fields}, which is the wrong number of "

@@ -170,9 +170,6 @@ MESSAGES: Final[Entries] = {
     "unit.page-in-pixels": entry(
         "the file states the size of its page without a unit, as files in pixels or points do",
     ),
-    "unit.page-in-points": entry(
-        "the file was written by Illustrator, which uses points as the unit",
-    ),
     "unit.paper-size": entry(
         "if the unit is {unit:unit}, the drawing has exactly the size of a sheet of paper "
         "({sheet})",
@@ -273,11 +270,7 @@ MESSAGES: Final[Entries] = {
     ),
     "unit.svg-pixel": entry(
         "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) in "
-        "Illustrator",
-    ),
-    "unit.svg-pixel-illustrator": entry(
-        "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) "
-        "in Illustrator, which wrote this file",
+        "Illustrator, and 1/90 inch (0.2822 mm) in old versions of Inkscape",
     ),
     "unit.svg-size": entry(
         "the SVG file states its size ({size: }) for a viewBox of {width:g} × {height:g} "
@@ -287,9 +280,14 @@ MESSAGES: Final[Entries] = {
         height="number",
     ),
     "unit.svg-size-in-pixels": entry(
-        "the SVG file states its size ({size: }) and has no viewBox, so one coordinate unit is "
-        "1/96 inch",
+        "the SVG file states its size ({size: }) and has no viewBox, so coordinates are in "
+        "{pixel:unit}",
         size="texts",
+        pixel="text",
+    ),
+    "unit.svg-writer": entry(
+        "the program that wrote the SVG file uses {pixel:unit} as the unit",
+        pixel="text",
     ),
     "unit.text-states": entry(
         "a text in the drawing states the unit: “{text}”",
