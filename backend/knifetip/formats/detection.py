@@ -22,9 +22,7 @@ _FOREIGN: Final = (
     (b"II*\x00", "file.tiff"),
     (b"MM\x00*", "file.tiff"),
     (b"RIFF", "file.riff"),
-    (b"%!PS", "file.postscript"),
     (b"\xc5\xd0\xd3\xc6", "file.eps"),
-    (b"PK\x03\x04", "file.zip"),
     (b"Rar!", "file.rar"),
     (b"7z\xbc\xaf", "file.7z"),
     (b"AC10", "file.dwg"),
@@ -33,6 +31,19 @@ _FOREIGN: Final = (
     (b"ISO-10303-21", "file.step"),
     (b"solid ", "file.stl"),
     (b"{", "file.json"),
+)
+
+#: Other file formats by patterns at their beginning; the first one that matches names the format.
+_FOREIGN_PATTERNS: Final = (
+    (re.compile(rb"RIFF.{4}CDR", re.DOTALL), "file.cdr"),
+    (re.compile(rb"PK\x03\x04.{26}mimetypeapplication/x-vnd\.corel", re.DOTALL), "file.cdr"),
+    (re.compile(rb"PK\x03\x04"), "file.zip"),
+    (re.compile(rb"%!PS-Adobe[^\r\n]*EPSF"), "file.eps"),
+    (re.compile(rb"%!PS.*?%%Creator: *Adobe Illustrator", re.DOTALL), "file.illustrator"),
+    (re.compile(rb"%!PS"), "file.postscript"),
+    # Escape sequences of plotters, or the first instructions of a plot.
+    (re.compile(rb"\x1b(?:[E.]|%-?\d*[AB])"), "file.hpgl"),
+    (re.compile(rb"(?:IN|DF|BP)\s*[;\d]|(?:SP|PU|PA|PD)\s*[-\d., ]*;", re.IGNORECASE), "file.hpgl"),
 )
 
 #: The root element of an XML file, and what may precede it.
@@ -44,6 +55,13 @@ _CF2: Final = re.compile(
     rb"[LA]\s*,\s*[\d.]+\s*,\s*\d+\s*,\s*\d+\s*,\s*[-+\d.])",
     re.IGNORECASE,
 )
+#: Other file formats by the root element of their XML.
+_FOREIGN_ROOTS: Final = {
+    "html": "file.html",
+    "body": "file.html",
+    "lightburnproject": "file.lightburn",
+}
+_BINARY_DXF: Final = b"AutoCAD Binary DXF"
 _GZIP: Final = b"\x1f\x8b"
 _BYTE_ORDER_MARK: Final = b"\xef\xbb\xbf"
 
@@ -97,9 +115,17 @@ def foreign_kind(file: Beginning) -> Message | None:
         return Message("file.gzip")
     if file.head.startswith(b"<"):
         root = _root_element(file.data)
-        page = root.lower() in ("html", "body")
-        return Message("file.html") if page else Message("file.xml", element=root[:40])
-    return next((Message(code) for start, code in _FOREIGN if file.head.startswith(start)), None)
+        code = _FOREIGN_ROOTS.get(root.lower())
+        return Message(code) if code else Message("file.xml", element=root[:40])
+    for pattern, code in _FOREIGN_PATTERNS:
+        if pattern.match(file.head):
+            return Message(code)
+    for start, code in _FOREIGN:
+        if file.head.startswith(start):
+            return Message(code)
+    # Text files have no null bytes; those of UTF-16 are not in the normalised beginning.
+    is_text = b"\x00" not in file.head or file.head.startswith(_BINARY_DXF)
+    return None if is_text else Message("file.binary")
 
 
 def _unpacked(data: bytes) -> bytes:

@@ -4,8 +4,8 @@
 ``first_page`` returns the ``Page``.
 
 pypdf parses the objects; this module checks the type of each object.  Encrypted files that need a
-password are refused.  Files with a stream that cannot be unpacked to its end are also refused, because lines would be
-missing.
+password are refused.  Files with a stream that cannot be unpacked to its end are also refused,
+because lines would be missing.
 
 Source: ISO 32000-1, chapters 7.5, 7.7 and 14.11.2.
 """
@@ -24,7 +24,6 @@ from itertools import islice
 from typing import Any, Final
 
 from pypdf import PasswordType, PdfReader, apply_configuration
-from pypdf.errors import DependencyError
 from pypdf.generic import (
     ArrayObject,
     DictionaryObject,
@@ -80,11 +79,7 @@ class PdfFile:
 
         Such a file only asks its readers not to print or copy it.
         """
-        try:
-            return self._reader.decrypt("") != PasswordType.NOT_DECRYPTED
-        except DependencyError:
-            # Files with AES need the library cryptography, which is not installed.
-            return False
+        return self._reader.decrypt("") != PasswordType.NOT_DECRYPTED
 
     def check_time(self) -> None:
         """Raise an error if the file has been open for longer than the time limit.

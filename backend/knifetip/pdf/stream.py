@@ -15,7 +15,7 @@ from typing import Any, Final, NamedTuple
 
 from pypdf.generic import DictionaryObject, IndirectObject, StreamObject
 
-from knifetip.drawing_builder.clip import UNCLIPPED, Box, Clip, Region
+from knifetip.drawing_builder.clip import UNCLIPPED, Box, Clip, Region, intersect
 from knifetip.drawing_builder.colours import UNKNOWN_COLOUR
 from knifetip.drawing_builder.filled_region import filled_region
 from knifetip.errors import DrawingTooLarge
@@ -399,7 +399,8 @@ class Stream:
 
     def _shade(self, _operator: str, _operands: list[Any]) -> None:
         row = self._row("shading", Message("import.shading"))
-        self._page.drawn.report.set_location(row, self._state.clip.box)
+        box = intersect(self._state.clip.box, self._page.visible)
+        self._page.drawn.report.set_location(row, box)
 
     def _text(self, operator: str, _operands: list[Any]) -> None:
         if operator == "BT":

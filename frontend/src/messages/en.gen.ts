@@ -1427,53 +1427,73 @@ export const TEXTS = {
     "text": "a 7z archive",
     "hint": ""
   },
+  "file.binary": {
+    "text": "a binary file of an unknown format",
+    "hint": "In the program that drew it, export the drawing as DXF. In ArtiosCAD (.ard), choose File > Outputs, and DXF or CFF2 as the type."
+  },
   "file.bmp": {
     "text": "a BMP picture",
-    "hint": ""
+    "hint": "A picture has no lines that can be cut. In the program that drew it, export the drawing as DXF, SVG or PDF."
+  },
+  "file.cdr": {
+    "text": "a CorelDRAW drawing (CDR)",
+    "hint": "In CorelDRAW, choose File > Export, and SVG or DXF as the type."
   },
   "file.compound-file": {
     "text": "an old Office file, or a CAD file in the same container format",
-    "hint": ""
+    "hint": "In the program that drew it, export the drawing as DXF."
   },
   "file.dwg": {
     "text": "a DWG drawing",
-    "hint": ""
+    "hint": "In AutoCAD or another CAD program, choose File > Save As, and DXF as the type."
   },
   "file.eps": {
     "text": "an EPS file",
-    "hint": ""
+    "hint": "In Illustrator, open the file and choose File > Save As > PDF. In other programs, export the drawing as PDF, SVG or DXF."
   },
   "file.gif": {
     "text": "a GIF picture",
-    "hint": ""
+    "hint": "A picture has no lines that can be cut. In the program that drew it, export the drawing as DXF, SVG or PDF."
   },
   "file.gzip": {
     "text": "a gzip archive",
     "hint": ""
   },
+  "file.hpgl": {
+    "text": "a plotter file (HPGL)",
+    "hint": "In the program that drew it, export the drawing as DXF, PDF or SVG instead of plotting it to a file."
+  },
   "file.html": {
     "text": "an HTML page",
     "hint": ""
   },
+  "file.illustrator": {
+    "text": "an old Illustrator file without PDF content",
+    "hint": "In Illustrator, choose File > Save As with the option 'Create PDF Compatible File', or export the drawing as PDF, SVG or DXF."
+  },
   "file.jpeg": {
     "text": "a JPEG picture",
-    "hint": ""
+    "hint": "A picture has no lines that can be cut. In the program that drew it, export the drawing as DXF, SVG or PDF."
   },
   "file.json": {
     "text": "a JSON file",
     "hint": ""
   },
+  "file.lightburn": {
+    "text": "a LightBurn project",
+    "hint": "In LightBurn, choose File > Export, and SVG or DXF as the type."
+  },
   "file.old-dwg": {
     "text": "an old DWG drawing",
-    "hint": ""
+    "hint": "In AutoCAD or another CAD program, choose File > Save As, and DXF as the type."
   },
   "file.png": {
     "text": "a PNG picture",
-    "hint": ""
+    "hint": "A picture has no lines that can be cut. In the program that drew it, export the drawing as DXF, SVG or PDF."
   },
   "file.postscript": {
-    "text": "a PostScript or an Illustrator file",
-    "hint": ""
+    "text": "a PostScript file",
+    "hint": "In Illustrator, open the file and choose File > Save As > PDF. In other programs, export the drawing as PDF, SVG or DXF."
   },
   "file.rar": {
     "text": "a RAR archive",
@@ -1481,19 +1501,19 @@ export const TEXTS = {
   },
   "file.riff": {
     "text": "a picture or a video (RIFF)",
-    "hint": ""
+    "hint": "A picture has no lines that can be cut. In the program that drew it, export the drawing as DXF, SVG or PDF."
   },
   "file.step": {
     "text": "a STEP file",
-    "hint": ""
+    "hint": "In the CAD program, make a flat drawing of the carton, and export it as DXF."
   },
   "file.stl": {
     "text": "an STL model",
-    "hint": ""
+    "hint": "In the CAD program, make a flat drawing of the carton, and export it as DXF."
   },
   "file.tiff": {
     "text": "a TIFF picture",
-    "hint": ""
+    "hint": "A picture has no lines that can be cut. In the program that drew it, export the drawing as DXF, SVG or PDF."
   },
   "file.xml": {
     "text": "an XML file of the type {element!r}",
@@ -1501,7 +1521,7 @@ export const TEXTS = {
   },
   "file.zip": {
     "text": "a ZIP archive, or an Office or 3MF file",
-    "hint": ""
+    "hint": "Unpack the archive, and send the drawing in it."
   },
   "finding.at-edge": {
     "text": "Edge {edge}: {fault}",
@@ -2099,6 +2119,10 @@ export const TEXTS = {
     "text": "The program line has an X coordinate without a Y coordinate.",
     "hint": "Give both coordinates."
   },
+  "import.all-outside-page": {
+    "text": "the whole drawing lies outside the visible area of the page",
+    "hint": "Move the drawing onto the page in the program that drew it, so that objects beside the page are left out."
+  },
   "import.angles-not-numbers": {
     "text": "the start or end angle of the arc is not a number",
     "hint": ""
@@ -2119,13 +2143,17 @@ export const TEXTS = {
     "text": "the object inserts the block as a grid of copies ({columns} columns × {rows} rows)",
     "hint": ""
   },
+  "import.aspect-ratio": {
+    "text": "The size of the page ({size: }) does not have the proportions of its viewBox ({width:g} × {height:g}): the width gives the scale {across:.4g}, the height {down:.4g}. The drawing is read at the scale {used:.4g}, as browsers display it.",
+    "hint": "Check the size of the drawing. If it is wrong, correct the page size in the program that drew it, and export the drawing again."
+  },
   "import.bad-operands": {
     "text": "the path uses the PDF operator {operator!r} with a wrong number or type of values",
     "hint": ""
   },
   "import.bad-path-data": {
-    "text": "the path data of the object is invalid at character {character} ({text!r}), so only the path before this character was imported (browsers do the same)",
-    "hint": ""
+    "text": "the path data of the object is invalid at character {character} ({text!r})",
+    "hint": "Correct the object in the program that drew it, and export the drawing again."
   },
   "import.bad-place": {
     "text": "the position of the object cannot be read: {reason}",
@@ -2175,17 +2203,29 @@ export const TEXTS = {
     "text": "the steel rule of the cutting die has {bridges:g} bridges (gaps), each {width:g} file units wide; the edge is cut without the gaps",
     "hint": ""
   },
+  "import.changed": {
+    "text": "{objects:# object is|# objects are} imported with a change: {reason}.",
+    "hint": "The import report lists {objects:it|them}. {reason:hint}"
+  },
+  "import.changed-on-layer": {
+    "text": "{objects:# object|# objects} on layer {layer!r} {objects:is|are} imported with a change: {reason}.",
+    "hint": "The import report lists {objects:it|them}. {reason:hint}"
+  },
   "import.check-drawing": {
     "text": "Check the drawing: {reason}.",
     "hint": "{reason:hint}"
   },
-  "import.check-objects": {
-    "text": "Check {objects:# object|# objects} of the drawing: {reason}.",
-    "hint": "The import report lists {objects:it|them}. {reason:hint}"
-  },
   "import.clip-path": {
     "text": "the object only limits the visible area of other objects (clipping path)",
     "hint": ""
+  },
+  "import.clipped": {
+    "text": "only the part of the object that is visible inside its clip path or mask was imported",
+    "hint": "Remove the clip path or mask and export the drawing again if the whole object must be cut."
+  },
+  "import.clipped-away": {
+    "text": "the object lies outside its clip path or mask, so it is not visible",
+    "hint": "Remove the clip path or mask and export the drawing again if the object must be cut."
   },
   "import.contains-itself": {
     "text": "the object contains a reference to itself",
@@ -2399,6 +2439,10 @@ export const TEXTS = {
     "text": "the object has no size: its width is {width:g} and its height {height:g}",
     "hint": ""
   },
+  "import.no-stroke-width": {
+    "text": "the stroke of the object has a width of 0, so it is not visible",
+    "hint": "Give the stroke a width and export the drawing again if the object must be cut."
+  },
   "import.no-sweep": {
     "text": "the arc has no length, because it starts and ends at the same angle, {degrees:g}°",
     "hint": ""
@@ -2409,7 +2453,7 @@ export const TEXTS = {
   },
   "import.not-clipped": {
     "text": "the file clips the object, but the complete object was imported",
-    "hint": "Explode and trim the block in the CAD program, and export the drawing again."
+    "hint": "Trim the object, or apply the clip path, in the program that drew the file. Then export the drawing again."
   },
   "import.not-flat": {
     "text": "the object is not parallel to the XY plane",
@@ -2431,6 +2475,10 @@ export const TEXTS = {
     "text": "the PDF page uses a form or image with the name {name!r}, which the PDF does not contain",
     "hint": ""
   },
+  "import.odd-points": {
+    "text": "the list of points of the object is incomplete: the last point has no y coordinate",
+    "hint": "Correct the object in the program that drew it, and export the drawing again."
+  },
   "import.on-layer": {
     "text": "the object also lies on the layer {layer}",
     "hint": ""
@@ -2439,9 +2487,17 @@ export const TEXTS = {
     "text": "the object is in another file, {file!r}, which is not loaded",
     "hint": "Embed the object in the file and export again."
   },
+  "import.other-language": {
+    "text": "the object is for readers of another language, so it is not visible",
+    "hint": ""
+  },
   "import.other-pages": {
-    "text": "the file has {pages:# page|# pages}, but only the first page is read",
-    "hint": "Export each page as a separate file."
+    "text": "The PDF has {pages:# page|# pages}, but only the first page is read.",
+    "hint": "If the drawing is on another page, export this page as a separate file."
+  },
+  "import.other-pages-lines": {
+    "text": "The PDF has {others:# other page|# other pages} besides the first page, and only the first page is read. Page {most} has the most lines of the other pages ({lines:,}).",
+    "hint": "If the drawing is on another page, export this page as a separate file."
   },
   "import.outside-page": {
     "text": "the object lies outside the visible area of the page",
@@ -2532,8 +2588,8 @@ export const TEXTS = {
     "hint": ""
   },
   "import.short-path-data": {
-    "text": "the path data of the object ends inside a command, so only the commands before the incomplete command were imported (browsers do the same)",
-    "hint": ""
+    "text": "the path data of the object is incomplete: it ends inside a command",
+    "hint": "Correct the object in the program that drew it, and export the drawing again."
   },
   "import.solid": {
     "text": "the object is a solid or a face, not a line in a plane",
@@ -2626,6 +2682,14 @@ export const TEXTS = {
   "import.viewport": {
     "text": "the object is a viewport, which only displays a part of the drawing",
     "hint": ""
+  },
+  "import.white-area": {
+    "text": "the object is a white area without an outline, so it is not cut",
+    "hint": ""
+  },
+  "import.white-line": {
+    "text": "the object is drawn in white on a white page, so it is not visible",
+    "hint": "Give the object another colour and export the drawing again if it must be cut."
   },
   "import.wrong-field-count": {
     "text": "line {line} of the file has {fields:# field|# fields}, which is the wrong number of fields for its record",
@@ -4105,7 +4169,7 @@ export const TEXTS = {
   },
   "reading.unknown-kind": {
     "text": "The file is {what}, not a drawing of a supported type.",
-    "hint": "Send the drawing as {formats:or}. A DXF file may be text or binary, of any version."
+    "hint": "Send the drawing as {formats:or}. A DXF file may be text or binary, of any version. {what:hint}"
   },
   "request.body-too-large": {
     "text": "The request is larger than {limit} MB, which is the limit for this URL.",
@@ -5095,10 +5159,6 @@ export const TEXTS = {
     "text": "the file states the size of its page without a unit, as files in pixels or points do",
     "hint": ""
   },
-  "unit.page-in-points": {
-    "text": "the file was written by Illustrator, which uses points as the unit",
-    "hint": ""
-  },
   "unit.paper-size": {
     "text": "if the unit is {unit:unit}, the drawing has exactly the size of a sheet of paper ({sheet})",
     "hint": ""
@@ -5160,11 +5220,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.svg-pixel": {
-    "text": "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) in Illustrator",
-    "hint": ""
-  },
-  "unit.svg-pixel-illustrator": {
-    "text": "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) in Illustrator, which wrote this file",
+    "text": "one coordinate unit is 1/96 inch (0.2646 mm) in a browser, but 1/72 inch (0.3528 mm) in Illustrator, and 1/90 inch (0.2822 mm) in old versions of Inkscape",
     "hint": ""
   },
   "unit.svg-size": {
@@ -5172,7 +5228,11 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.svg-size-in-pixels": {
-    "text": "the SVG file states its size ({size: }) and has no viewBox, so one coordinate unit is 1/96 inch",
+    "text": "the SVG file states its size ({size: }) and has no viewBox, so coordinates are in {pixel:unit}",
+    "hint": ""
+  },
+  "unit.svg-writer": {
+    "text": "the program that wrote the SVG file uses {pixel:unit} as the unit",
     "hint": ""
   },
   "unit.text-states": {
@@ -5994,6 +6054,7 @@ export const UNITS: Readonly<Record<string, string>> = {
   "ft": "feet",
   "pt": "points",
   "px": "pixels",
+  "px-90": "pixels of 1/90 inch",
   "mi": "miles",
   "km": "kilometres",
   "uin": "microinches",

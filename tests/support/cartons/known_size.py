@@ -26,6 +26,7 @@ DECIMALS: dict[str, tuple[int | None, ...]] = {
     "ft": (4, 5, 6, None),
     "pt": (2, 3, 6, None),
     "px": (2, 3, 6, None),
+    "px-90": (2, 3, 6, None),
 }
 
 Lines = list[tuple[float, float, float, float]]

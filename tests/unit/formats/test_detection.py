@@ -50,7 +50,16 @@ def test_a_file_goes_to_its_reader(data: bytes, kind: str) -> None:
     ("data", "what"),
     [
         (b"", "is empty"),
-        (b"%!PS-Adobe-3.0", "PostScript or an Illustrator"),
+        (b"%!PS-Adobe-3.0\n", "a PostScript file"),
+        (b"%!PS-Adobe-3.0 EPSF-3.0\n", "an EPS file"),
+        (b"%!PS-Adobe-3.0\n%%Creator: Adobe Illustrator(R) 8\n", "an old Illustrator file"),
+        (b"RIFF\x00\x20\x00\x00CDRDvrsn", "a CorelDRAW drawing"),
+        (b"RIFF\x00\x20\x00\x00WEBPVP8 ", "a picture or a video"),
+        (b"IN;SP1;PU0,0;PD8000,0;", "a plotter file"),
+        (b"\x1b%-1BBP;IN;", "a plotter file"),
+        (b"PU100,200;PD300,200;", "a plotter file"),
+        (b"<?xml version='1.0'?><LightBurnProject/>", "a LightBurn project"),
+        (b"\x01\x02ARD\x00\x00\x07", "a binary file"),
         (b"\x89PNG\r\n", "a PNG picture"),
         (b"PK\x03\x04", "a ZIP archive"),
         (b"AC1032", "a DWG drawing"),
@@ -66,6 +75,28 @@ def test_another_format_is_refused_with_its_name_and_a_hint(data: bytes, what: s
     assert what in caught.value.text
     assert "DXF" in caught.value.hint
     assert "CF2, SVG or PDF" in caught.value.hint
+
+
+@pytest.mark.parametrize(
+    ("data", "how"),
+    [
+        (b"AC1032", "In AutoCAD or another CAD program, choose File > Save As"),
+        (b"RIFF\x00\x20\x00\x00CDR9", "In CorelDRAW, choose File > Export"),
+        (b"<LightBurnProject/>", "In LightBurn, choose File > Export"),
+        (b"IN;SP1;", "export the drawing as DXF, PDF or SVG instead of plotting it"),
+        (b"ISO-10303-21;", "make a flat drawing"),
+        (b"\x89PNG\r\n", "A picture has no lines"),
+    ],
+)
+def test_the_hint_names_the_program_and_what_to_export(data: bytes, how: str) -> None:
+    with pytest.raises(NotADrawing) as caught:
+        format_of(data)
+    assert how in caught.value.hint
+
+
+@pytest.mark.parametrize("text", ["INSERT\n", "PART 12\n", "0\nSECTION\n", "INVOICE 7;\n"])
+def test_text_is_no_plotter_file(text: str) -> None:
+    assert format_of(text.encode()).name == "dxf"
 
 
 @pytest.mark.parametrize("data", [DXF, CF2, SVG, gzip.compress(SVG, mtime=0), PDF])

@@ -157,7 +157,7 @@ def test_a_page_is_rotated_clockwise(turn: int, ends: list[list[float]]) -> None
 def test_lines_outside_the_crop_box_are_dropped() -> None:
     drawing = read(
         pdf(
-            "20 20 m 30 30 l S 0 0 m 5 5 l S 15 15 m 0 0 l S",
+            "20 20 m 30 30 l S 0 0 m 5 5 l S 15 15 m 1 0 l S",
             page="/CropBox [10 10 90 90]",
         )
     )
@@ -488,7 +488,7 @@ def test_the_box_of_a_form_clips_its_content() -> None:
     )
     assert [outcome for _, outcome in outcomes(drawing)] == [
         "the object was imported unchanged",
-        "the object lies outside the visible area of the page",
+        "the object lies outside its clip path or mask, so it is not visible",
     ]
 
 
@@ -585,7 +585,8 @@ def test_only_the_first_page_is_read_and_others_are_reported() -> None:
     assert_allclose(drawing.lengths * MM, [9])
     assert outcomes(drawing)[-1] == (
         "page",
-        "the file has 2 pages, but only the first page is read",
+        "The PDF has 1 other page besides the first page, and only the first page is read. Page 2 "
+        "has the most lines of the other pages (1).",
     )
 
 

@@ -347,8 +347,8 @@ MESSAGES: Final[Entries] = {
     ),
     "import.not-clipped": entry(
         "the file clips the object, but the complete object was imported",
-        "Trim the object, or apply the clip path, in the program that drew the file, and export the "
-        "drawing again.",
+        "Trim the object, or apply the clip path, in the program that drew the file. Then export "
+        "the drawing again.",
     ),
     "import.not-flat": entry(
         "the object is not parallel to the XY plane",

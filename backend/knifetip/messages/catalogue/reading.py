@@ -6,6 +6,16 @@ from typing import Final
 
 from knifetip.messages.entry import Entries, entry
 
+_PICTURE: Final = (
+    "A picture has no lines that can be cut. In the program that drew it, export the drawing as "
+    "DXF, SVG or PDF."
+)
+_POSTSCRIPT: Final = (
+    "In Illustrator, open the file and choose File > Save As > PDF. In other programs, export the "
+    "drawing as PDF, SVG or DXF."
+)
+_DWG: Final = "In AutoCAD or another CAD program, choose File > Save As, and DXF as the type."
+
 MESSAGES: Final[Entries] = {
     "reading.crashed": entry(
         "The file {name} cannot be read, probably because it is damaged (error {incident}).",
@@ -85,38 +95,71 @@ MESSAGES: Final[Entries] = {
     ),
     "reading.unknown-kind": entry(
         "The file is {what}, not a drawing of a supported type.",
-        "Send the drawing as {formats:or}. A DXF file may be text or binary, of any version.",
+        "Send the drawing as {formats:or}. A DXF file may be text or binary, of any version. "
+        "{what:hint}",
         what="message",
         formats="texts",
     ),
     "file.7z": entry("a 7z archive"),
-    "file.bmp": entry("a BMP picture"),
+    "file.binary": entry(
+        "a binary file of an unknown format",
+        "In the program that drew it, export the drawing as DXF. In ArtiosCAD (.ard), choose File "
+        "> Outputs, and DXF or CFF2 as the type.",
+    ),
+    "file.bmp": entry("a BMP picture", _PICTURE),
+    "file.cdr": entry(
+        "a CorelDRAW drawing (CDR)",
+        "In CorelDRAW, choose File > Export, and SVG or DXF as the type.",
+    ),
     "file.compound-file": entry(
         "an old Office file, or a CAD file in the same container format",
+        "In the program that drew it, export the drawing as DXF.",
     ),
-    "file.dwg": entry("a DWG drawing"),
-    "file.eps": entry("an EPS file"),
-    "file.gif": entry("a GIF picture"),
+    "file.dwg": entry("a DWG drawing", _DWG),
+    "file.eps": entry("an EPS file", _POSTSCRIPT),
+    "file.gif": entry("a GIF picture", _PICTURE),
     "file.gzip": entry("a gzip archive"),
     "file.html": entry("an HTML page"),
-    "file.jpeg": entry("a JPEG picture"),
+    "file.hpgl": entry(
+        "a plotter file (HPGL)",
+        "In the program that drew it, export the drawing as DXF, PDF or SVG instead of plotting it "
+        "to a file.",
+    ),
+    "file.illustrator": entry(
+        "an old Illustrator file without PDF content",
+        "In Illustrator, choose File > Save As with the option 'Create PDF Compatible File', or "
+        "export the drawing as PDF, SVG or DXF.",
+    ),
+    "file.jpeg": entry("a JPEG picture", _PICTURE),
     "file.json": entry("a JSON file"),
-    "file.old-dwg": entry("an old DWG drawing"),
-    "file.png": entry("a PNG picture"),
-    "file.postscript": entry("a PostScript or an Illustrator file"),
+    "file.lightburn": entry(
+        "a LightBurn project",
+        "In LightBurn, choose File > Export, and SVG or DXF as the type.",
+    ),
+    "file.old-dwg": entry("an old DWG drawing", _DWG),
+    "file.png": entry("a PNG picture", _PICTURE),
+    "file.postscript": entry("a PostScript file", _POSTSCRIPT),
     "file.rar": entry("a RAR archive"),
     "file.riff": entry(
         "a picture or a video (RIFF)",
+        _PICTURE,
     ),
-    "file.step": entry("a STEP file"),
-    "file.stl": entry("an STL model"),
-    "file.tiff": entry("a TIFF picture"),
+    "file.step": entry(
+        "a STEP file",
+        "In the CAD program, make a flat drawing of the carton, and export it as DXF.",
+    ),
+    "file.stl": entry(
+        "an STL model",
+        "In the CAD program, make a flat drawing of the carton, and export it as DXF.",
+    ),
+    "file.tiff": entry("a TIFF picture", _PICTURE),
     "file.xml": entry(
         "an XML file of the type {element!r}",
         element="text",
     ),
     "file.zip": entry(
         "a ZIP archive, or an Office or 3MF file",
+        "Unpack the archive, and send the drawing in it.",
     ),
     "dxf.at-line": entry(
         "at line {line} of the file",
