@@ -8,6 +8,9 @@ from typing import Final
 #: Marks paint without a single colour, such as a pattern, a gradient or an ink.
 UNKNOWN_COLOUR: Final = -1
 
+#: Least opacity of visible paint: with less, an object cannot be told from a white page.
+VISIBLE: Final = 0.02
+
 #: Colours 1 to 7 of AutoCAD's index, which are the same in all programs.
 _INDEX: Final = (
     (1, 0xFF0000),

@@ -16,7 +16,7 @@ from typing import Any, Final, NamedTuple
 from pypdf.generic import DictionaryObject, IndirectObject, StreamObject
 
 from knifetip.drawing_builder.clip import UNCLIPPED, Box, Clip, Region, intersect
-from knifetip.drawing_builder.colours import UNKNOWN_COLOUR
+from knifetip.drawing_builder.colours import UNKNOWN_COLOUR, VISIBLE
 from knifetip.drawing_builder.filled_region import filled_region
 from knifetip.errors import DrawingTooLarge
 from knifetip.geometry.affine import Matrix, compose
@@ -72,6 +72,7 @@ class State(NamedTuple):
     stroke_seen: bool = True
     fill_seen: bool = True
     dashed: bool = False
+    masked: bool = False  #: whether a soft mask hides parts of objects
 
 
 class StreamContext(NamedTuple):
@@ -220,7 +221,7 @@ class Stream:
         self._page.drawn.line(
             row,
             state.matrix,
-            state.clip,
+            state.clip._replace(incomplete=True) if state.masked else state.clip,
             style,
             _colour(state.stroke) if stroked else None,
             _colour(state.fill) if filled else None,
@@ -268,7 +269,7 @@ class Stream:
         self._state = self._state._replace(dashed=dashed)
 
     def _set_state(self, _operator: str, operands: list[Any]) -> None:
-        """Apply the opacity and the dashes in a graphics state dictionary to the graphics state.
+        """Apply the opacity, the mask and the dashes of a graphics state dictionary.
 
         ``operands`` contains the name of the dictionary.
         """
@@ -278,9 +279,11 @@ class Stream:
             self._page.resources.find(self._context.resources, "/ExtGState", str(name))
         )
         if (alpha := file.entry(node, "/CA")) is not None:
-            self._state = self._state._replace(stroke_seen=not number(alpha) <= 0.0)
+            self._state = self._state._replace(stroke_seen=not number(alpha) < VISIBLE)
         if (alpha := file.entry(node, "/ca")) is not None:
-            self._state = self._state._replace(fill_seen=not number(alpha) <= 0.0)
+            self._state = self._state._replace(fill_seen=not number(alpha) < VISIBLE)
+        if (mask := file.entry(node, "/SMask")) is not None:
+            self._state = self._state._replace(masked=isinstance(mask, DictionaryObject))
         if dash := file.array(node, "/D"):
             dashes = [number(file.resolve(one)) for one in file.resolve(dash[0]) or []]
             self._set_dash("d", [dashes])

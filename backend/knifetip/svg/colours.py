@@ -6,15 +6,11 @@ For example, "#e02020" and "rgb(224, 32, 32)" give 0xE02020.
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Final
 
 import tinycss2
 from tinycss2 import color4
 
-from knifetip.drawing_builder.colours import UNKNOWN_COLOUR
-
-#: Least opacity of visible paint: with less, an object cannot be told from a white page.
-VISIBLE: Final = 0.02
+from knifetip.drawing_builder.colours import UNKNOWN_COLOUR, VISIBLE
 
 
 @lru_cache(maxsize=4096)

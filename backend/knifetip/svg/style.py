@@ -14,7 +14,8 @@ import cssselect2
 import tinycss2
 from cssselect2 import parser as selectors
 
-from knifetip.svg.colours import VISIBLE, parse_paint
+from knifetip.drawing_builder.colours import VISIBLE
+from knifetip.svg.colours import parse_paint
 from knifetip.svg.document import Node
 from knifetip.svg.lengths import to_pixels
 

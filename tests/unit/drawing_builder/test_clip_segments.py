@@ -31,7 +31,7 @@ def clipped(
     clip: Clip, *lines: tuple[float, float, float, float], bulge: float = 0.0
 ) -> list[list[float]]:
     pieces = pieces_of(clip, *lines, bulge=bulge)
-    return np.round(pieces.ends.reshape(-1, 4), 6).tolist()
+    return [[round(float(one), 6) for one in ends] for ends in pieces.ends.reshape(-1, 4)]
 
 
 def pieces_of(

@@ -15,7 +15,7 @@ def unseen(
     *paths: tuple[int | None, int | None, tuple[float, ...]], page: int | None = None
 ) -> list[bool]:
     strokes, fills, boxes = zip(*paths, strict=True)
-    return unseen_white_lines(strokes, fills, np.array(boxes), page=page).tolist()
+    return list(map(bool, unseen_white_lines(strokes, fills, np.array(boxes), page=page)))
 
 
 def test_white_is_at_least_98_percent_of_each_component() -> None:

@@ -85,6 +85,13 @@ def test_a_spot_colour_that_is_displayed_in_white_is_kept() -> None:
     assert lengths(drawing) == [100.0, 50.0]
 
 
+def test_a_masked_line_is_kept_whole_with_a_warning() -> None:
+    masks = "/ExtGState <</M <</SMask <</S /Alpha>>>> /N <</SMask /None>>>>"
+    drawing = read(pdf(CUT, "/M gs 0 0 m 50 0 l S /N gs 0 9 m 40 9 l S", resources=masks))
+    assert lengths(drawing) == [100.0, 50.0, 40.0]
+    assert warnings(drawing).startswith("1 object on layer '0' is imported with a change: the file")
+
+
 def two_pages(*contents: bytes) -> bytes:
     page = "<</Type /Page /Parent 2 0 R /MediaBox [0 0 99 99] /Contents {} 0 R>>"
     count = len(contents)

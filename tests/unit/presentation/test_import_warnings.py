@@ -16,6 +16,7 @@ from knifetip.messages import hint
 from knifetip.presentation.drawing import drawing_json
 from knifetip.presentation.import_warnings import import_warnings
 from tests.support.writers import dxf_text as text
+from tests.support.writers.svg_text import svg
 
 SIDE = text.line(0.0, 0.0, 100.0, 0.0, (8, "CUT"))
 
@@ -54,6 +55,15 @@ def test_the_data_of_a_drawing_have_the_warnings_with_their_hints() -> None:
     (one,) = import_warnings(drawing)
     assert hint(one).startswith("The import report lists it.")
     assert one.as_json() in drawing_json(drawing)["warnings"]
+
+
+def test_entities_that_were_changed_have_a_warning_of_their_own() -> None:
+    line = '<path id="Cut" d="M50 50H150"/>'
+    (one,) = import_warnings(pipeline.read(svg(line)))
+    assert str(one) == (
+        "1 object on layer 'Cut' is imported with a change: a part of the object lies outside the "
+        "visible area of the page."
+    )
 
 
 @pytest.mark.parametrize("command", ["read", "classify"])
