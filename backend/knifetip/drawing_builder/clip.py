@@ -34,33 +34,37 @@ class Region:
     #: (parts,) whether a path is filled by the even-odd rule, not by the nonzero rule
     even_odd: Bool = field(default_factory=lambda: np.zeros(0, np.bool_))
 
-    @property
-    def box(self) -> Box:
-        """The bounding box of the region; its minimum exceeds its maximum if the region is empty.
+    #: bounding box; its minimum exceeds its maximum if the region is empty, and it is unbounded if
+    #: a coordinate is not finite
+    box: Box = field(init=False)
+    is_rectangle: bool = field(init=False)  #: whether the region is its bounding box, or is empty
 
-        The box is unbounded if a coordinate is not finite.
-        """
-        if not len(self.edges):
-            return math.inf, math.inf, -math.inf, -math.inf
-        if not np.isfinite(self.edges).all():
-            return UNBOUNDED
-        x, y = self.edges[:, :, 0], self.edges[:, :, 1]
-        return float(x.min()), float(y.min()), float(x.max()), float(y.max())
+    def __post_init__(self) -> None:
+        box: Box = math.inf, math.inf, -math.inf, -math.inf
+        if len(self.edges):
+            points = self.edges.reshape(-1, 2)
+            low_x, low_y = points.min(axis=0).tolist()
+            high_x, high_y = points.max(axis=0).tolist()
+            box = low_x, low_y, high_x, high_y
+            if not all(map(math.isfinite, box)):
+                box = UNBOUNDED
+        object.__setattr__(self, "box", box)
+        object.__setattr__(self, "is_rectangle", not len(self.edges) or self._is_rectangle())
 
-    def is_rectangle(self) -> bool:
-        """Return whether the region is one rectangle with sides along the axes, or is empty."""
+    def _is_rectangle(self) -> bool:
         if len(self.edges) != 4 or len(self.even_odd) != 1:
-            return not len(self.edges)
-        side = np.abs(self.edges[:, 1] - self.edges[:, 0])
-        narrow = side.min(axis=1) <= _PARALLEL * side.max(axis=1)
-        turned = np.argmax(side, axis=1)
-        return bool(narrow.all() and turned[0] == turned[2] != turned[1] == turned[3])
+            return False
+        side = np.abs(self.edges[:, 1] - self.edges[:, 0]).tolist()
+        if not all(min(one) <= _PARALLEL * max(one) for one in side):
+            return False
+        first, second, third, fourth = (one[0] > one[1] for one in side)
+        return bool(first == third != second == fourth)
 
 
 def union(regions: Sequence[Region]) -> Region:
     """Return the union of regions; it is empty if there are none."""
-    if not regions:
-        return Region()
+    if len(regions) <= 1:
+        return regions[0] if regions else Region()
     first = np.cumsum([0, *(len(one.even_odd) for one in regions)])
     return Region(
         np.concatenate([one.edges for one in regions]),
@@ -87,7 +91,7 @@ class Clip(NamedTuple):
         Of too many regions only the bounding box is used, and the result is incomplete.
         """
         inside = self.intersect_box(region.box)
-        if region.is_rectangle() or any(one is region for one in self.regions):
+        if region.is_rectangle or any(one is region for one in self.regions):
             return inside
         if len(self.regions) == _MAX_REGIONS or region.box == UNBOUNDED:
             return inside._replace(incomplete=True)

@@ -129,7 +129,7 @@ def _compare_boxes(
     """
     low_x, low_y, high_x, high_y = _boxes(ends, bulge)
     box = np.array([one.box for one in regions])[region_of]
-    is_rectangle = np.array([one.is_rectangle() for one in regions])[region_of]
+    is_rectangle = np.array([one.is_rectangle for one in regions])[region_of]
     outside = (
         (high_x < box[:, 0] - margin)
         | (high_y < box[:, 1] - margin)

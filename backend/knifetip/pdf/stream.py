@@ -104,7 +104,7 @@ class PageContext:
         low_x, low_y, high_x, high_y = region.box
         left, bottom, right, top = self.visible
         if (
-            region.is_rectangle()
+            region.is_rectangle
             and low_x <= left + _BORDER
             and low_y <= bottom + _BORDER
             and high_x >= right - _BORDER

@@ -89,9 +89,9 @@ def test_a_clip_path_without_shapes_shows_nothing() -> None:
 
 def test_a_turned_rectangle_is_no_box() -> None:
     quarter = (0.0, 1.0, -1.0, 0.0, 0.0, 0.0)
-    assert region("M0 0H10V5H0Z", quarter).is_rectangle()
-    assert not region("M0 0H10V5H0Z", (0.6, 0.8, -0.8, 0.6, 0.0, 0.0)).is_rectangle()
-    assert not region("M0 0L10 5L10 0L0 5Z").is_rectangle()
+    assert region("M0 0H10V5H0Z", quarter).is_rectangle
+    assert not region("M0 0H10V5H0Z", (0.6, 0.8, -0.8, 0.6, 0.0, 0.0)).is_rectangle
+    assert not region("M0 0L10 5L10 0L0 5Z").is_rectangle
 
 
 def test_an_arc_is_cut_where_it_leaves_the_region() -> None:
