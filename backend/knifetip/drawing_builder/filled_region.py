@@ -12,8 +12,9 @@ from knifetip.drawing_builder.path_table import ARC, CUBIC, LINE, Table
 from knifetip.geometry.affine import Matrix
 from knifetip.geometry.columns import F64
 
-#: Chords that replace a Bézier curve, and an elliptic arc.
-_CHORDS: Final = {CUBIC: 64, ARC: 128}
+#: Chords that replace a Bézier curve, and an elliptic arc: a quarter of a circle with a radius of
+#: 500 mm deviates by 0.01 mm, so that a curve is not cut by a clip path of the same shape.
+_CHORDS: Final = {CUBIC: 128, ARC: 256}
 
 
 def filled_region(table: Table, matrix: Matrix, *, even_odd: bool) -> Region:

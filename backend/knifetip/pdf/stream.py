@@ -73,6 +73,7 @@ class State(NamedTuple):
     fill_seen: bool = True
     dashed: bool = False
     masked: bool = False  #: whether a soft mask hides parts of objects
+    transparent: bool = False  #: whether a transparent group contains the objects
 
 
 class StreamContext(NamedTuple):
@@ -197,8 +198,8 @@ class Stream:
         if path.wrong:
             self._drop_path(Message("import.bad-operands", operator=path.wrong))
             return
-        stroked = strokes and state.stroke_seen and state.stroke.drawn
-        filled = fills and state.fill_seen and state.fill.drawn
+        stroked = strokes and state.stroke_seen and state.stroke.drawn and not state.transparent
+        filled = fills and state.fill_seen and state.fill.drawn and not state.transparent
         reason: Message | None = None
         if not strokes and not fills:
             reason = Message("import.clip-path" if clips else "import.no-paint")
@@ -394,8 +395,20 @@ class Stream:
                     mark,
                     context.resources,
                 )
-                page.form(node, self._state, inner)
+                page.form(node, self._inner_state(node), inner)
         self._marks.pop()
+
+    def _inner_state(self, form: StreamObject) -> State:
+        """Return the graphics state at the start of a form.
+
+        The opacity of fills applies to a transparency group as a whole, not to its content.
+        """
+        state = self._state
+        if self._page.file.entry(form, "/Group") is None:
+            return state
+        return state._replace(
+            transparent=state.transparent or not state.fill_seen, fill_seen=True, stroke_seen=True
+        )
 
     def _inline_image(self, _operator: str, _operands: list[Any]) -> None:
         self._row("image", Message("import.image"), _UNIT_SQUARE)

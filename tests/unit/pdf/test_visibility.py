@@ -92,6 +92,22 @@ def test_a_masked_line_is_kept_whole_with_a_warning() -> None:
     assert warnings(drawing).startswith("1 object on layer '0' is imported with a change: the file")
 
 
+def test_a_group_with_opacity_0_is_left_out_with_a_warning() -> None:
+    form = stream(
+        b"/B gs 0 20 m 50 20 l S", "/Type /XObject /Subtype /Form /Group <</S /Transparency>>"
+    )
+    resources = "/XObject <</F 6 0 R>> /ExtGState <</A <</ca 0>> /B <</ca 1 /CA 1>>>>"
+    drawing = read(pdf(CUT, "q /A gs /F Do Q /F Do", resources=resources, more=[form]))
+    assert lengths(drawing) == [100.0, 50.0]
+    assert "completely transparent" in warnings(drawing)
+
+
+def test_a_curve_is_not_cut_by_a_clip_path_of_the_same_shape() -> None:
+    curve = "0 0 m 0 800 650 1400 1400 1400 c 1400 0 l h"
+    drawing = read(pdf(f"{curve} W n {curve} S", size=(1400.0, 1401.0)))
+    assert import_warnings(drawing) == []
+
+
 def two_pages(*contents: bytes) -> bytes:
     page = "<</Type /Page /Parent 2 0 R /MediaBox [0 0 99 99] /Contents {} 0 R>>"
     count = len(contents)
