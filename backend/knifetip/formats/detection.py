@@ -61,6 +61,8 @@ _FOREIGN_ROOTS: Final = {
     "body": "file.html",
     "lightburnproject": "file.lightburn",
 }
+#: Text in UTF-16 without a byte order mark.
+_WIDE_TEXT: Final = re.compile(rb"(?:[\t\r\n -~]\x00){8}|(?:\x00[\t\r\n -~]){8}")
 _BINARY_DXF: Final = b"AutoCAD Binary DXF"
 _GZIP: Final = b"\x1f\x8b"
 _BYTE_ORDER_MARK: Final = b"\xef\xbb\xbf"
@@ -123,9 +125,10 @@ def foreign_kind(file: Beginning) -> Message | None:
     for start, code in _FOREIGN:
         if file.head.startswith(start):
             return Message(code)
-    # Text files have no null bytes; those of UTF-16 are not in the normalised beginning.
-    is_text = b"\x00" not in file.head or file.head.startswith(_BINARY_DXF)
-    return None if is_text else Message("file.binary")
+    # Text files have no null bytes, except those of UTF-16 without a byte order mark.
+    is_text = b"\x00" not in file.head or _WIDE_TEXT.match(file.head)
+    is_dxf = file.head.startswith(_BINARY_DXF)
+    return None if is_text or is_dxf else Message("file.binary")
 
 
 def _unpacked(data: bytes) -> bytes:

@@ -134,7 +134,11 @@ REFUSED: Mapping[str, tuple[int, str, Maker]] = {
     "dxf: 60 MB of entities": (413, "24.0 MB", lambda: _filled(b"", b"0\nPOINT\n", b"")),
     "dxf: 60 MB of one word": (413, "24.0 MB", lambda: _filled(b"0\nSECT", b"9", b"\n")),
     "dxf: 60 MB of nothing": (422, "empty", lambda: _filled(b"", b" \n", b"")),
-    "dxf: a program": (422, "not a DXF", lambda: b"\x7fELF\x02\x01\x01" + bytes(range(256)) * 99),
+    "dxf: a program": (
+        422,
+        "a binary file",
+        lambda: b"\x7fELF\x02\x01\x01" + bytes(range(256)) * 99,
+    ),
     "binary dxf: nested INSERTs": (413, "entities", lambda: binary(nested_inserts())),
     "binary dxf: INSERT array": (413, "entities", lambda: binary(array_of_a_million())),
     "binary dxf: cut short": (

@@ -40,6 +40,8 @@ DXF = dxf(line(0, 0, 1, 1))
         (PDF, "pdf"),
         (b"%PDF-1.5 of Illustrator", "pdf"),
         (b"Dear Sir or Madam", "dxf"),
+        ("0\nSECTION\n2\nHEADER\n".encode("utf-16-le"), "dxf"),
+        (b"AutoCAD Binary DXF\r\n\x1a\x00\x00\x00SECTION\x00", "dxf"),
     ],
 )
 def test_a_file_goes_to_its_reader(data: bytes, kind: str) -> None:
