@@ -58,6 +58,19 @@ def test_an_unknown_writer_states_no_unit(attributes: str, comment: str) -> None
     assert read(page(attributes, comment)).stated == ""
 
 
+def test_a_text_that_suits_two_units_does_not_decide_between_them() -> None:
+    # In pixels of 1/90 in the panels measure 110 mm and the slot 88 mm, which are 110 mm in points.
+    scale = 90.0 / 25.4
+    sides = "".join(
+        f'<path d="M{x * scale:.3f} {10 * scale:.3f}V{120 * scale:.3f}"/>'
+        for x in (10, 60, 110, 160)
+    )
+    slot = f'<path d="M{20 * scale:.3f} {20 * scale:.3f}h{88 * scale:.3f}v{4 * scale:.3f}"/>'
+    text = '<text x="9" y="9">b=110mm</text>'
+    body = f'<g stroke="red" fill="none">{sides}{slot}{text}</g>'
+    assert pipeline.read(f'<svg {NAMES} width="900" height="900">{body}</svg>'.encode()).unit == ""
+
+
 def test_the_user_can_choose_old_pixels() -> None:
     assert_allclose(read(page('width="900"'), "px-90").lengths, [25.4])
 

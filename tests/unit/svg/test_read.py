@@ -234,7 +234,7 @@ def test_question_for_a_page_without_a_size_offers_pixels_and_points() -> None:
         for one in pipeline.questions(drawing, pipeline.classify(drawing, load.profile("default")))
         if one.kind == "unit"
     )
-    assert {"mm", "in", "pt", "px"} <= set(question.choices)
+    assert {"mm", "in", "pt", "px", "px-90"} <= set(question.choices)
     assert "155.3 × 57.4 mm" in question.text
 
 
