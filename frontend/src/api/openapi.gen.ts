@@ -3070,7 +3070,7 @@ export interface components {
              * @description Unit of the drawing; the unit of the file if it is missing
              * @enum {string}
              */
-            unit?: "mm" | "cm" | "m" | "in" | "ft" | "pt" | "px";
+            unit?: "mm" | "cm" | "m" | "in" | "ft" | "pt" | "px" | "px-90";
             /**
              * Profile
              * @description Name of the classification profile
@@ -3878,12 +3878,12 @@ export interface components {
              * Unit
              * @description Unit of the file; null while it is not decided, then all lengths are in file units
              */
-            unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
+            unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px" | "px-90") | null;
             /**
              * Unit Given
              * @description Unit that the user set; null if the unit of the file applies
              */
-            unit_given: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
+            unit_given: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px" | "px-90") | null;
             /**
              * Evidence
              * @description How the unit was determined, as a text in English
@@ -4006,7 +4006,7 @@ export interface components {
              * Unit
              * @description New unit of the drawing; "file" restores the unit of the file; null leaves the unit as it is
              */
-            unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px" | "file") | null;
+            unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px" | "px-90" | "file") | null;
             /**
              * Profile
              * @description Name of the new classification profile; the present name applies its current version; null leaves the profile as it is
@@ -4105,7 +4105,7 @@ export interface components {
              * Unit
              * @description Unit of the file; null while it is not decided, then all lengths are in file units
              */
-            unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
+            unit: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px" | "px-90") | null;
             /**
              * Width
              * @description Width of the bounding box of the edges, along X (mm; file units if `unit` is null)
@@ -6011,7 +6011,7 @@ export interface components {
              * Unit
              * @description Unit of the file; null for the unit that the file states
              */
-            unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | null;
+            unit?: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px" | "px-90") | null;
         };
         /**
          * OrderOut
@@ -7550,7 +7550,7 @@ export interface components {
              * @description Unit that the observation supports
              * @enum {string}
              */
-            unit: "mm" | "cm" | "m" | "in" | "ft" | "pt" | "px";
+            unit: "mm" | "cm" | "m" | "in" | "ft" | "pt" | "px" | "px-90";
             /**
              * Weight
              * @description Strength of the evidence: natural logarithm of the likelihood ratio of this unit to the least likely unit
@@ -7566,12 +7566,12 @@ export interface components {
              * Stated
              * @description Unit in the header of the file; empty if the header contains none
              */
-            stated: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px") | "";
+            stated: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px" | "px-90") | "";
             /**
              * Ranking
              * @description All units, the most likely first
              */
-            ranking: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px")[];
+            ranking: ("mm" | "cm" | "m" | "in" | "ft" | "pt" | "px" | "px-90")[];
             /**
              * Evidence
              * @description Observations that support a unit, the highest weight first
@@ -9746,6 +9746,14 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "bridges.divided-blank";
+            arguments: {
+                edge: number;
+                count: number;
+                fewest: number;
+            };
+        } | {
+            /** @constant */
             code: "bridges.no-room";
             arguments: {
                 edge: number;
@@ -11368,6 +11376,14 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "dxf.coordinate-alone";
+            arguments: {
+                line: number;
+                code: number;
+                kind: string;
+            };
+        } | {
+            /** @constant */
             code: "dxf.cut-short";
             arguments: {
                 where: components["schemas"]["Message"];
@@ -11383,6 +11399,15 @@ export interface components {
             code: "dxf.not-a-group-code";
             arguments: {
                 line: number;
+                text: string;
+            };
+        } | {
+            /** @constant */
+            code: "dxf.not-a-number";
+            arguments: {
+                line: number;
+                code: number;
+                kind: string;
                 text: string;
             };
         } | {
@@ -11888,7 +11913,15 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "file.binary";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "file.bmp";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.cdr";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -11912,7 +11945,15 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "file.hpgl";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "file.html";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.illustrator";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -11921,6 +11962,10 @@ export interface components {
         } | {
             /** @constant */
             code: "file.json";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.lightburn";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -12744,6 +12789,10 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "import.all-outside-page";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "import.angles-not-numbers";
             arguments: Record<string, never>;
         } | {
@@ -12766,6 +12815,17 @@ export interface components {
             arguments: {
                 columns: number;
                 rows: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.aspect-ratio";
+            arguments: {
+                size: string[];
+                width: number;
+                height: number;
+                across: number;
+                down: number;
+                used: number;
             };
         } | {
             /** @constant */
@@ -12856,7 +12916,36 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "import.changed";
+            arguments: {
+                objects: number;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "import.changed-on-layer";
+            arguments: {
+                objects: number;
+                layer: string;
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "import.check-drawing";
+            arguments: {
+                reason: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
             code: "import.clip-path";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.clipped";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.clipped-away";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -12951,6 +13040,10 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "import.hatch";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "import.height-not-a-number";
             arguments: Record<string, never>;
         } | {
@@ -13007,6 +13100,10 @@ export interface components {
         } | {
             /** @constant */
             code: "import.layer-frozen";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.layer-never-plotted";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -13074,6 +13171,12 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "import.no-end-mark";
+            arguments: {
+                mark: string;
+            };
+        } | {
+            /** @constant */
             code: "import.no-length";
             arguments: {
                 length: number;
@@ -13110,6 +13213,10 @@ export interface components {
                 width: number;
                 height: number;
             };
+        } | {
+            /** @constant */
+            code: "import.no-stroke-width";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "import.no-sweep";
@@ -13152,6 +13259,10 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "import.odd-points";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "import.on-layer";
             arguments: {
                 layer: string;
@@ -13164,9 +13275,21 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "import.other-language";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "import.other-pages";
             arguments: {
                 pages: number;
+            };
+        } | {
+            /** @constant */
+            code: "import.other-pages-lines";
+            arguments: {
+                others: number;
+                most: number;
+                lines: number;
             };
         } | {
             /** @constant */
@@ -13179,6 +13302,10 @@ export interface components {
         } | {
             /** @constant */
             code: "import.paper-space";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.paper-space-annotation";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -13411,6 +13538,14 @@ export interface components {
         } | {
             /** @constant */
             code: "import.viewport";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.white-area";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "import.white-line";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -17195,10 +17330,6 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
-            code: "unit.page-in-points";
-            arguments: Record<string, never>;
-        } | {
-            /** @constant */
             code: "unit.paper-size";
             arguments: {
                 unit: string;
@@ -17312,10 +17443,6 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
-            code: "unit.svg-pixel-illustrator";
-            arguments: Record<string, never>;
-        } | {
-            /** @constant */
             code: "unit.svg-size";
             arguments: {
                 size: string[];
@@ -17327,6 +17454,13 @@ export interface components {
             code: "unit.svg-size-in-pixels";
             arguments: {
                 size: string[];
+                pixel: string;
+            };
+        } | {
+            /** @constant */
+            code: "unit.svg-writer";
+            arguments: {
+                pixel: string;
             };
         } | {
             /** @constant */
