@@ -10,13 +10,15 @@ Source: ISO 32000-1, chapters 7.7.3, 7.8 and 8.10.
 from __future__ import annotations
 
 from contextlib import suppress
+from functools import lru_cache
 from typing import Final
 
 from pypdf.generic import DictionaryObject, StreamObject
 
-from knifetip.drawing_builder.clip import UNBOUNDED, Box
+from knifetip.drawing_builder.clip import UNBOUNDED, Box, Region
 from knifetip.drawing_builder.filled_region import filled_region
 from knifetip.errors import DrawingTooLarge, NotADrawing
+from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix, compose
 from knifetip.messages import Message
 from knifetip.pdf.content import TruncatedStream
@@ -92,6 +94,14 @@ def _display_matrix(page: Page) -> tuple[Matrix, Box]:
     if page.rotate % 2:
         wide, tall = tall, wide
     return turned[page.rotate], UNBOUNDED if boundless else (0.0, 0.0, wide, tall)
+
+
+@lru_cache(maxsize=256)
+def _frame_region(left: float, low: float, right: float, high: float, matrix: Matrix) -> Region:
+    """Return the region of the box of a form; a form is often drawn again with the same matrix."""
+    frame = PathBuilder(Limits())
+    frame.add("re", [left, low, right - left, high - low])
+    return filled_region(frame.table(), matrix, even_odd=False)
 
 
 class _PageReader:
@@ -187,10 +197,7 @@ class _PageReader:
             a, b, c, d, e, f = matrix
             state = state._replace(matrix=compose(state.matrix, (a, b, c, d, e, f)))
         if (box := file.numbers(node, "/BBox", 4)) is not None:
-            left, low, right, high = box
-            frame = PathBuilder(file.limits)
-            frame.add("re", [left, low, right - left, high - low])
-            region = filled_region(frame.table(), state.matrix, even_odd=False)
+            region = _frame_region(*box, state.matrix)
             state = state._replace(clip=self._page.clip(state.clip, region))
         resources = file.entry(node, "/Resources")
         if isinstance(resources, DictionaryObject):
