@@ -52,7 +52,8 @@ def compare_with_page(table: Table, matrix: F64, box: F64, page: Box) -> PageBor
     low, high = box[:, :2], box[:, 2:]
     least, most = np.array(page[:2]), np.array(page[2:])
     margin = _MARGIN * size
-    outside = np.any((high < least) | (low > most), axis=1)
+    # A line on the border is visible.
+    outside = np.any((high < least - margin) | (low > most + margin), axis=1)
     beyond = np.any((low < least - margin) | (high > most + margin), axis=1)
     drawn = ~np.isnan(box[:, 0])
     if outside[drawn].all():

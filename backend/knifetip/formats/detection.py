@@ -125,8 +125,9 @@ def foreign_kind(file: Beginning) -> Message | None:
     for start, code in _FOREIGN:
         if file.head.startswith(start):
             return Message(code)
-    # Text files have no null bytes, except those of UTF-16 without a byte order mark.
-    is_text = b"\x00" not in file.head or _WIDE_TEXT.match(file.head)
+    # Text files have no null bytes but at their end, except those of UTF-16 without a byte order
+    # mark.
+    is_text = b"\x00" not in file.head.rstrip(b"\x00") or _WIDE_TEXT.match(file.head)
     is_dxf = file.head.startswith(_BINARY_DXF)
     return None if is_text or is_dxf else Message("file.binary")
 

@@ -128,7 +128,7 @@ def test_file_cut_at_every_byte_is_read_whole_or_refused() -> None:
     ("data", "word"),
     [
         (b"\x00" * 1000, "empty"),
-        (bytes(range(256)) * 100, "not a DXF"),
+        (bytes(range(256)) * 100, "binary file"),
         (dxf(_LINE).decode().encode("utf-16-le"), "not a DXF"),
         (b"0\n" * 100_000, "no section"),
         (b"{" * 100_000, "a JSON file"),

@@ -60,7 +60,7 @@ def test_unit_of_the_caller_overrides_the_header() -> None:
 
 
 def test_unknown_unit_is_refused_with_the_known_ones() -> None:
-    with pytest.raises(NoSuchUnit, match="mm, cm, m, in, ft, pt or px"):
+    with pytest.raises(NoSuchUnit, match="mm, cm, m, in, ft, pt, px or px-90"):
         read(dxf(line(0, 0, 2, 0)), "furlong")
 
 

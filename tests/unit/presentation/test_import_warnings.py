@@ -159,7 +159,7 @@ def test_a_clipped_block_is_to_be_checked() -> None:
     document.write(stream)
     (warning,) = import_warnings(pipeline.read(stream.getvalue().encode()))
     assert str(warning) == (
-        "Check 1 object of the drawing: the file clips the object, but the complete object was "
-        "imported."
+        "1 object on layer '0' is imported with a change: the file clips the object, but the "
+        "complete object was imported."
     )
-    assert "trim the block" in hint(warning)
+    assert "Trim the object" in hint(warning)
