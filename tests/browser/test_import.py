@@ -366,7 +366,9 @@ def test_a_dropped_filled_area_is_framed_at_its_position(page: Page, screenshots
         for code, value in zip((10, 20), corner, strict=True)
     ]
     upload_files(page, ("filled.dxf", carton(text.entity("SOLID", (8, "ART"), *tags))))
-    page.get_by_text("is a filled area without an outline").click()
+    expect(page.get_by_test_id("import-warning")).to_contain_text("is a filled area")
+    groups = page.get_by_test_id("report-groups")
+    groups.get_by_text("is a filled area without an outline").click()
     page.get_by_test_id("entity").click()
     expect(page.get_by_test_id("picture")).to_have_attribute("data-pin", "260,40,340,90")
     page.screenshot(path=screenshots / "import-6-area.png")

@@ -131,6 +131,8 @@ REFUSED: Mapping[str, tuple[int, str, Maker]] = {
     "dxf: cut short": (422, "DXF file is incomplete", lambda: nested_inserts()[:-500]),
     "dxf: in EBCDIC": (422, "not a DXF", lambda: dxf.dxf(_LINE).decode().encode("cp500")),
     "dxf: in UTF-16, no mark": (422, "a DXF", lambda: dxf.dxf(_LINE).decode().encode("utf-16-le")),
+    "dxf: not numbers": (422, "not a number", not_numbers),
+    "dxf: absurd knots": (422, "not a number", absurd_knots),
     "dxf: 60 MB of entities": (413, "24.0 MB", lambda: _filled(b"", b"0\nPOINT\n", b"")),
     "dxf: 60 MB of one word": (413, "24.0 MB", lambda: _filled(b"0\nSECT", b"9", b"\n")),
     "dxf: 60 MB of nothing": (422, "empty", lambda: _filled(b"", b" \n", b"")),
@@ -163,8 +165,6 @@ REFUSED: Mapping[str, tuple[int, str, Maker]] = {
 #: Text in the import report, number of edges, and the function that makes the file.
 READ: Mapping[str, tuple[str, int, Maker]] = {
     "dxf: cyclic blocks": ("inserts itself", 1, cyclic_blocks),
-    "dxf: not numbers": ("not a number", 1, not_numbers),
-    "dxf: absurd knots": ("damaged", 1, absurd_knots),
     "dxf: in UTF-16": ("imported unchanged", 1, lambda: dxf.dxf(_LINE).decode().encode("utf-16")),
     "binary dxf: cyclic blocks": ("inserts itself", 1, lambda: binary(cyclic_blocks())),
     "binary dxf: not numbers": ("not a number", 1, lambda: binary(not_numbers())),

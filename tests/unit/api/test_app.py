@@ -65,11 +65,8 @@ def test_a_file_that_is_no_drawing_is_a_problem_that_names_it(
     assert data["hint"]
 
 
-@pytest.mark.parametrize("number", [b"nan", b"1e999"])
-def test_entities_without_a_finite_place_are_dropped_with_a_reason(
-    client: httpx.Client, number: bytes
-) -> None:
-    answer = upload(client, square().replace(b"100.0", number))
+def test_entities_without_a_finite_place_are_dropped_with_a_reason(client: httpx.Client) -> None:
+    answer = upload(client, square().replace(b"100.0", b"1e999"))
     assert answer.status_code == 201
     assert answer.json()["bounds"] == [0.0] * 4
     report = answer.json()["import_report"]

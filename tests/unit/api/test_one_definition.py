@@ -24,7 +24,7 @@ STORED = {
     *("external_id", "customer", "due", "notes", "metadata"),
 }
 #: Fields of the command line that repeat fields of REST.
-SHORTCUTS = {"size", "warnings"}
+SHORTCUTS = {"size"}
 #: Cut and crease, a duplicate and an overlap, a layer without a rule, and a text.
 MIXED = (
     text.line(0, 0, 100, 0, (8, "CUT")),
@@ -57,7 +57,6 @@ def test_a_drawing_has_the_same_json_in_rest_and_on_the_command_line(
     for field in drawing.keys() - SHORTCUTS:
         assert with_defaults(drawing[field]) == rest[field], field
     assert drawing["size"] == [rest["width"], rest["height"]]
-    assert drawing["warnings"] == rest["unit_finding"]["warnings"]
     assert printed["questions"] == rest["questions"]
     assert printed["edges"] == client.get(f"/api/drawings/{id}/edges").json()["edges"]
     _, out, _ = knifetip("read", file, "--json")
