@@ -24,6 +24,7 @@
     ├── ProgramError              the emitted program is wrong
     │   └── ProgramUnreadable     a line that the verifier cannot parse
     ├── ControllerError           the controller or the connection to it failed
+    │   ├── ConnectionLost        the connection to a controller is lost or cannot be made
     │   ├── ControllerAlarm       the controller reported an alarm
     │   ├── ControllerOccupied    the controller does something that is no job of this gateway
     │   ├── ControllerRejected    the controller reported an error for a line

@@ -186,8 +186,8 @@ FILES, EMPTY = 103, 20
     [
         ("demo-table", 76),
         ("router-table", 68),
-        # The outline of one file has corner loops of 0.1 mm, narrower than the kerf.  They cannot be
-        # left out one by one, because all of them belong to one polyline.
+        # The outline of one file has corner loops of 0.1 mm, narrower than the kerf.  They cannot
+        # be left out one by one, because all of them belong to one polyline.
         ("laser-table", 70),
         # In two files, slits cross small circles.  Planning and verification nest these circles
         # differently, so some slits are refused.
