@@ -20,8 +20,20 @@ def record_view(page: Page, screenshot: Path) -> None:
     assert_accessible(page)
 
 
+SETTLED = """() => Promise.all(
+  document.getAnimations()
+    .filter(({ effect, playState }) =>
+      playState === "running" && effect.getComputedTiming().endTime < 10000)
+    .map(({ finished }) => finished.catch(() => null))
+).then(() => null)"""
+
+
 def assert_accessible(page: Page) -> None:
-    """Assert that axe-core finds no violation in what the page shows now."""
+    """Assert that axe-core finds no violation in what the page shows now.
+
+    What fades in has too little contrast until it is there: animations that end are awaited.
+    """
+    page.evaluate(SETTLED)
     # Evaluated by the debugger, because the page's Content-Security-Policy refuses other scripts.
     page.evaluate(AXE.read_text())
     passed, violations = page.evaluate(RUN)
