@@ -386,6 +386,8 @@ def test_undo_of_a_reclassification_restores_the_former_rules(page: Page) -> Non
     upload_files(page, ("cole.dxf", carton(text.line(0.0, 150.0, 400.0, 150.0, (8, "INNER")))))
     page.get_by_test_id("profile-select").click()
     page.get_by_role("option", name="Cole").click()
+    # The drawing had a crease before, too.
+    expect(page.get_by_test_id("profile-select")).to_have_value("Cole")
     expect(page.get_by_test_id("legend-crease")).to_contain_text("1")
 
     # Another client changes the profile: the drawing keeps the rules it was classified by.
