@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Error as PlaywrightError
 
 from tests.browser.accessibility import assert_accessible
 from tests.browser.shop import Shop, add_users, open_shop, signed_in
@@ -81,7 +83,9 @@ def test_a_tablet_is_paired_and_revoked(
         page.screenshot(path=screenshots / "pairing-devices.png")
         page.get_by_role("button", name="Revoke Tablet 7").click()
         expect(row).to_have_count(0)
-    tablet.reload()
+    # The page may be loading by itself, because the server refuses its key.
+    with suppress(PlaywrightError):
+        tablet.reload()
     expect(tablet.get_by_label("Password")).to_be_visible()
 
 
