@@ -1,7 +1,7 @@
 """numbered_layers: find layers whose names only count, such as ``p-0`` … ``p-25``.
 
-Generators of boxes put each part on a layer of its own.  Such a layer says nothing about the line
-types of its edges, so that all layers of a series count as one.
+Generators of boxes put each part on a layer of its own.  The layer is then no evidence for the
+line types of its edges, so all layers of a series are treated as one layer.
 """
 
 from __future__ import annotations

@@ -125,8 +125,8 @@ def _question(
 def _guess_message(dieline: Dieline, row: int) -> Message | None:
     """Return the message with the best guess for the unclassified edge ``row``.
 
-    Without a guess that is likely enough it only says what the drawing shows; it is None if the
-    drawing shows nothing.
+    Below the confidence ``_LIKELY`` it gives only the evidence in the drawing; it is None if there
+    is no evidence.
     """
     rule = int(dieline.rule[row])
     guesses, reason = dieline.alternatives[rule], dieline.rules[rule]

@@ -1,4 +1,4 @@
-"""Dimensions of plain lines, which only the text beside them tells from lines of the carton."""
+"""Dimensions of plain lines, recognised only by the text beside them."""
 
 from __future__ import annotations
 

@@ -156,7 +156,7 @@ def _weigh_names(
     if named == guess.kind:
         guess.strengthen(0.25)
     elif role == Role.DIVIDER and named in _DIVIDING:
-        # A name with a word for cuts and one for folds does not say that it means both.
+        # A word for cuts and a word for folds in one name need not mean a combined line type.
         guess.replace(named, 0.7 if named == LineType.COMBI and " " in meaning.word else 0.9)
     elif divides or ignores:
         guess.replace(named, 0.85 if named in _PARTIAL else 0.7)

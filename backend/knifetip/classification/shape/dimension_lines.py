@@ -120,7 +120,7 @@ class _Lines:
         return ordered
 
     def is_side(self, line: int) -> bool:
-        """Return whether a line joins another long line end to end at both of its ends."""
+        """Return whether both ends of a line coincide with ends of other long lines."""
         return all(len(self._joined(line, end)) for end in (0, 1))
 
     def _joined(self, line: int, end: int) -> I64:
