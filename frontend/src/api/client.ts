@@ -6,7 +6,7 @@ import type { Edges, Toolpath, VerdictColumns } from "../geometry/records";
 import { edgesOf, toolpathOf, verdictColumnsOf } from "./columns";
 import type { components, paths } from "./openapi.gen";
 import { operatorName } from "./operator";
-import { api, byId, dataOf, type Page, pageOf, uncached } from "./restApi";
+import { api, byId, dataOf, type Page, pageOf, revalidated, uncached } from "./restApi";
 import { fetchOnce, upload } from "./transport";
 
 export { type Problem, pageProblem, ServiceError } from "./errors";
@@ -374,7 +374,7 @@ export const service = {
   status: (signal?: AbortSignal): Promise<ServiceStatus> =>
     dataOf(api.GET("/api/v1/service", uncached(signal))),
   machines: (signal?: AbortSignal): Promise<Machine[]> =>
-    dataOf(api.GET("/api/v1/machines", uncached(signal))),
+    dataOf(api.GET("/api/v1/machines", revalidated(signal))),
   station: (name: string, signal: AbortSignal): Promise<Station> =>
     dataOf(
       api.GET("/api/v1/machines/{name}/station", {

@@ -20,6 +20,13 @@ export const api = createClient<paths>({
 export const uncached = (signal?: AbortSignal) =>
   ({ cache: "no-store", signal: signal ?? null }) as const;
 
+/**
+ * The browser asks whether its copy is current; if it is, the answer has no body. For what is
+ * fetched again and again and whose ETag is a hash of the whole answer.
+ */
+export const revalidated = (signal?: AbortSignal) =>
+  ({ cache: "no-cache", signal: signal ?? null }) as const;
+
 /** Path parameter of a job, a drawing or another object with an id. */
 export const byId = (id: string) => ({ path: { id } });
 
