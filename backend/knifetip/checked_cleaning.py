@@ -8,25 +8,46 @@ is then cleaned less: what stays in doubt is made as it is drawn.
 
 from __future__ import annotations
 
-from typing import Final
+from dataclasses import dataclass
+from typing import Final, Self
 
 from knifetip.cleaning.clean import Extent, clean
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline
+from knifetip.model.verdict import Finding
 from knifetip.verification.checks.cleaning_check import check_cleaning
 
 #: The extents of cleaning after the full one, in the order in which they are tried.
 _SMALLER: Final = (Extent.UNTRIMMED, Extent.SEPARATE, Extent.NOTHING)
 
 
-def clean_checked(dieline: Dieline) -> Cleaned:
-    """Return the dieline, cleaned to the largest extent in which the verifier finds no fault.
+@dataclass(frozen=True, eq=False, slots=True)
+class CheckedCleaning:
+    """Drawn and cleaned edges with the answer of the verifier; made by ``check`` only."""
 
-    For the result and the errors see ``cleaning.clean.clean``.
+    drawn: Dieline
+    cleaned: Cleaned
+    faults: tuple[Finding, ...]  #: what the verifier finds lost or added; empty if nothing
+
+    @classmethod
+    def check(cls, drawn: Dieline, cleaned: Cleaned) -> Self:
+        """Compare cleaned edges with the drawn ones from which they were made."""
+        return cls(drawn, cleaned, tuple(check_cleaning(drawn, cleaned)))
+
+
+def clean_checked(dieline: Dieline) -> CheckedCleaning:
+    """Clean a dieline to the largest extent in which the verifier finds no fault.
+
+    If it finds one in every extent, the result is the least one, with its faults.
+
+    Raises
+    ------
+    GeometryError, DrawingTooLarge
+        See ``cleaning.clean.clean``.
     """
-    cleaned = clean(dieline)
+    checked = CheckedCleaning.check(dieline, clean(dieline))
     for extent in _SMALLER:
-        if not check_cleaning(dieline, cleaned):
+        if not checked.faults:
             break
-        cleaned = clean(dieline, extent)
-    return cleaned
+        checked = CheckedCleaning.check(dieline, clean(dieline, extent))
+    return checked

@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from knifetip.checked_cleaning import clean_checked as clean
+from knifetip.checked_cleaning import clean_checked
 from knifetip.classification import classify as classification
 from knifetip.classification.answers import follow_answers
 from knifetip.classification.questions import list_questions
@@ -176,6 +176,19 @@ def questions(drawing: Drawing, dieline: Dieline, machine: Machine | None = None
     return open_questions if machine is None else open_questions + tool_questions(dieline, machine)
 
 
+def clean(dieline: Dieline) -> Cleaned:
+    """Return the dieline without duplicates, overlaps, gaps and specks.
+
+    It is cleaned as far as the verifier confirms that nothing is lost.
+
+    Raises
+    ------
+    GeometryError, DrawingTooLarge
+        See ``cleaning.clean.clean``.
+    """
+    return clean_checked(dieline).cleaned
+
+
 def compile(
     drawing: Drawing,
     dieline: Dieline,
@@ -219,7 +232,8 @@ def compile(
     if open_questions:
         raise OpenQuestions([question.as_json() for question in open_questions])
     progress(Stage.CLEAN, 0.02)
-    cleaned = clean(dieline)
+    checked = clean_checked(dieline)
+    cleaned = checked.cleaned
     offset = placement(cleaned.dieline, machine)
 
     def attempt(machine: Machine) -> Compiled:
@@ -227,7 +241,7 @@ def compile(
             toolpath = _toolpath(cleaned, offset, machine, board, choices, progress)
         except (PlanError, CompensationError) as error:
             raise _located(error, drawing, cleaned.dieline.source) from None
-        job = PlacedJob(dieline, cleaned, offset, machine, board, choices.sheet)
+        job = PlacedJob(checked, offset, machine, board, choices.sheet)
         return _compiled(job, toolpath, notes, progress)
 
     compiled, found = with_best_cutter(attempt, machine, load.cutters)
@@ -273,14 +287,14 @@ def compile_rest(
     """
     progress(Stage.CLEAN, 0.02)
     machine = machine.for_board(board)
-    cleaned = clean(dieline)
-    offset = placement(cleaned.dieline, machine)
+    checked = clean_checked(dieline)
+    offset = placement(checked.cleaned.dieline, machine)
     progress(Stage.SEQUENCE, 0.4)
     try:
         toolpath = keep_tracks(rest.toolpath, rest.tracks, machine, board.caliper)
     except PlanError as error:
         raise _located(error, drawing, np.arange(len(drawing), dtype=np.int32)) from None
-    job = PlacedJob(dieline, cleaned, offset, machine, board, choices.sheet, rest.earlier)
+    job = PlacedJob(checked, offset, machine, board, choices.sheet, rest.earlier)
     return _compiled(job, toolpath, notes, progress)
 
 
@@ -350,7 +364,7 @@ def verify(
     DrawingTooLarge
         Too many edges overlap.
     """
-    job = PlacedJob(dieline, clean(dieline), placement, machine, board, sheet, earlier)
+    job = PlacedJob(clean_checked(dieline), placement, machine, board, sheet, earlier)
     return prove(job, text, tolerance)
 
 

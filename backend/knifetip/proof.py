@@ -9,16 +9,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from knifetip.checked_cleaning import CheckedCleaning
 from knifetip.cleaning.map_back import map_to_drawn
 from knifetip.messages import Message
 from knifetip.model.board import Board
-from knifetip.model.cleaned import Cleaned
-from knifetip.model.dieline import Dieline
 from knifetip.model.earlier_work import EarlierWork
 from knifetip.model.machine import Machine
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Finding, Severity, Verdict
-from knifetip.verification.checks.cleaning_check import check_cleaning
 from knifetip.verification.checks.replaced_lines import note_replaced
 from knifetip.verification.verify import verify
 
@@ -27,8 +25,7 @@ from knifetip.verification.verify import verify
 class PlacedJob:
     """The edges of a job at their position on the table, with machine, board and sheet."""
 
-    dieline: Dieline  #: the drawn edges
-    cleaned: Cleaned
+    checked: CheckedCleaning  #: the drawn and the cleaned edges
     offset: tuple[float, float]  #: of the drawing on the machine's table (mm)
     machine: Machine
     board: Board
@@ -60,7 +57,7 @@ def prove(
     ProgramUnreadable, ProgramError, GeometryError
         See ``verification.verify.verify``.
     """
-    drawn, cleaned = job.dieline, job.cleaned
+    drawn, cleaned, lost = job.checked.drawn, job.checked.cleaned, job.checked.faults
     verdict = verify(
         text,
         cleaned.dieline,
@@ -72,7 +69,6 @@ def prove(
         earlier=job.earlier,
     )
     mapped = map_to_drawn(verdict, cleaned, drawn)
-    lost = check_cleaning(drawn, cleaned)
     notes = (*note_replaced(drawn, cleaned), *planned_notes(cleaned.notes), *planned_notes(planned))
     return replace(
         mapped,

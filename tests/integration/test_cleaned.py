@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from knifetip import pipeline
+from knifetip.cleaning.clean import Extent, clean
 from knifetip.geometry.columns import F64, I64
 from knifetip.library import load
 from knifetip.model.cleaned import Cleaned
@@ -108,15 +109,14 @@ def test_a_program_that_cuts_by_a_cleaning_that_lost_an_edge_is_refused(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     drawing, line, board = SAMPLES[0].classified(None)
-    right = pipeline.clean
 
-    def careless(given: Dieline) -> Cleaned:
-        made = right(given)
+    def careless(given: Dieline, extent: Extent = Extent.ALL) -> Cleaned:
+        made = clean(given, extent)
         kinds = made.dieline.line_type.copy()
         kinds[3] = LineType.IGNORED
         return replace(made, dieline=replace(made.dieline, line_type=kinds))
 
-    monkeypatch.setattr(pipeline, "clean", careless)
+    monkeypatch.setattr("knifetip.checked_cleaning.clean", careless)
     verdict = pipeline.compile(drawing, line, TABLE, board).verdict
     assert not verdict.accepted
     assert ("Edge 3: Internal error in cleaning: the edge has the line type") in verdict.findings[

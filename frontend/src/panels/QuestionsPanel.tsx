@@ -4,12 +4,12 @@ import { IconHelpHexagonFilled } from "@tabler/icons-react";
 import { useRef, useState } from "react";
 import type { Question } from "../api/client";
 import { useRefusal } from "../state/accounts";
-import { retype, retypeEach } from "../state/actions";
+import { retypeEach } from "../state/actions";
 import { pluralize } from "../state/format";
 import { LINE_STYLES } from "../state/palette";
 import { useDrawing, useJob } from "../state/queries";
 import { questionKey, suggestions } from "../state/questions";
-import { useUiStore } from "../state/store";
+import { type RetypePreview, useUiStore } from "../state/store";
 import { EdgeQuestion } from "./EdgeQuestion";
 import { Refusal } from "./Permitted";
 import { previewHandlers } from "./previewHandlers";
@@ -41,6 +41,8 @@ export function QuestionsPanel() {
   const lineTypeQuestions = listed
     .map(([, question]) => question)
     .filter(({ kind }) => kind === "line-type");
+  const suggested = suggestions(lineTypeQuestions);
+  const undecided = lineTypeQuestions.flatMap(({ edges }) => edges);
   // The next question is enabled one frame later.
   const focusNextAnswer = () =>
     requestAnimationFrame(() => list.current?.querySelector<HTMLElement>("[data-answer]")?.focus());
@@ -67,56 +69,61 @@ export function QuestionsPanel() {
         {listed.length > limit && (
           <ShowMore left={listed.length - limit} act={() => setLimit(limit + STEP)} />
         )}
-        <AcceptSuggestions questions={lineTypeQuestions} />
-        {lineTypeQuestions.length > FEW && <IgnoreAll questions={lineTypeQuestions} />}
+        {suggested.length > 1 && (
+          <SetMany
+            retypings={suggested}
+            title="One undo takes all of them back"
+            figure={pluralize(suggested.length, "question")}
+            name="accept-suggestions"
+          >
+            Accept all most likely line types
+          </SetMany>
+        )}
+        {lineTypeQuestions.length > FEW && (
+          <SetMany
+            retypings={[{ rows: undecided, type: "ignored" }]}
+            title="The edges stay visible in the drawing, but they are neither cut nor creased"
+            figure={pluralize(undecided.length, "edge")}
+            name="ignore-rest"
+          >
+            Set all undecided edges to ignored
+          </SetMany>
+        )}
       </div>
     </Section>
   );
 }
 
-/** Gives the edges of each question with a most likely line type this line type. */
-function AcceptSuggestions({ questions }: { questions: readonly Question[] }) {
+/** Sets the line types of many edges; one undo takes all of them back. */
+function SetMany({
+  retypings,
+  title,
+  figure,
+  name,
+  children,
+}: {
+  retypings: readonly RetypePreview[];
+  title: string;
+  figure: string;
+  name: string;
+  children: string;
+}) {
   const busy = useUiStore((ui) => ui.busy);
   const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
-  const suggested = suggestions(questions);
-  if (suggested.length < 2) return null;
   return (
     <button
       type="button"
       className={css.choice}
       style={{ width: "100%", marginTop: 8 }}
       disabled={busy || refusal !== null}
-      title="One undo takes all of them back"
-      data-testid="accept-suggestions"
-      {...previewHandlers(() => suggested)}
-      onClick={() => void retypeEach(suggested)}
+      title={title}
+      data-testid={name}
+      {...previewHandlers(() => retypings)}
+      onClick={() => void retypeEach(retypings)}
     >
-      <Swatch type={suggested[0]?.type ?? "unclassified"} />
-      Accept all most likely line types
-      <span className={css.choiceFigure}>{pluralize(suggested.length, "question")}</span>
-    </button>
-  );
-}
-
-/** Sets the edges of all questions to ignored. */
-function IgnoreAll({ questions }: { questions: readonly Question[] }) {
-  const busy = useUiStore((ui) => ui.busy);
-  const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
-  const rows = questions.flatMap(({ edges }) => edges);
-  return (
-    <button
-      type="button"
-      className={css.choice}
-      style={{ width: "100%", marginTop: 8 }}
-      disabled={busy || refusal !== null}
-      title="The edges stay visible in the drawing, but they are neither cut nor creased"
-      data-testid="ignore-rest"
-      {...previewHandlers(() => [{ rows, type: "ignored" }])}
-      onClick={() => void retype(rows, "ignored")}
-    >
-      <Swatch type="ignored" />
-      Set all undecided edges to ignored
-      <span className={css.choiceFigure}>{pluralize(rows.length, "edge")}</span>
+      <Swatch type={retypings[0]?.type ?? "unclassified"} />
+      {children}
+      <span className={css.choiceFigure}>{figure}</span>
     </button>
   );
 }

@@ -323,6 +323,7 @@ def test_a_fold_whose_trimming_the_verifier_doubts_is_made_as_drawn(
         trim_folds._Contours, "is_doubtful", lambda _, points: np.zeros(len(points), np.bool_)
     )
     assert clean(drawn).dropped[-1] > 0.0
-    made = clean_checked(drawn)
-    assert made.dropped[-1] == 0.0
-    assert check_cleaning(drawn, made) == []
+    checked = clean_checked(drawn)
+    assert checked.cleaned.dropped[-1] == 0.0
+    assert checked.faults == ()
+    assert check_cleaning(drawn, checked.cleaned) == []

@@ -176,9 +176,10 @@ _ROWS = (
     _Row(10, "setting.no-work-offset", _located, dangerous=True),
     _Row(10, "setting.no-buffer-state", _reports_buffer),
     _Row(13, "setting.inches", lambda _: equal_to(0), dangerous=True),
+    # grblHAL takes soft limits only after homing.
+    _Row(22, "setting.no-homing", lambda _: bits(on=1)),
     _Row(20, "setting.no-soft-limits", lambda _: equal_to(1)),
     _Row(21, "setting.no-hard-limits", lambda _: bits(on=1)),
-    _Row(22, "setting.no-homing", lambda _: bits(on=1)),
     _Row(23, "setting.z-homes-down", _switch_of_z, dangerous=True),
     _Row(23, "setting.homes-at-other-end", _switches_at_zero),
     _Row(30, "setting.spindle-limit", _fastest_spindle),
