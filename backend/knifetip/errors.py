@@ -60,10 +60,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import islice
-from typing import Final
+from typing import Final, SupportsInt
 
 from knifetip.messages import Argument, Message, from_json, hint, render
 
+#: Greatest number of edges of an error of a compile.
+MOST_EDGES: Final = 1000
 #: Greatest number of questions in the message of an error.
 _SHOWN: Final = 5
 
@@ -76,18 +78,33 @@ class KnifetipError(Exception):
     code
         A message code, one of ``messages.codes.CODES``, or a complete ``Message``.
     source
-        The objects that the error concerns, as text: handles of entities in the drawing, indices of
-        edges, or the path of a field.
+        The objects that the error concerns, as text: handles of entities in the drawing, or the
+        path of a field.
+    at_edges
+        Rows of the edges that the error concerns.
     arguments
         Values by name that are inserted into the text of the message code.
+
+    Attributes
+    ----------
+    edges
+        Rows of the edges that the error concerns, each once.  Stages of a compile raise errors with
+        rows of their own input; ``pipeline`` replaces them by rows of the drawing.
     """
 
     def __init__(
-        self, code: str | Message, /, *, source: Sequence[str] = (), **arguments: Argument
+        self,
+        code: str | Message,
+        /,
+        *,
+        source: Sequence[str] = (),
+        at_edges: Iterable[SupportsInt] = (),
+        **arguments: Argument,
     ) -> None:
         super().__init__(code)
         self.message = code if isinstance(code, Message) else Message(code, **arguments)
         self.source = tuple(source)
+        self.edges = tuple(dict.fromkeys(int(row) for row in at_edges))
 
     def __reduce__(self) -> tuple[object, ...]:
         # Worker processes send errors to the server by pickle.
@@ -155,8 +172,8 @@ class ZeroLengthEdge(GeometryError):
     """Raised for edges of zero length, which have no direction."""
 
     def __init__(self, rows: Iterable[int]) -> None:
-        listed = [str(row) for row in islice(rows, 10)]
-        super().__init__("edge.no-length", edges=listed, source=listed)
+        listed = [int(row) for row in islice(rows, 10)]
+        super().__init__("edge.no-length", edges=listed)
 
 
 class DegenerateArc(GeometryError):

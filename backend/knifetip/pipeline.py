@@ -25,12 +25,12 @@ from knifetip.classification.answers import follow_answers
 from knifetip.classification.questions import list_questions
 from knifetip.compensation.compensate import compensate
 from knifetip.compensation.contour_starts import contour_starts
-from knifetip.errors import CompensationError, OpenQuestions, PlanError
+from knifetip.error_places import located_errors
+from knifetip.errors import OpenQuestions, PlanError
 from knifetip.formats import read_file
-from knifetip.geometry.columns import I32, U8
+from knifetip.geometry.columns import U8
 from knifetip.languages.registry import with_language
 from knifetip.library import custom_profiles, load
-from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.choices import Choices
 from knifetip.model.cleaned import Cleaned
@@ -237,12 +237,11 @@ def compile(
     offset = placement(cleaned.dieline, machine)
 
     def attempt(machine: Machine) -> Compiled:
-        try:
+        with located_errors(drawing, cleaned, offset):
             toolpath = _toolpath(cleaned, offset, machine, board, choices, progress)
-        except (PlanError, CompensationError) as error:
-            raise _located(error, drawing, cleaned.dieline.source) from None
         job = PlacedJob(checked, offset, machine, board, choices.sheet)
-        return _compiled(job, toolpath, notes, progress)
+        with located_errors(drawing):
+            return _compiled(job, toolpath, notes, progress)
 
     compiled, found = with_best_cutter(attempt, machine, load.cutters)
     verdict = compiled.verdict
@@ -290,12 +289,10 @@ def compile_rest(
     checked = clean_checked(dieline)
     offset = placement(checked.cleaned.dieline, machine)
     progress(Stage.SEQUENCE, 0.4)
-    try:
+    with located_errors(drawing):
         toolpath = keep_tracks(rest.toolpath, rest.tracks, machine, board.caliper)
-    except PlanError as error:
-        raise _located(error, drawing, np.arange(len(drawing), dtype=np.int32)) from None
-    job = PlacedJob(checked, offset, machine, board, choices.sheet, rest.earlier)
-    return _compiled(job, toolpath, notes, progress)
+        job = PlacedJob(checked, offset, machine, board, choices.sheet, rest.earlier)
+        return _compiled(job, toolpath, notes, progress)
 
 
 def rest_of(compiled: Compiled, choice: RestChoice, executed: int = 0) -> Rest:
@@ -469,25 +466,3 @@ def _compiled(
     progress(Stage.DONE, 1.0)
     full = duration(with_full_retracts(toolpath, machine), machine)
     return Compiled(toolpath, program, verdict, job.offset, duration(toolpath, machine), full)
-
-
-def _located(
-    error: PlanError | CompensationError, drawing: Drawing, source: I32
-) -> PlanError | CompensationError:
-    """Return the error with handles and layer of the drawn edges that it concerns.
-
-    In ``error.source``, rows of cleaned edges are replaced by handles of entities in the drawing.
-
-    Parameters
-    ----------
-    source : (m,)
-        Row in the drawing of each of m cleaned edges.
-    """
-    rows = [int(source[int(row)]) for row in error.source]
-    if rows:
-        layer, handles = drawing.layers[drawing.layer[rows[0]]], drawing.handles
-        error.message = Message(
-            "error.at-edge", error=error.message, handle=handles[rows[0]], layer=layer
-        )
-        error.source = tuple(handles[row] for row in rows)
-    return error

@@ -172,8 +172,7 @@ def _compile(attempt: Attempt, outcome: Outcome) -> Refusal | None:
         while message.code == "error.at-edge":
             message = message.arguments["error"]
         outcome.refusals[message.code] += first
-        rows = np.flatnonzero(np.isin(attempt.drawing.handles, error.source))
-        return Refusal(message.code, str(error), dict(message.arguments), tuple(rows.tolist()))
+        return Refusal(message.code, str(error), dict(message.arguments), error.edges)
     for finding in compiled.verdict.findings:
         if finding.severity is Severity.FAULT:
             outcome.text = finding.text
@@ -181,7 +180,7 @@ def _compile(attempt: Attempt, outcome: Outcome) -> Refusal | None:
     for finding in compiled.verdict.findings:
         if finding.severity is Severity.FAULT:
             message = finding.message
-            return Refusal(message.code, finding.text, dict(message.arguments), (finding.edge,))
+            return Refusal(message.code, finding.text, dict(message.arguments), finding.all_edges)
     verdict = _excepted(compiled.verdict, outcome)
     outcome.compiled = replace(compiled, verdict=verdict)
     assert verdict.accepted

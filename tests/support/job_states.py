@@ -39,6 +39,7 @@ REFUSED = CompileResult(
     verdict=b"",
     verdict_summary={"seconds": 0.0, "accepted": False},
     source=["2F4"],
+    edges=[3],
 )
 
 

@@ -293,6 +293,7 @@ async def _knifetip_problem(request: Request, error: Exception) -> Response:
         kind=TYPE_PREFIX + word,
         title=word.replace("-", " ").capitalize(),
         source=error.source,
+        edges=error.edges,
         questions=error.questions if isinstance(error, errors.OpenQuestions) else (),
         revision=error.revision if isinstance(error, errors.StaleRevision) else None,
         headers={"Retry-After": str(error.seconds)}

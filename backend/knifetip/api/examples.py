@@ -153,6 +153,10 @@ def sample_arguments(kinds: Mapping[str, str]) -> dict[str, Any]:
     samples: dict[str, Any] = {
         "count": 3,
         "number": 12.5,
+        "edge": 12,
+        "edges": [12, 13],
+        "x": 120.0,
+        "y": 80.0,
         "texts": ["demo-table"],
         "message": inner,
         "message?": inner,

@@ -15,6 +15,7 @@ from knifetip.presentation.verdict import (
     count_findings,
     finding_from_json,
     refusal,
+    refused_edges,
     refused_handles,
 )
 
@@ -56,6 +57,7 @@ def accept_in_block(
         {**summary, **changed},
         message,
         refused_handles(rows),
+        refused_edges(rows),
     )
 
 

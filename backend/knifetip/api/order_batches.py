@@ -32,6 +32,7 @@ class _Progress:
     problem: Message | None = None
     status: int = 201
     source: Sequence[str] = ()
+    edges: Sequence[int] = ()
     questions: tuple[dict[str, object], ...] = ()
     affects_all: bool = False  #: whether ``problem`` is one of the server
 
@@ -45,6 +46,7 @@ class _Progress:
                 "job": self.job,
                 "problem": self.problem,
                 "source": self.source,
+                "edges": self.edges,
                 "questions": self.questions,
             }
         )
@@ -116,6 +118,7 @@ def _execute(
         progress.job = job_out(service.store, job)
     except KnifetipError as reason:
         progress.problem, progress.source = reason.message, reason.source
+        progress.edges = reason.edges
         progress.status = answer_status(reason, "POST")
         progress.affects_all = isinstance(reason, StoreError)
         if isinstance(reason, OpenQuestions):

@@ -26,6 +26,7 @@ def problem(
     kind: str = "about:blank",
     title: str = "",
     source: Sequence[str] = (),
+    edges: Sequence[int] = (),
     questions: Sequence[dict[str, Any]] = (),
     revision: int | None = None,
     headers: Mapping[str, str] | None = None,
@@ -44,6 +45,8 @@ def problem(
         Title of the error type; "" for the reason phrase of the status.
     source
         Handles of entities, or names of fields, that the error concerns.
+    edges
+        Rows of the edges of the drawing that the error concerns.
     questions
         Questions that the user must answer, as JSON data; empty if they are not the cause of the
         error.
@@ -59,6 +62,7 @@ def problem(
             "title": title or http.HTTPStatus(status).phrase,
             "status": status,
             "source": [printable(place) for place in source],
+            "edges": edges,
             "questions": questions,
             "revision": revision,
         }

@@ -71,10 +71,17 @@ def clean(dieline: Dieline, extent: Extent = Extent.ALL) -> Cleaned:
     """
     if not (np.isfinite(dieline.ends).all() and np.isfinite(dieline.bulge).all()):
         bad = ~(np.isfinite(dieline.ends).all(axis=(1, 2)) & np.isfinite(dieline.bulge))
-        raise GeometryError("edge.not-finite", edge=int(np.argmax(bad)))
+        raise GeometryError(
+            "edge.not-finite", edge=int(np.argmax(bad)), at_edges=np.flatnonzero(bad)
+        )
     if np.abs(dieline.ends).max(initial=0.0) > _FAR:
         far = np.abs(dieline.ends).max(axis=(1, 2))
-        raise GeometryError("edge.too-far", edge=int(far.argmax()), distance=far.max())
+        raise GeometryError(
+            "edge.too-far",
+            edge=int(far.argmax()),
+            distance=far.max(),
+            at_edges=np.flatnonzero(far > _FAR),
+        )
     length = arc.length(dieline.ends[:, 0], dieline.ends[:, 1], dieline.bulge)
     at_work = PRIORITY[dieline.line_type] > 0
     solid = np.flatnonzero(at_work & (length >= POINT))

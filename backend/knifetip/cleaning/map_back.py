@@ -17,7 +17,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import Bool
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline
-from knifetip.model.verdict import Samples, Verdict
+from knifetip.model.verdict import Finding, Samples, Verdict
 
 _WORST: Final = (
     "deviation",
@@ -32,6 +32,37 @@ _WORST: Final = (
     "unreached_distance",
 )
 _LENGTHS: Final = ("uncut", "setback", "unreached", "bottom_uncut", "slit_length")
+
+
+class DrawnRows:
+    """The drawn edges that cleaned edges replace.
+
+    A cleaned edge replaces each drawn edge of which it contains a part.  It also replaces one that
+    lies on it, and on no other for a greater length: both are the same line, and a user who leaves
+    out only one of them still has the other.
+    """
+
+    def __init__(self, cleaned: Cleaned) -> None:
+        parts = cleaned.stretches
+        own = (parts.cleaned >= 0) & (
+            ~parts.by_other_edge | (cleaned.cleaned_row[parts.row] == parts.cleaned)
+        )
+        row, target = parts.row[own], parts.cleaned[own]
+        order = np.lexsort((row, target))
+        self._row, self._target = row[order], target[order]
+        self._shown = cleaned.dieline.source
+
+    def first(self, cleaned: int) -> int:
+        """Return the row of the drawn edge for which a cleaned edge is shown."""
+        return int(self._shown[cleaned])
+
+    def of(self, cleaned: int) -> tuple[int, ...]:
+        """Return the rows of the drawn edges that a cleaned edge replaces, each once.
+
+        The first is that for which it is shown; the others ascend.
+        """
+        low, high = np.searchsorted(self._target, (cleaned, cleaned + 1))
+        return tuple(dict.fromkeys((self.first(cleaned), *self._row[low:high].tolist())))
 
 
 def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
@@ -59,17 +90,26 @@ def map_to_drawn(verdict: Verdict, cleaned: Cleaned, drawn: Dieline) -> Verdict:
         if (measured := getattr(verdict, name)).any():
             part = fraction * measured[parts.cleaned[own]]
             columns[name] = np.bincount(parts.row[own], part, count).astype(np.float64)
-    shown = cleaned.dieline.source
+    drawn_rows = DrawnRows(cleaned)
     return replace(
         verdict,
         **columns,
         tidied=np.maximum(cleaned.off, cleaned.moved),
         samples=_samples(verdict.samples, cleaned, drawn, own),
-        findings=tuple(
-            replace(finding, edge=int(shown[finding.edge])) if finding.edge >= 0 else finding
-            for finding in verdict.findings
-        ),
+        findings=tuple(_on_drawn(finding, drawn_rows) for finding in verdict.findings),
     )
+
+
+def _on_drawn(finding: Finding, drawn_rows: DrawnRows) -> Finding:
+    """Return a finding on a cleaned edge with the drawn edges that this edge replaces."""
+    message = finding.message.located(
+        lambda cleaned: drawn_rows.first(cleaned) if cleaned >= 0 else cleaned
+    )
+    if finding.edge < 0:
+        return replace(finding, message=message)
+    edges = drawn_rows.of(finding.edge)
+    others = edges if len(edges) > 1 else ()
+    return replace(finding, message=message, edge=edges[0], edges=others)
 
 
 def _samples(samples: Samples, cleaned: Cleaned, drawn: Dieline, is_owned: Bool) -> Samples:

@@ -27,6 +27,7 @@ from knifetip.cli.terminal import (
     QUESTIONS,
     REFUSED,
     json_bytes,
+    print_how_to_leave_out,
     print_json,
     print_stderr,
     progress,
@@ -281,14 +282,10 @@ def _print_how_to_accept(verdict: Verdict) -> None:
         print_stderr(f'  To accept: --accept {listed}:{code} --reason "..."')
 
 
-def print_how_to_leave_out(verdict: Verdict) -> None:
-    """Print the option that leaves out the edges because of whose faults no program is written."""
+def faulty_edges(verdict: Verdict) -> list[int]:
+    """Return the rows of the edges because of whose faults no program is written, ascending."""
     faults = (finding for finding in verdict.findings if finding.severity is Severity.FAULT)
-    rows = dict.fromkeys(str(finding.edge) for finding in faults if finding.edge >= 0)
-    if rows:
-        print_stderr(
-            f"  To leave out these edges and make them by hand: --edge {','.join(rows)}=ignored"
-        )
+    return sorted({row for finding in faults for row in finding.all_edges})
 
 
 def _parse_placement(text: str) -> tuple[float, float]:
@@ -397,7 +394,8 @@ def program(
         }
         write_bytes(report, json_bytes(data))
     print_verdict(result.verdict)
-    print_how_to_leave_out(result.verdict)
+    if edges := faulty_edges(result.verdict):
+        print_how_to_leave_out(edges)
     retracted = result.seconds_retracted
     if retracted > result.seconds:
         print_stderr(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -69,6 +69,14 @@ def report_error(error: KnifetipError) -> None:
     print_stderr(f"knifetip: {error.text}", "red")
     if error.hint:
         print_stderr(error.hint)
+    if error.edges:
+        print_how_to_leave_out(error.edges)
+
+
+def print_how_to_leave_out(edges: Iterable[int]) -> None:
+    """Print the option that leaves out edges because of which no program is written."""
+    rows = ",".join(str(row) for row in edges)
+    print_stderr(f"  To leave out these edges and make them by hand: --edge {rows}=ignored")
 
 
 def report_questions(questions: Sequence[Question]) -> None:

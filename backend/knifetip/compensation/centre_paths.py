@@ -9,6 +9,7 @@ Source: the paper "Tool radius compensation", eqs 1–5.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import Final
@@ -166,20 +167,36 @@ def _offset(operation: Operation, distance: float, kind: U8, k: F64) -> OffsetPa
             corner=kind, k=k, interference=operation.interference, group=group,
         )  # fmt: skip
     except (CompensationError, GeometryError) as reason:
-        edges = [str(operation.source[int(row)]) for row in reason.source]
-        message = reason.message
-        if message.code == "offset.interference":
-            assert isinstance(operation.tool, DiscTool)
-            message = Message(
-                "cutter.interference",
-                diameter=2.0 * operation.tool.radius,
-                edge=edges[0],
-                other=edges[1],
-                depth=message.arguments["depth"],
-            )
-        elif edges:
-            message = Message("error.at-edges", edges=edges, error=message)
-        raise CompensationError(message, source=edges) from None
+        raise _offset_error(reason, operation) from None
+
+
+#: Codes of errors about the offset of a contour at two of its segments, for errors about a cutter
+#: at two edges.
+_CUTTER_ERRORS: Final[Mapping[str, str]] = {
+    "offset.interference": "cutter.interference",
+    "offset.self-contact": "cutter.contour-touches-itself",
+    "offset.cusp": "cutter.corner-loop",
+}
+
+
+def _offset_error(
+    reason: CompensationError | GeometryError, operation: Operation
+) -> CompensationError:
+    """Return the error that the contours of an operation have no offset, with their edges."""
+    edges = operation.source[list(reason.edges)].tolist()
+    message = reason.message
+    if (code := _CUTTER_ERRORS.get(message.code)) is not None:
+        assert isinstance(operation.tool, DiscTool)
+        known = message.arguments
+        measures = {name: known[name] for name in ("depth", "size", "x", "y") if name in known}
+        message = Message(
+            code, diameter=2.0 * operation.tool.radius, edge=edges[0], other=edges[1], **measures
+        )
+    elif edges:
+        message = Message("error.at-edges", edges=edges, error=message)
+    else:
+        message = message.located(lambda row: int(operation.source[row]))
+    return CompensationError(message, at_edges=edges)
 
 
 def _widen_round_holes(paths: Paths, distance: float, side: int) -> Paths:

@@ -252,7 +252,7 @@ def select_corner_types(operation: Operation) -> tuple[U8, F64]:
             "corner.bad-k",
             edge=operation.source[bad],
             k=f"{k[bad]:g}",
-            source=[str(operation.source[bad])],
+            at_edges=operation.source[~within],
         )
     if operation.corner not in TYPES:
         raise CompensationError("corner.unknown-type", type=operation.corner)

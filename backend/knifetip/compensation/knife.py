@@ -240,7 +240,7 @@ def _adjust_ends(
             edge=listed[0],
             length=length[short[0]],
             lead=lead[short[0]],
-            source=[str(row) for row in listed[:10]],
+            at_edges=listed,
         )
     cut, rows = trim_ends(paths, np.zeros(len(paths)), np.where(free, lead, 0.0))
     again, more = _repeated_starts(paths, np.where(smooth, overrun, 0.0))

@@ -137,7 +137,7 @@ def _add_bridge_gaps(
             "cutter.misses-bridge",
             edge=edge,
             distance=at[lost[0]],
-            source=[str(operation.source[segment[bad]]) for bad in lost[:10]],
+            at_edges=operation.source[segment[lost]],
         )
     size = arc.length(paths.start, paths.end, paths.bulge)
     begin = np.cumsum(size) - size

@@ -295,9 +295,7 @@ def _check_paths(operation: Operation, cutter: VCutter) -> None:
     curved = np.flatnonzero(np.abs(paths.bulge) >= BULGE)
     if len(curved):
         rows = operation.source[curved]
-        raise CurvedGroove(
-            "groove.curved", count=len(curved), edge=rows[0], source=[str(row) for row in rows[:10]]
-        )
+        raise CurvedGroove("groove.curved", count=len(curved), edge=rows[0], at_edges=rows)
     blade = 2.0 * cutter.half_width
     length = paths.lengths
     short = np.flatnonzero(length < blade)
@@ -308,7 +306,7 @@ def _check_paths(operation: Operation, cutter: VCutter) -> None:
             edge=rows[0],
             length=length[short[0]],
             blade=blade,
-            source=[str(row) for row in rows[:10]],
+            at_edges=rows,
         )
     deep = np.flatnonzero((operation.depth >= operation.caliper).any(axis=1))
     if len(deep):
@@ -318,7 +316,7 @@ def _check_paths(operation: Operation, cutter: VCutter) -> None:
             edge=rows[0],
             depth=operation.depth[deep[0]].max(),
             caliper=operation.caliper,
-            source=[str(row) for row in rows[:10]],
+            at_edges=rows,
         )
     # Beyond an end on the board's edge the blade may overrun freely.
     inside = np.flatnonzero((operation.start == End.FREE) | (operation.finish == End.FREE))
@@ -327,5 +325,5 @@ def _check_paths(operation: Operation, cutter: VCutter) -> None:
             "groove.overcut",
             overrun=blade,
             allowed=operation.overcut,
-            source=[str(row) for row in operation.source[paths.first[inside[:10]]]],
+            at_edges=operation.source[paths.first[inside]],
         )

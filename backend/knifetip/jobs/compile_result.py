@@ -23,6 +23,8 @@ class CompileResult:
         str, Any
     ]  #: greatest deviations and durations, see ``presentation.verdict``
     source: list[str] = field(default_factory=list)
+    #: rows of the edges because of which the program is refused
+    edges: list[int] = field(default_factory=list)
     #: stations that the program uses, ordered by number: number, name, kind
     tools: list[dict[str, Any]] = field(default_factory=list)
     lengths: bytes = b""  #: see ``worked_lengths``
@@ -36,3 +38,4 @@ class VerdictColumns:
     verdict_summary: dict[str, Any]  #: see ``presentation.verdict``
     message: Message | None  #: why the program is refused; None if it is accepted
     source: list[str]  #: handles of the edges because of which the program is refused
+    edges: list[int]  #: rows of these edges

@@ -359,4 +359,6 @@ class CompileService:
     ) -> None:
         tracing.current().set(outcome="refused", error=reason.message.code)
         with contextlib.suppress(JobError):
-            self.store.compiles.refuse(id, epoch, reason.message, reason.source, questions or ())
+            self.store.compiles.refuse(
+                id, epoch, reason.message, reason.source, reason.edges, questions or ()
+            )

@@ -345,6 +345,7 @@ class CompileStore:
                     epoch=epoch,
                     message=result.message,
                     source=result.source,
+                    edges=result.edges,
                     **columns,
                 )
                 return
@@ -374,6 +375,7 @@ class CompileStore:
         epoch: int,
         message: Message,
         source: Sequence[str] = (),
+        edges: Sequence[int] = (),
         questions: Sequence[dict[str, Any]] = (),
     ) -> None:
         """Move a job that could not be compiled to ``refused``.
@@ -389,6 +391,8 @@ class CompileStore:
             Reason for which the job is refused.
         source
             Handles of the entities of the drawing that the message concerns.
+        edges
+            Rows of the edges of the drawing that the message concerns.
         questions
             Questions that the user must answer before the job can be compiled, as JSON data.
 
@@ -409,6 +413,7 @@ class CompileStore:
                 epoch=epoch,
                 message=message,
                 source=list(source),
+                edges=list(edges),
                 questions=list(questions),
                 stage="",
                 owner="",

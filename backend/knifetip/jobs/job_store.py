@@ -458,6 +458,7 @@ def _initial_columns(now: float, key: RequestKey | None) -> dict[str, Any]:
         "ended": 0.0,
         "message": None,
         "source": [],
+        "edges": [],
         "questions": [],
         "attempt": 1,
         "ordered_by": acting_owner(),

@@ -135,6 +135,7 @@ class OperatorStore:
                 "verdict_summary": stored.verdict_summary,
                 "message": stored.message,
                 "source": stored.source,
+                "edges": stored.edges,
                 **self._contents.keep(session, staged),
             }
             if stored.message is None:

@@ -19,6 +19,7 @@ from alembic.script import ScriptDirectory
 from knifetip.errors import StoreError
 from knifetip.jobs.database_url import hide_password
 from knifetip.jobs.tables import DatabaseVersion
+from knifetip.messages import Message
 
 _MIGRATIONS = Path(__file__).parent / "migrations"
 _MIGRATING = 0x6B6E_6966  # PostgreSQL's advisory lock of the migration
@@ -117,8 +118,8 @@ def require_not_newer(schema: Schema, url: str) -> None:
         "newest": schema.newest,
     }
     if schema.writer:
-        raise StoreError("database.newer", writer=schema.writer, **facts)
-    raise StoreError("database.newer-unrecorded", **facts)
+        raise StoreError(Message("database.newer", writer=schema.writer, **facts))
+    raise StoreError(Message("database.newer-unrecorded", **facts))
 
 
 def require_utf8(connection: sa.Connection, url: str) -> None:

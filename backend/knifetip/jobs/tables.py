@@ -211,6 +211,8 @@ class Job(Base):
     #: why it was refused or interrupted, or why its compile has not begun
     message: Mapped[Message | None] = mapped_column(MessageColumn)
     source: Mapped[list[str]] = mapped_column(sa.JSON)
+    #: rows of the edges of the drawing that the message concerns
+    edges: Mapped[list[int]] = mapped_column(sa.JSON, default=list)
     questions: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON)
     attempt: Mapped[int]  #: number of compile attempts
     epoch: Mapped[int]  #: increases with each owner; reports of earlier owners are refused

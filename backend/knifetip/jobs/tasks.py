@@ -50,6 +50,7 @@ from knifetip.presentation.verdict import (
     findings_json,
     pack_verdict,
     refusal,
+    refused_edges,
     refused_handles,
     verdict_summary,
 )
@@ -293,6 +294,7 @@ def _result(
         verdict=pack_verdict(verdict, findings, summary),
         verdict_summary=summary,
         source=refused_handles(findings),
+        edges=refused_edges(findings),
         tools=used_stations(compiled, table),
         lengths=pack_lengths(compiled.toolpath, program_lines(compiled), line_type),
     )

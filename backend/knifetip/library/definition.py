@@ -19,6 +19,7 @@ from knifetip.errors import LibraryError
 from knifetip.harmless import harmless
 from knifetip.library import load
 from knifetip.library.toml_text import read_toml, write_toml
+from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine
 from knifetip.model.tool import Tool
@@ -171,9 +172,11 @@ def check_texts(shelf: str, name: str, fields: Mapping[str, Any]) -> None:
         field, shown = harmless(".".join(path))[:80], harmless(text)
         given = {"shelf": shelf, "name": name[:80], "field": field, "text": shown[:80]}
         if shown != text:
-            raise LibraryError("library.acting-text", source=(field,), **given)
+            raise LibraryError(Message("library.acting-text", **given), source=(field,))
         if len(text) > MAX_TEXT:
-            raise LibraryError("library.long-text", source=(field,), limit=MAX_TEXT, **given)
+            raise LibraryError(
+                Message("library.long-text", limit=MAX_TEXT, **given), source=(field,)
+            )
 
 
 def _texts(value: object, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], str]]:

@@ -5,8 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal, NamedTuple, TypeAlias
 
-#: Types: str, int, float, list of str, another message, a message or None, list of messages.
-Kind: TypeAlias = Literal["text", "count", "number", "texts", "message", "message?", "messages"]
+#: Types: str, int, float, list of str, another message, a message or None, list of messages; the
+#: row of an edge, a list of such rows, and the position of a place in the drawing along x and y
+#: (mm).
+Kind: TypeAlias = Literal[
+    "text", "count", "number", "texts", "message", "message?", "messages", "edge", "edges", "x", "y"
+]
 
 
 class Entry(NamedTuple):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import PurePath
 from typing import Any, Final, Protocol, TypeAlias, runtime_checkable
 
@@ -28,7 +28,8 @@ class _Number(Protocol):
 
 
 Argument: TypeAlias = (
-    "str | _Number | PurePath | BaseException | Message | Iterable[str] | Iterable[Message] | None"
+    "str | _Number | PurePath | BaseException | Message | Iterable[str] | Iterable[_Number] "
+    "| Iterable[Message] | None"
 )
 
 
@@ -80,6 +81,37 @@ class Message:
 
     def __reduce__(self) -> tuple[object, ...]:
         return (_rebuild, (self.code, self.arguments))
+
+    def located(
+        self, row_of: Callable[[int], int], shift: tuple[float, float] = (0.0, 0.0)
+    ) -> Message:
+        """Return the message with other rows of edges and other positions, also in its arguments.
+
+        Planning counts cleaned edges at their position on the table; users know the drawn ones.
+
+        Parameters
+        ----------
+        row_of
+            Returns the new row of an edge.
+        shift : mm
+            Is added to the positions along x and y.
+        """
+
+        def moved(kind: Kind, value: Any) -> Any:
+            match kind:
+                case "edge":
+                    return row_of(value)
+                case "edges":
+                    return tuple(dict.fromkeys(map(row_of, value)))
+                case "x" | "y":
+                    return value + shift[kind == "y"]
+            if isinstance(value, tuple):
+                return tuple(moved("message", item) for item in value)
+            return value.located(row_of, shift) if isinstance(value, Message) else value
+
+        kinds = CODES[self.code]
+        arguments = {name: moved(kinds[name], value) for name, value in self.arguments.items()}
+        return Message(self.code, **arguments)
 
     def as_json(self) -> dict[str, Any]:
         """Return the message as a dictionary for JSON, with the keys "code" and "arguments"."""
@@ -175,4 +207,8 @@ _CAST: Final[Mapping[Kind, Any]] = {
     "message": _message,
     "message?": lambda value: None if value is None else _message(value),
     "messages": lambda value: tuple(map(_message, value)),
+    "edge": int,
+    "edges": lambda value: tuple(map(int, value)),
+    "x": float,
+    "y": float,
 }

@@ -69,6 +69,14 @@ class Finding:
     line: int = -1  #: program line, counted from 1; -1 for none
     severity: Severity = Severity.FAULT
     acceptance: Acceptance | None = None  #: of a shortfall that a user has accepted
+    #: rows of all drawn edges that the tool makes as one with ``edge``, such as the chords of a
+    #: curve, first ``edge`` itself; empty if it is the only one
+    edges: tuple[int, ...] = ()
+
+    @property
+    def all_edges(self) -> tuple[int, ...]:
+        """Rows of the drawn edges that the finding concerns, each once."""
+        return self.edges or ((self.edge,) if self.edge >= 0 else ())
 
     @property
     def refuses(self) -> bool:

@@ -222,7 +222,7 @@ def _order_by_group(group: ArrayLike | None, signed: F64) -> tuple[I32, I32]:
     mixed[begins[1:] - 1] = False
     if mixed.any():
         path = int(member[np.flatnonzero(mixed)[0] + 1])
-        raise GeometryError("offset.mixed-group", path=path, source=[str(path)])
+        raise GeometryError("offset.mixed-group", path=path)
     return member, np.append(begins, count).astype(np.int32)
 
 
@@ -246,7 +246,7 @@ def _failure_error(
     if code == NO_LENGTH:
         return ZeroLengthEdge([row])
     if code == NOT_A_NUMBER:
-        return GeometryError("segment.not-finite", segment=row, source=[str(row)])
+        return GeometryError("segment.not-finite", segment=row, at_edges=[row])
     path = int(np.searchsorted(paths.first, row, side="right")) - 1
     if code == NOT_CLOSED:
         one, two, x, y = find_self_contact(
@@ -261,7 +261,7 @@ def _failure_error(
                 y=y,
                 one=one,
                 two=two,
-                source=[str(one), str(two)],
+                at_edges=(one, two),
             )
         loops = find_cusp_loops(paths)
         of_path = np.flatnonzero(paths.path_of[loops.before] == path)
@@ -277,7 +277,7 @@ def _failure_error(
                 y=paths.end[one, 1],
                 one=one,
                 two=two,
-                source=[str(one), str(two)],
+                at_edges=(one, two),
             )
         return CompensationError(
             "offset.dead-end",
@@ -285,7 +285,7 @@ def _failure_error(
             radius=radius[path],
             depth=depth,
             segment=row,
-            source=[str(row)],
+            at_edges=[row],
         )
     return CompensationError(
         "offset.interference",
@@ -293,5 +293,5 @@ def _failure_error(
         segment=row,
         depth=depth,
         other=other,
-        source=[str(row), str(other)],
+        at_edges=(row, other),
     )

@@ -115,12 +115,12 @@ def check_corners(corner: Any, k: F64) -> None:
     if (np.asarray(corner) > Corner.D).any():
         row = int(np.flatnonzero(np.asarray(corner) > Corner.D)[0])
         raise CompensationError(
-            "corner.unknown-number", corner=row, type=int(corner[row]), source=[str(row)]
+            "corner.unknown-number", corner=row, type=int(corner[row]), at_edges=[row]
         )
     wrong = (np.asarray(corner) == Corner.D) & ~((k >= 0.0) & (k <= 1.0))
     if wrong.any():
         row = int(np.flatnonzero(wrong)[0])
-        raise CompensationError("corner.bad-share", corner=row, k=f"{k[row]:g}", source=[str(row)])
+        raise CompensationError("corner.bad-share", corner=row, k=f"{k[row]:g}", at_edges=[row])
 
 
 @kernel(allocates=False)

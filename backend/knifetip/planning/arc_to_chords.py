@@ -62,8 +62,8 @@ def arcs_to_chords(
     """
     bent = np.abs(bulge) >= BULGE
     if error <= 0.0 and bent.any():
-        source = [str(row) for row in rows[bent]]
-        raise CurvedGroove("groove.curved", count=len(source), edge=source[0], source=source[:10])
+        curved = rows[bent]
+        raise CurvedGroove("groove.curved", count=len(curved), edge=curved[0], at_edges=curved)
     start, end = ends[:, 0], ends[:, 1]
     sweep = np.abs(arc.sweep(bulge))
     radius = np.where(bent, arc.radius(start, end, bulge), 1.0)
@@ -79,7 +79,7 @@ def arcs_to_chords(
             radius=radius[row],
             blade=2.0 * cutter.half_width,
             error=error,
-            source=[str(rows[bad]) for bad in tight[:10]],
+            at_edges=rows[tight],
         )
     many = count.astype(np.int64)
     owner = np.repeat(np.arange(len(rows)), many)

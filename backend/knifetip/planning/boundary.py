@@ -240,9 +240,9 @@ def _check_run_outs(
     count = len(outline.bulge)
     reentries = np.flatnonzero(~np.isin(row * count + cut, contacts.end * count + contacts.cut))
     if len(reentries):
-        edge = int(source[row[reentries[0]]])
+        bad = source[row[reentries]]
         raise FlankOutside(
-            "groove.runs-out", edge=edge, distance=size[row[reentries[0]]], source=[str(edge)]
+            "groove.runs-out", edge=bad[0], distance=size[row[reentries[0]]], at_edges=bad
         )
 
 
@@ -256,9 +256,9 @@ def _check_angles(contacts: Contacts, sine: F64, source: I32) -> None:
     is_single = np.bincount(contacts.end, minlength=len(source)) == 1
     along = np.flatnonzero((sine > 1e-9) & (sine <= _ALONG) & is_single[contacts.end])
     if len(along):
-        edge = int(source[contacts.end[along[0]]])
+        bad = source[contacts.end[along]]
         angle = np.degrees(np.arcsin(sine[along[0]]))
-        raise FlankOutside("groove.along-edge", edge=edge, angle=angle, source=[str(edge)])
+        raise FlankOutside("groove.along-edge", edge=bad[0], angle=angle, at_edges=bad)
 
 
 def find_contacts(points: F64, outline: BoardOutline) -> Contacts:

@@ -206,15 +206,15 @@ def _place_on_contour(
                 and distances.max() <= spacing + POINT
             ):
                 return _drop_spare(middle, length, spacing)
-    edge = int(source[paths.first[path]])
+    contour = source[paths.first[path] : paths.first[path + 1]]
     raise NoRoomForBridges(
         "bridges.no-room",
-        edge=edge,
+        edge=contour[0],
         length=length,
         fewest=fewest,
         gap=gap,
         spacing=spacing,
-        source=[str(edge)],
+        at_edges=contour,
     )
 
 

@@ -54,7 +54,7 @@ def check_contour_crossings(ends: F64, bulge: F64, removed: I8, source: I32) -> 
             edge=source[contour[row[piece[0]]]],
             x=x,
             y=y,
-            source=[str(edge) for edge in edges[:10]],
+            at_edges=edges,
         )
 
 

@@ -46,7 +46,7 @@ def double_creases(paths: Paths, distance: float, source: I32) -> tuple[Paths, I
             edge=source[tight[0]],
             radius=radius[tight[0]],
             offset=half,
-            source=[str(source[row]) for row in tight[:10]],
+            at_edges=source[tight],
         )
     old_path = np.repeat(np.arange(len(paths), dtype=np.int32), 2)
     pair, rows = select_paths(paths, old_path)

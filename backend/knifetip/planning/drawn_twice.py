@@ -102,7 +102,7 @@ def explain_copies(
     Parameters
     ----------
     error
-        Why the cuts cannot be milled; its source are rows of the dieline.
+        Why the cuts cannot be milled; its edges are rows of the dieline.
     ends, bulge : (n, 2, 2) mm and (n,)
         Start and end points, and bulges, of all cuts.
     source : (n,)
@@ -111,7 +111,7 @@ def explain_copies(
         Thickness of the board, which cannot hold a narrower strip between two cuts.
     """
     copies = find_copies(ends, bulge, caliper)
-    concerned = np.isin(source, [int(row) for row in error.source])
+    concerned = np.isin(source, error.edges)
     named = concerned[copies.row] | concerned[copies.beside]
     if not named.any():
         return error
@@ -123,7 +123,7 @@ def explain_copies(
         other=source[copies.beside[chosen][0]],
         count=len(rows),
         distance=copies.distance[chosen].max(),
-        source=[str(row) for row in rows],
+        at_edges=rows,
     )
 
 

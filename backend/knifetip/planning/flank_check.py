@@ -21,6 +21,7 @@ from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import BULGE, GAP, POINT
+from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
 
 #: Greatest deviation of the chords that approximate an arc (mm).
@@ -116,7 +117,7 @@ def check_flanks(
     excess = math.ceil(100.0 * (reach - nearest[worst]) - 1e-6) / 100.0
     at_line = nearest[worst] <= GAP
     allowed = {} if at_line else {"limit": limit}
-    raise FlankOutside(
+    message = Message(
         "groove.through-cut-at-it" if at_line else "groove.through-cut",
         groove=groove,
         width=2.0 * reach,
@@ -124,9 +125,9 @@ def check_flanks(
         cut=cut,
         distance=nearest[worst],
         place=position,
-        source=[str(groove), str(cut)],
         **allowed,
     )
+    raise FlankOutside(message, at_edges=(groove, cut))
 
 
 def clearing_shifts(

@@ -221,7 +221,7 @@ def _check_divided(bridges: F64, paths: Paths, part: I64, source: I32) -> None:
             edge=source[segment],
             count=count[part[segment]],
             fewest=FEWEST,
-            source=[str(source[segment])],
+            at_edges=np.unique(source[is_bridged & (part == part[segment])]),
         )
 
 
@@ -350,5 +350,5 @@ def _shared_error(rows: I32, cutter: DiscTool) -> PlanError:
         "milling.shared-edge",
         edge=edges[0],
         diameter=2.0 * cutter.radius,
-        source=[str(row) for row in edges[:10]],
+        at_edges=edges,
     )

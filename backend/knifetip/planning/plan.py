@@ -126,7 +126,7 @@ def plan(
                     count=len(rows),
                     type=kind.word,
                     machine=machine.title,
-                    source=[str(row) for row in rows[:10]],
+                    at_edges=rows,
                 )
             planned = planners[station.planner(kind)](dieline, rows, Setup(machine, board, station))
             operations += planned if isinstance(planned, list) else [planned]

@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.errors import ProgramError
-from knifetip.geometry.columns import Bool
+from knifetip.geometry.columns import I32, I64, Bool
 from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station
 from knifetip.model.toolpath import Motion, Toolpath
@@ -44,6 +44,13 @@ def describe_row(toolpath: Toolpath, row: int) -> Message:
     return Message("toolpath.row-of-edge", row=row, motion=motion, edge=edge)
 
 
+def edges_of_rows(toolpath: Toolpath, rows: Bool | I32 | I64) -> I32:
+    """Return the edges that rows of a toolpath make, each once, ascending."""
+    source = toolpath.source[rows]
+    edges: I32 = np.unique(source[source >= 0])
+    return edges
+
+
 def _describe_move(toolpath: Toolpath, row: int) -> Message:
     """Return a message with the end poses, the bulge and the feed of a row of a toolpath.
 
@@ -75,14 +82,9 @@ def check_toolpath(toolpath: Toolpath) -> None:
         """
         if wrong.any():
             row = int(np.argmax(wrong))
-            edge = int(toolpath.source[row])
-            raise ProgramError(
-                code,
-                place=describe_row(toolpath, row),
-                move=_describe_move(toolpath, row),
-                source=[str(edge)] if edge >= 0 else [],
-                **measures,
-            )
+            place, move = describe_row(toolpath, row), _describe_move(toolpath, row)
+            message = Message(code, place=place, move=move, **measures)
+            raise ProgramError(message, at_edges=edges_of_rows(toolpath, wrong))
 
     # By column, since operations on rows of four numbers are slow.
     numbers: Bool = reduce(np.logical_and, np.isfinite(toolpath.pose).T)

@@ -34,7 +34,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.program import Program
 from knifetip.model.tool import Engine, Knife, kind_of
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.post.check import describe_row
+from knifetip.post.check import describe_row, edges_of_rows
 from knifetip.post.digits import Characters, digit_columns
 
 #: Fraction of the tolerance by which chords may deviate from their arc.
@@ -177,10 +177,10 @@ def _check_motions(toolpath: Toolpath) -> None:
     )
     for is_refused, code in refused:
         if is_refused.any():
-            row = int(np.argmax(is_refused))
-            edge = int(toolpath.source[row])
             raise ProgramError(
-                code, place=describe_row(toolpath, row), source=[str(edge)] if edge >= 0 else []
+                code,
+                place=describe_row(toolpath, int(np.argmax(is_refused))),
+                at_edges=edges_of_rows(toolpath, is_refused),
             )
 
 
@@ -211,6 +211,7 @@ def _plotter_moves(
                 slowest=round(device.speed[0] * CM_PER_SECOND),
                 fastest=round(device.speed[1] * CM_PER_SECOND),
                 step=CM_PER_SECOND,
+                at_edges=edges_of_rows(toolpath, row[is_wrong]),
             )
     pen = _pens_of_rows(toolpath, machine, plotter)[row]
     return _PlotterMoves(point, kind, speed, pen, row.astype(np.int32))

@@ -12,6 +12,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from knifetip.errors import MOST_EDGES
 from knifetip.geometry.columns import F64
 from knifetip.messages import Message, finite, from_json, with_text
 from knifetip.model.verdict import EDGE_COLUMNS, Acceptance, Finding, Severity, Unreached, Verdict
@@ -80,8 +81,9 @@ def count_findings(findings: Sequence[Finding]) -> dict[str, int]:
 def findings_json(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, Any]]:
     """Return the findings of a verdict as JSON data.
 
-    Each finding is a message with its kind, severity, measure, edge, handle of the edge and program
-    line, whether it refuses the program, and who accepted it, if anyone.
+    Each finding is a message with its kind, severity, measure, edge, all edges that the tool makes
+    as one with it, handle of the edge and program line, whether it refuses the program, and who
+    accepted it, if anyone.
 
     Parameters
     ----------
@@ -97,6 +99,7 @@ def findings_json(verdict: Verdict, handles: Sequence[str]) -> list[dict[str, An
             **finding.message.as_json(),
             "measure": finite(finding.measure),
             "edge": finding.edge,
+            "edges": list(finding.all_edges),
             "handle": handles[finding.edge] if 0 <= finding.edge < len(handles) else "",
             "line": finding.line,
         }
@@ -118,6 +121,7 @@ def finding_from_json(plain: Mapping[str, Any]) -> Finding:
         plain["line"],
         Severity(plain.get("severity", Severity.FAULT)),
         None if acceptance is None else Acceptance(**acceptance),
+        tuple(plain.get("edges", ())),
     )
 
 
@@ -223,6 +227,15 @@ def refused_handles(rows: Sequence[Mapping[str, Any]]) -> list[str]:
     ``rows`` are the findings as JSON data, from ``findings_json``.
     """
     return sorted({str(row["handle"]) for row in rows if row["handle"] and row["refuses"]})[:200]
+
+
+def refused_edges(rows: Sequence[Mapping[str, Any]]) -> list[int]:
+    """Return the first 1000 edges because of which a program is refused, ascending.
+
+    ``rows`` are the findings as JSON data, from ``findings_json``.
+    """
+    refused = (row.get("edges", [row["edge"]]) for row in rows if row["refuses"])
+    return sorted({edge for edges in refused for edge in edges if edge >= 0})[:MOST_EDGES]
 
 
 def acceptance_json(finding: Finding) -> dict[str, Any] | None:

@@ -53,8 +53,8 @@ def avoid_zones(toolpath: Toolpath, machine: Machine) -> Toolpath:
         work = touched & (toolpath.motion[rows] != Motion.RAPID)
         if work.any():
             first = int(np.argmax(work.any(axis=0)))
-            zone = machine.zones[int(np.argmax(work[:, first]))]
-            raise _work_in_zone(toolpath, int(rows[first]), station, zone)
+            number = int(np.argmax(work[:, first]))
+            raise _work_in_zone(toolpath, rows[work[number]], station, machine.zones[number])
         for column in np.flatnonzero(touched.any(axis=0)):
             row = int(rows[column])
             met = [zone for zone, hit in zip(machine.zones, touched[:, column], strict=True) if hit]
@@ -124,8 +124,9 @@ def _corners(zone: Zone, grown: float) -> F64:
     return np.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])
 
 
-def _work_in_zone(toolpath: Toolpath, row: int, station: Station, zone: Zone) -> PlanError:
-    """Return the error that the work of a row of a toolpath touches a zone."""
+def _work_in_zone(toolpath: Toolpath, rows: I64, station: Station, zone: Zone) -> PlanError:
+    """Return the error that rows of a toolpath work in a zone; it gives a place in the first."""
+    row = int(rows[0])
     start, end = toolpath.pose[row : row + 1, :2], toolpath.pose[row + 1 : row + 2, :2]
     bulge = toolpath.bulge[row : row + 1]
     middle = np.array([[zone.x + zone.width / 2.0, zone.y + zone.height / 2.0]])
@@ -143,7 +144,7 @@ def _work_in_zone(toolpath: Toolpath, row: int, station: Station, zone: Zone) ->
         y=y,
         reach=station.reach,
         place=Message("edge.place", edge=edge) if edge >= 0 else None,
-        source=[str(edge)] if edge >= 0 else [],
+        at_edges=[one for one in toolpath.source[rows].tolist() if one >= 0],
     )
 
 

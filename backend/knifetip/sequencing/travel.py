@@ -78,7 +78,7 @@ def check_travel(toolpath: Toolpath, machine: Machine) -> None:
                 low=limits[axis, 0],
                 high=limits[axis, 1],
                 place=Message("edge.place", edge=edge) if edge >= 0 else None,
-                source=[str(edge)] if edge >= 0 else [],
+                at_edges=[edge] if edge >= 0 else [],
             )
         if machine.gantry:
             y = np.stack([pose[:-1, 1], pose[1:, 1]])
@@ -181,5 +181,5 @@ def _check_distance(
                 other=number,
                 least=machine.gantry.min_distance,
                 place=Message("edge.place", edge=edge) if edge >= 0 else None,
-                source=[str(edge)] if edge >= 0 else [],
+                at_edges=[edge] if edge >= 0 else [],
             )

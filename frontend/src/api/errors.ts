@@ -36,6 +36,7 @@ const problem = (status: number, title: string, detail: string, hint: string): P
   text: detail,
   hint,
   source: [],
+  edges: [],
   questions: [],
   revision: null,
 });
@@ -76,6 +77,7 @@ export function parseProblem(status: number, title: string, body: string): Probl
     detail: typeof known.detail === "string" ? known.detail : fallback.detail,
     hint: typeof known.hint === "string" ? known.hint : fallback.hint,
     source: known.source ?? [],
+    edges: known.edges ?? [],
     questions: known.questions ?? [],
     status,
   };

@@ -4414,6 +4414,12 @@ export interface components {
              */
             edge: number;
             /**
+             * Edges
+             * @description Rows of all edges of the drawing that the tool makes as one with `edge`, such as the chords of a curve, first `edge` itself. Empty if the finding concerns no edge, and in verdicts of older versions
+             * @default []
+             */
+            edges: number[];
+            /**
              * Handle
              * @description Handle of the edge's entity; empty if the finding concerns no edge
              */
@@ -4997,6 +5003,11 @@ export interface components {
              * @description Handles of the entities that `message` concerns; empty if it concerns none
              */
             source: string[];
+            /**
+             * Edges
+             * @description Rows of the edges of the drawing that `message` concerns, at most 1000: all edges because of which the job is refused, also where they are parts of one entity. Empty if it concerns none
+             */
+            edges: number[];
             /**
              * Questions
              * @description Open questions for which the job was refused; empty if there are none
@@ -6058,6 +6069,12 @@ export interface components {
              * @default []
              */
             source: string[];
+            /**
+             * Edges
+             * @description Rows of the edges of the drawing that the problem concerns, at most 1000; empty if there are none
+             * @default []
+             */
+            edges: number[];
             /**
              * Questions
              * @description Questions for which it was refused; empty if there are none
@@ -8337,10 +8354,16 @@ export interface components {
             detail: string;
             /**
              * Source
-             * @description Entity handles, edge rows or names of request fields that the error concerns; empty if there are none
+             * @description Entity handles or names of request fields that the error concerns; empty if there are none
              * @default []
              */
             source: string[];
+            /**
+             * Edges
+             * @description Rows of the edges of the drawing that the error concerns, at most 1000; they may be parts of one entity. Empty if there are none
+             * @default []
+             */
+            edges: number[];
             /**
              * Questions
              * @description Questions that must be answered before the job can be created; empty for other errors
@@ -9748,6 +9771,7 @@ export interface components {
             /** @constant */
             code: "bridges.divided-blank";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 count: number;
                 fewest: number;
@@ -9756,6 +9780,7 @@ export interface components {
             /** @constant */
             code: "bridges.no-room";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 length: number;
                 fewest: number;
@@ -10268,6 +10293,7 @@ export interface components {
             /** @constant */
             code: "cleaning.fitted-edge";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 distance: number;
             };
@@ -10290,6 +10316,7 @@ export interface components {
             /** @constant */
             code: "cleaning.joined-edge";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
             };
         } | {
@@ -10324,6 +10351,7 @@ export interface components {
             /** @constant */
             code: "cleaning.near-edge";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 distance: number;
             };
@@ -10339,6 +10367,7 @@ export interface components {
             /** @constant */
             code: "cleaning.on-edge";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
             };
         } | {
@@ -10866,6 +10895,7 @@ export interface components {
             /** @constant */
             code: "corner.bad-k";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 k: string;
             };
@@ -10953,6 +10983,7 @@ export interface components {
             /** @constant */
             code: "crease.tight-bend";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 radius: number;
                 offset: number;
@@ -11013,23 +11044,56 @@ export interface components {
             /** @constant */
             code: "cut.too-short";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 length: number;
                 lead: number;
             };
         } | {
             /** @constant */
+            code: "cutter.contour-touches-itself";
+            arguments: {
+                /** @description Position in the drawing (mm) */
+                x: number;
+                /** @description Position in the drawing (mm) */
+                y: number;
+                /** @description Row of an edge of the drawing */
+                edge: number;
+                /** @description Row of an edge of the drawing */
+                other: number;
+                diameter: number;
+            };
+        } | {
+            /** @constant */
+            code: "cutter.corner-loop";
+            arguments: {
+                /** @description Row of an edge of the drawing */
+                edge: number;
+                /** @description Row of an edge of the drawing */
+                other: number;
+                size: number;
+                /** @description Position in the drawing (mm) */
+                x: number;
+                /** @description Position in the drawing (mm) */
+                y: number;
+                diameter: number;
+            };
+        } | {
+            /** @constant */
             code: "cutter.interference";
             arguments: {
                 diameter: number;
-                edge: string;
+                /** @description Row of an edge of the drawing */
+                edge: number;
                 depth: number;
-                other: string;
+                /** @description Row of an edge of the drawing */
+                other: number;
             };
         } | {
             /** @constant */
             code: "cutter.misses-bridge";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 distance: number;
             };
@@ -11431,18 +11495,21 @@ export interface components {
             /** @constant */
             code: "edge.no-length";
             arguments: {
-                edges: string[];
+                /** @description Rows of edges of the drawing */
+                edges: number[];
             };
         } | {
             /** @constant */
             code: "edge.not-finite";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
             };
         } | {
             /** @constant */
             code: "edge.place";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
             };
         } | {
@@ -11456,6 +11523,7 @@ export interface components {
             /** @constant */
             code: "edge.too-far";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 distance: number;
             };
@@ -11471,6 +11539,12 @@ export interface components {
             code: "error.at-edge";
             arguments: {
                 error: components["schemas"]["Message"];
+                count: number;
+                /** @description Rows of edges of the drawing */
+                edges: number[];
+                more: components["schemas"]["Message"] | null;
+                /** @description Row of an edge of the drawing */
+                edge: number;
                 handle: string;
                 layer: string;
             };
@@ -11478,7 +11552,8 @@ export interface components {
             /** @constant */
             code: "error.at-edges";
             arguments: {
-                edges: string[];
+                /** @description Rows of edges of the drawing */
+                edges: number[];
                 error: components["schemas"]["Message"];
             };
         } | {
@@ -11487,6 +11562,12 @@ export interface components {
             arguments: {
                 name: string;
                 error: components["schemas"]["Message"];
+            };
+        } | {
+            /** @constant */
+            code: "error.more-edges";
+            arguments: {
+                count: number;
             };
         } | {
             /** @constant */
@@ -12013,6 +12094,7 @@ export interface components {
             /** @constant */
             code: "finding.at-edge";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 fault: components["schemas"]["Message"];
             };
@@ -12020,6 +12102,7 @@ export interface components {
             /** @constant */
             code: "finding.at-edge-and-line";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 line: number;
                 fault: components["schemas"]["Message"];
@@ -12410,6 +12493,7 @@ export interface components {
             /** @constant */
             code: "groove.along-edge";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 angle: number;
             };
@@ -12418,6 +12502,7 @@ export interface components {
             code: "groove.curved";
             arguments: {
                 count: number;
+                /** @description Row of an edge of the drawing */
                 edge: number;
             };
         } | {
@@ -12431,6 +12516,7 @@ export interface components {
             /** @constant */
             code: "groove.runs-out";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 distance: number;
             };
@@ -12438,9 +12524,11 @@ export interface components {
             /** @constant */
             code: "groove.through-cut";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 groove: number;
                 width: number;
                 through: number;
+                /** @description Row of an edge of the drawing */
                 cut: number;
                 distance: number;
                 place: number;
@@ -12450,9 +12538,11 @@ export interface components {
             /** @constant */
             code: "groove.through-cut-at-it";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 groove: number;
                 width: number;
                 through: number;
+                /** @description Row of an edge of the drawing */
                 cut: number;
                 distance: number;
                 place: number;
@@ -12461,6 +12551,7 @@ export interface components {
             /** @constant */
             code: "groove.tight-bend";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 radius: number;
                 blade: number;
@@ -12470,6 +12561,7 @@ export interface components {
             /** @constant */
             code: "groove.too-deep";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 depth: number;
                 caliper: number;
@@ -12478,6 +12570,7 @@ export interface components {
             /** @constant */
             code: "groove.too-short";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 length: number;
                 blade: number;
@@ -14904,8 +14997,11 @@ export interface components {
             /** @constant */
             code: "milling.contours-cross";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
+                /** @description Position in the drawing (mm) */
                 x: number;
+                /** @description Position in the drawing (mm) */
                 y: number;
             };
         } | {
@@ -14914,13 +15010,16 @@ export interface components {
             arguments: {
                 count: number;
                 distance: number;
+                /** @description Row of an edge of the drawing */
                 edge: number;
+                /** @description Row of an edge of the drawing */
                 other: number;
             };
         } | {
             /** @constant */
             code: "milling.shared-edge";
             arguments: {
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 diameter: number;
             };
@@ -17031,6 +17130,7 @@ export interface components {
             arguments: {
                 row: number;
                 motion: components["schemas"]["Message"];
+                /** @description Row of an edge of the drawing */
                 edge: number;
             };
         } | {
@@ -17834,6 +17934,7 @@ export interface components {
             code: "verify.flank-through-cut";
             arguments: {
                 depth: number;
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 distance: number;
                 place: number;
@@ -18034,6 +18135,7 @@ export interface components {
             code: "verify.no-such-shortfall";
             arguments: {
                 code: string;
+                /** @description Row of an edge of the drawing */
                 edge: number;
             };
         } | {
@@ -18041,6 +18143,7 @@ export interface components {
             code: "verify.not-acceptable";
             arguments: {
                 code: string;
+                /** @description Row of an edge of the drawing */
                 edge: number;
             };
         } | {
@@ -18250,6 +18353,7 @@ export interface components {
             arguments: {
                 tool: string;
                 length: number;
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 type: string;
             };
@@ -18266,6 +18370,7 @@ export interface components {
             code: "verify.stray-plunge-along";
             arguments: {
                 tool: string;
+                /** @description Row of an edge of the drawing */
                 edge: number;
                 type: string;
             };
@@ -21266,6 +21371,9 @@ export interface operations {
                      *         "source": [
                      *           "text"
                      *         ],
+                     *         "edges": [
+                     *           1
+                     *         ],
                      *         "questions": [
                      *           {
                      *             "code": "job.unknown",
@@ -21545,6 +21653,9 @@ export interface operations {
                      *       "hint": "text",
                      *       "source": [
                      *         "text"
+                     *       ],
+                     *       "edges": [
+                     *         1
                      *       ],
                      *       "questions": [
                      *         {
@@ -21863,6 +21974,9 @@ export interface operations {
                      *       "source": [
                      *         "text"
                      *       ],
+                     *       "edges": [
+                     *         1
+                     *       ],
                      *       "questions": [
                      *         {
                      *           "code": "job.unknown",
@@ -22144,6 +22258,9 @@ export interface operations {
                      *       "hint": "text",
                      *       "source": [
                      *         "text"
+                     *       ],
+                     *       "edges": [
+                     *         1
                      *       ],
                      *       "questions": [
                      *         {
@@ -22770,6 +22887,9 @@ export interface operations {
                      *           },
                      *           "measure": 12.5,
                      *           "edge": 1,
+                     *           "edges": [
+                     *             1
+                     *           ],
                      *           "handle": "2A",
                      *           "line": 1
                      *         }
@@ -23291,6 +23411,9 @@ export interface operations {
                      *       "source": [
                      *         "text"
                      *       ],
+                     *       "edges": [
+                     *         1
+                     *       ],
                      *       "questions": [
                      *         {
                      *           "code": "job.unknown",
@@ -23596,6 +23719,9 @@ export interface operations {
                      *       "hint": "text",
                      *       "source": [
                      *         "text"
+                     *       ],
+                     *       "edges": [
+                     *         1
                      *       ],
                      *       "questions": [
                      *         {
@@ -23903,6 +24029,9 @@ export interface operations {
                      *       "source": [
                      *         "text"
                      *       ],
+                     *       "edges": [
+                     *         1
+                     *       ],
                      *       "questions": [
                      *         {
                      *           "code": "job.unknown",
@@ -24208,6 +24337,9 @@ export interface operations {
                      *       "hint": "text",
                      *       "source": [
                      *         "text"
+                     *       ],
+                     *       "edges": [
+                     *         1
                      *       ],
                      *       "questions": [
                      *         {
@@ -24531,6 +24663,9 @@ export interface operations {
                      *       "source": [
                      *         "text"
                      *       ],
+                     *       "edges": [
+                     *         1
+                     *       ],
                      *       "questions": [
                      *         {
                      *           "code": "job.unknown",
@@ -24836,6 +24971,9 @@ export interface operations {
                      *       "hint": "text",
                      *       "source": [
                      *         "text"
+                     *       ],
+                     *       "edges": [
+                     *         1
                      *       ],
                      *       "questions": [
                      *         {
@@ -25148,6 +25286,9 @@ export interface operations {
                      *       "source": [
                      *         "text"
                      *       ],
+                     *       "edges": [
+                     *         1
+                     *       ],
                      *       "questions": [
                      *         {
                      *           "code": "job.unknown",
@@ -25459,6 +25600,9 @@ export interface operations {
                      *       "source": [
                      *         "text"
                      *       ],
+                     *       "edges": [
+                     *         1
+                     *       ],
                      *       "questions": [
                      *         {
                      *           "code": "job.unknown",
@@ -25764,6 +25908,9 @@ export interface operations {
                      *       "hint": "text",
                      *       "source": [
                      *         "text"
+                     *       ],
+                     *       "edges": [
+                     *         1
                      *       ],
                      *       "questions": [
                      *         {
@@ -26071,6 +26218,9 @@ export interface operations {
                      *       "source": [
                      *         "text"
                      *       ],
+                     *       "edges": [
+                     *         1
+                     *       ],
                      *       "questions": [
                      *         {
                      *           "code": "job.unknown",
@@ -26377,6 +26527,9 @@ export interface operations {
                      *       "source": [
                      *         "text"
                      *       ],
+                     *       "edges": [
+                     *         1
+                     *       ],
                      *       "questions": [
                      *         {
                      *           "code": "job.unknown",
@@ -26682,6 +26835,9 @@ export interface operations {
                      *       "hint": "text",
                      *       "source": [
                      *         "text"
+                     *       ],
+                     *       "edges": [
+                     *         1
                      *       ],
                      *       "questions": [
                      *         {
@@ -27033,6 +27189,9 @@ export interface operations {
                      *         "source": [
                      *           "text"
                      *         ],
+                     *         "edges": [
+                     *           1
+                     *         ],
                      *         "questions": [
                      *           {
                      *             "code": "job.unknown",
@@ -27368,6 +27527,9 @@ export interface operations {
                      *           "source": [
                      *             "text"
                      *           ],
+                     *           "edges": [
+                     *             1
+                     *           ],
                      *           "questions": [
                      *             {
                      *               "code": "job.unknown",
@@ -27506,6 +27668,9 @@ export interface operations {
                      *         },
                      *         "source": [
                      *           "text"
+                     *         ],
+                     *         "edges": [
+                     *           1
                      *         ],
                      *         "questions": [
                      *           {
@@ -27882,6 +28047,9 @@ export interface operations {
                      *             "source": [
                      *               "text"
                      *             ],
+                     *             "edges": [
+                     *               1
+                     *             ],
                      *             "questions": [
                      *               {
                      *                 "code": "job.unknown",
@@ -28166,6 +28334,9 @@ export interface operations {
                      *       "hint": "text",
                      *       "source": [
                      *         "text"
+                     *       ],
+                     *       "edges": [
+                     *         1
                      *       ],
                      *       "questions": [
                      *         {
@@ -28490,6 +28661,9 @@ export interface operations {
                      *       "hint": "text",
                      *       "source": [
                      *         "text"
+                     *       ],
+                     *       "edges": [
+                     *         1
                      *       ],
                      *       "questions": [
                      *         {
@@ -28946,6 +29120,9 @@ export interface operations {
                      *       "source": [
                      *         "text"
                      *       ],
+                     *       "edges": [
+                     *         1
+                     *       ],
                      *       "questions": [
                      *         {
                      *           "code": "job.unknown",
@@ -29280,6 +29457,9 @@ export interface operations {
                      *         "hint": "text",
                      *         "source": [
                      *           "text"
+                     *         ],
+                     *         "edges": [
+                     *           1
                      *         ],
                      *         "questions": [
                      *           {
@@ -38503,6 +38683,9 @@ export interface operations {
                      *       "source": [
                      *         "text"
                      *       ],
+                     *       "edges": [
+                     *         1
+                     *       ],
                      *       "questions": [
                      *         {
                      *           "code": "job.unknown",
@@ -39734,6 +39917,9 @@ export interface operations {
                      *       "hint": "text",
                      *       "source": [
                      *         "text"
+                     *       ],
+                     *       "edges": [
+                     *         1
                      *       ],
                      *       "questions": [
                      *         {

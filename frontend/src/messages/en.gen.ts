@@ -911,6 +911,14 @@ export const TEXTS = {
     "text": "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge. The slanted blade of the knife needs a cut of at least {lead:.2f} mm.",
     "hint": "Set the line type of the cut to ignored, join the cut to another cut, or choose a knife with a less slanted blade."
   },
+  "cutter.contour-touches-itself": {
+    "text": "A contour touches itself at X{x:.3f} Y{y:.3f}, in the edges {edge} and {other}, so the path of a cutter of {diameter:.3g} mm diameter beside it is not closed.",
+    "hint": "Trim the two edges at their intersection, or move one of them."
+  },
+  "cutter.corner-loop": {
+    "text": "The edges {edge} and {other} cross {size:.4g} mm before the corner at X{x:.3f} Y{y:.3f}, where they meet, so the path of a cutter of {diameter:.3g} mm diameter beside them is not closed.",
+    "hint": "Trim the two edges at their crossing, so that the corner is there."
+  },
   "cutter.interference": {
     "text": "The cutter of {diameter:.2f} mm diameter does not fit beside edge {edge}: it would cut {depth:.3g} mm into the part at edge {other}. The job allows no parts of contours that the cutter leaves uncut.",
     "hint": "Choose 'Leave this part uncut' (interference 'trim') and accept the shortfalls that the verdict then lists, or choose a thinner cutter."
@@ -1184,7 +1192,7 @@ export const TEXTS = {
     "hint": "Delete edges that are drawn many times on top of each other."
   },
   "error.at-edge": {
-    "text": "{error} The fault concerns the object with the handle {handle} on the layer \"{layer}\".",
+    "text": "{error} This concerns {count:edge|# edges:} {edges:, }{more}. Edge {edge} is part of the object with the handle {handle} on the layer \"{layer}\".",
     "hint": "{error:hint}"
   },
   "error.at-edges": {
@@ -1194,6 +1202,10 @@ export const TEXTS = {
   "error.in-file": {
     "text": "File {name}: {error}",
     "hint": "{error:hint}"
+  },
+  "error.more-edges": {
+    "text": " and {count} more",
+    "hint": ""
   },
   "field.above": {
     "text": "{path} is {value}, but must be at most {limit:g}",

@@ -30,7 +30,7 @@ import {
 } from "../state/jobs";
 import { useBoardTitle, useEdges, useJob } from "../state/queries";
 import { canContinue } from "../state/rest";
-import { rowsOfHandles } from "../state/rows";
+import { concernedRows } from "../state/rows";
 import { SHOWN_STAGES, stageProgress } from "../state/stages";
 import { useUiStore } from "../state/store";
 import { ConfirmDialog } from "./ConfirmDialog";
@@ -193,7 +193,7 @@ function Outcome({ job }: { job: Job }) {
   const text = job.message === null ? fallback : renderText(job.message);
   if (text === "") return null;
   const { tone } = STATE_STYLES[job.state];
-  const rows = edges === undefined ? [] : rowsOfHandles(edges, job.source);
+  const rows = edges === undefined ? [] : concernedRows(edges, job);
   return (
     <div
       className={jobCss.callout}

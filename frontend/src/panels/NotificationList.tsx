@@ -6,7 +6,7 @@ import { useEffect, useState } from "react";
 import { pluralize } from "../state/format";
 import { type Notification, useNotifications } from "../state/notifications";
 import { useEdges } from "../state/queries";
-import { rowsOfHandles } from "../state/rows";
+import { concernedRows } from "../state/rows";
 import { useUiStore } from "../state/store";
 import notificationCss from "./notifications.module.css";
 import css from "./panels.module.css";
@@ -26,7 +26,7 @@ export function NotificationList() {
 }
 
 function Report({ notification }: { notification: Notification }) {
-  const { id, title, detail, hint, source, notice } = notification;
+  const { id, title, detail, hint, notice } = notification;
   const dismiss = useNotifications((notifications) => notifications.dismiss);
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   const { data: edges } = useEdges();
@@ -37,7 +37,7 @@ function Report({ notification }: { notification: Notification }) {
     const timer = setTimeout(() => dismiss(id), SHOWN);
     return () => clearTimeout(timer);
   }, [kept, id, dismiss]);
-  const rows = edges === undefined ? [] : rowsOfHandles(edges, source);
+  const rows = edges === undefined ? [] : concernedRows(edges, notification);
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: it is only kept in view, nothing is done
     <div

@@ -155,7 +155,7 @@ function KindRow({ kind, children }: { kind: string; children: ReactNode }) {
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   const zoom = () => {
     const own = (fullVerdict?.findings ?? []).filter((finding) => finding.kind === kind);
-    if (own.length > 0) zoomToEdges(own.map((finding) => finding.edge));
+    if (own.length > 0) zoomToEdges(own.flatMap(edgesOf));
   };
   return (
     <button
@@ -249,7 +249,7 @@ function Row({ finding }: { finding: Finding }) {
       type="button"
       className={verdictCss.finding}
       disabled={finding.edge < 0}
-      onClick={() => zoomToEdges([finding.edge])}
+      onClick={() => zoomToEdges(edgesOf(finding))}
       data-severity={finding.severity}
       data-testid="finding"
     >
@@ -268,6 +268,10 @@ function Row({ finding }: { finding: Finding }) {
     </button>
   );
 }
+
+/** The edges that the tool makes as one with that of a finding, such as the chords of a curve. */
+const edgesOf = ({ edge, edges }: Finding): readonly number[] =>
+  edges.length > 0 ? edges : [edge];
 
 /** Edge and line of a finding, to put in front of its text. */
 function place(finding: Finding): string {

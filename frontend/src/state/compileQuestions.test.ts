@@ -28,6 +28,7 @@ const refusal = () =>
     detail: "1 question about the drawing must be answered first",
     hint: "",
     source: [],
+    edges: [],
     questions: [QUESTION],
     revision: null,
   });

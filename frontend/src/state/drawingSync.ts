@@ -103,6 +103,7 @@ async function applyRemoteChange(id: string, refused = false): Promise<boolean> 
       .join(" ")
       .trim(),
     source: [],
+    edges: [],
     notice: !refused,
   });
   const stale = [queries.importReports(id), queries.learned(id).queryKey];

@@ -3,15 +3,15 @@
 import { create } from "zustand";
 import { type Problem, ServiceError } from "../api/client";
 import { renderHint, renderText } from "../messages/render";
+import type { Concerned } from "./rows";
 
-export interface Notification {
+export interface Notification extends Concerned {
   readonly id: number;
   /** Code of the error, if the server reported it. */
   readonly code?: string;
   readonly title: string;
   readonly detail: string;
   readonly hint: string;
-  readonly source: readonly string[];
   /** Not an error. */
   readonly notice?: boolean;
 }
@@ -49,6 +49,7 @@ const fromProblem = (problem: Problem): Omit<Notification, "id"> => ({
   code: problem.code,
   hint: renderHint(problem),
   source: problem.source,
+  edges: problem.edges,
 });
 
 const fromPageError = (detail: string): Omit<Notification, "id"> => ({
@@ -56,6 +57,7 @@ const fromPageError = (detail: string): Omit<Notification, "id"> => ({
   detail,
   hint: "Reload the page and repeat the last step.",
   source: [],
+  edges: [],
 });
 
 export function notifyError(cause: unknown): void {

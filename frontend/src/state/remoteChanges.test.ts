@@ -122,6 +122,7 @@ describe("a drawing that is changed elsewhere", () => {
       text: "Drawing d1 was changed since it was read.",
       hint: "",
       source: [],
+      edges: [],
       questions: [],
       revision: 2,
     });

@@ -35,6 +35,21 @@ export function rowsOfHandles(edges: Edges, handles: Iterable<string>): number[]
   return [...new Set(handles)].flatMap((handle) => rows.get(handle) ?? []).sort((a, b) => a - b);
 }
 
+/** What an error or a refused job concerns: rows of edges and handles of their entities. */
+export interface Concerned {
+  readonly edges: readonly number[];
+  readonly source: readonly string[];
+}
+
+/**
+ * Rows of the edges that an error or a refused job concerns. Only older servers name no rows: then
+ * they are all edges of the entities, of which some may not be concerned.
+ */
+export const concernedRows = (edges: Edges, { edges: rows, source }: Concerned): number[] =>
+  rows.length === 0
+    ? rowsOfHandles(edges, source)
+    : rows.filter((row) => row >= 0 && row < edges.bulge.length);
+
 export const layerOf = (edges: Edges, row: number): string =>
   edges.layers[edges.layer[row] ?? -1] ?? "";
 

@@ -36,7 +36,7 @@ def slow_process_id(progress: Progress) -> int:
 
 
 def refuse(progress: Progress, *_: object) -> NoReturn:
-    raise CurvedGroove("groove.curved", count=1, edge=7, source=["2F4"])
+    raise CurvedGroove("groove.curved", count=1, edge=7, source=["2F4"], at_edges=[7, 8])
 
 
 def fail(progress: Progress, *_: object) -> NoReturn:

@@ -54,6 +54,21 @@ def test_lengths_are_divided_and_maxima_are_repeated() -> None:
     assert len(mapped.tidied) == len(LINE)
 
 
+def test_a_finding_names_all_drawn_edges_of_its_cleaned_edge() -> None:
+    made = clean(LINE)
+    on_second = Finding(
+        "uncut",
+        Message("verify.stray-along", tool="knife", length=1.0, edge=5, type="crease"),
+        4.0,
+        edge=0,
+    )
+    mapped = map_to_drawn(replace(verdict(6), findings=(on_second,)), made, LINE)
+    (finding,) = mapped.findings
+    # Edge 1 was joined to edge 0, and edge 2 lies on both; the cleaned edge 5 is a piece of edge 3.
+    assert (finding.edge, finding.edges) == (0, (0, 1, 2))
+    assert finding.message.arguments["edge"] == 3
+
+
 def test_a_merged_edge_is_as_far_from_the_curves_as_the_worst_of_its_parts() -> None:
     # The second piece is reversed; the first two are merged, and the third coincides with them.
     line = replace(LINE, fit_error=np.array([0.001, 0.003, 0.002, 0.0, 0.0]))

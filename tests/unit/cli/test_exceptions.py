@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from knifetip.cli.program import print_how_to_leave_out
+from knifetip.cli.program import faulty_edges
 from knifetip.messages import Message
 from knifetip.model.verdict import Finding, Severity, Verdict
 from tests.support.command import Command
@@ -66,12 +66,14 @@ def test_a_wrong_acceptance_is_refused_with_its_reason(
     assert expected in " ".join((out + err).replace("│", "").split())
 
 
-def test_the_edges_of_faults_can_be_left_out(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_edges_of_faults_can_be_left_out() -> None:
     message = Message("verify.past-end", tool="knife", length=0.07)
     none = np.zeros(9)
     findings = tuple(Finding("overcut", message, 0.07, edge=row) for row in (7, 2, 7, -1))
-    print_how_to_leave_out(Verdict(False, 0.01, none, none, none, none, findings, 1.0))
-    assert "--edge 7,2=ignored" in capsys.readouterr().err
+    # Edge 3 is the first chord of a curve.
+    curve = Finding("overcut", message, 0.07, edge=3, edges=(3, 4, 5))
+    verdict = Verdict(False, 0.01, none, none, none, none, (*findings, curve), 1.0)
+    assert faulty_edges(verdict) == [2, 3, 4, 5, 7]
     shortfall = replace(findings[0], severity=Severity.SHORTFALL)
-    print_how_to_leave_out(Verdict(False, 0.01, none, none, none, none, (shortfall,), 1.0))
-    assert capsys.readouterr().err == ""
+    verdict = Verdict(False, 0.01, none, none, none, none, (shortfall,), 1.0)
+    assert faulty_edges(verdict) == []

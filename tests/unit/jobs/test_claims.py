@@ -72,10 +72,11 @@ def test_a_verdict_outside_tolerance_refuses_the_job_with_its_edges(store: Store
     job = compiling(store, release=True)
     store.compiles.save_result(job.id, job.epoch, REFUSED)
     job = store.jobs.get(job.id)
-    assert (job.state, str(job.message), job.source) == (
+    assert (job.state, str(job.message), job.source, job.edges) == (
         "refused",
         "Edge 3 is 0.4 mm off.",
         ["2F4"],
+        [3],
     )
 
 

@@ -116,6 +116,7 @@ def test_a_refusal_keeps_reason_mend_and_source(
         "or choose another line type for them.",
         ["2F4"],
     )
+    assert job.edges == [7, 8]
 
 
 @pytest.mark.parametrize(

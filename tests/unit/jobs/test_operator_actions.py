@@ -66,7 +66,7 @@ def short(store: Store) -> str:
 
 
 def accept(store: Store, id: str) -> Job:
-    columns = VerdictColumns(b"", {"seconds": 1.0, "accepted": True}, None, [])
+    columns = VerdictColumns(b"", {"seconds": 1.0, "accepted": True}, None, [], [])
     return store.operators.accept(
         id, lambda _block, _summary: columns, OPERATOR, stored("Accepted.")
     )

@@ -62,6 +62,7 @@ def test_an_error_comes_back_with_mend_and_source(pool: ProcessPool) -> None:
         "or choose another line type for them."
     )
     assert caught.value.source == ("2F4",)
+    assert caught.value.edges == (7, 8)
 
 
 def test_an_unexpected_failure_leaves_the_process_alive(

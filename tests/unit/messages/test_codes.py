@@ -17,7 +17,7 @@ from knifetip.messages.codes import CODES
 ROOT = Path(knifetip.__file__).parent
 ERRORS = {name for name, kind in vars(errors).items() if isinstance(kind, type)}
 #: Arguments of errors that are not arguments of the code.
-OTHER = {"source"}
+OTHER = {"source", "at_edges"}
 
 
 def trees() -> Iterator[tuple[str, ast.Module]]:

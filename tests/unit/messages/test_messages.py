@@ -22,6 +22,10 @@ SAMPLES = {
     "message": Message("stored.text", text="M", hint=""),
     "message?": None,
     "messages": (Message("stored.text", text="N", hint=""),),
+    "edge": 7,
+    "edges": (7, 8),
+    "x": 1.5,
+    "y": 2.5,
 }
 
 
@@ -51,6 +55,16 @@ def test_a_message_is_rendered_stored_and_restored(code: str) -> None:
     assert "{" not in render(message) + hint(message)
     assert from_json(json.loads(json.dumps(message.as_json()))) == message
     assert pickle.loads(pickle.dumps(message)) == message
+
+
+def test_edges_and_places_in_a_message_and_its_arguments_can_be_those_of_the_drawing() -> None:
+    crossing = Message("milling.contours-cross", edge=3, x=30.0, y=50.0)
+    message = Message("error.at-edges", edges=(3, 4, 5), error=crossing)
+    drawn = {3: 0, 4: 0, 5: 2}
+    moved = message.located(drawn.__getitem__, (-10.0, -20.0))
+    assert moved.arguments["edges"] == (0, 2)
+    assert moved.arguments["error"].arguments == {"edge": 0, "x": 20.0, "y": 30.0}
+    assert crossing.arguments == {"edge": 3, "x": 30.0, "y": 50.0}
 
 
 def test_arguments_of_other_names_are_refused() -> None:

@@ -69,7 +69,7 @@ def test_of_several_failures_the_first_is_raised(monkeypatch: pytest.MonkeyPatch
         start[8 * path + 2] = start[8 * path + 1]
     with pytest.raises(ZeroLengthEdge) as caught:
         offset_on_cores(4, monkeypatch, Paths(start, end, paths.bulge, paths.first), 2.0, -1)
-    assert caught.value.source == ("97",)
+    assert caught.value.message.arguments["edges"] == (97,)
 
 
 def test_a_small_batch_uses_one_core(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -64,7 +64,7 @@ def test_a_groove_along_a_cut_is_refused_with_the_cut_and_the_distance(
     assert f"The cut lies only {aside:.2f} mm from the centre line of the groove" in str(error)
     assert "75.0 mm from the start of the groove" in str(error)
     assert f"Move the groove and the cut {1.0 - aside:.2f} mm further apart" in error.hint
-    assert error.source == ("4", "2" if far else "0")
+    assert error.edges == (4, 2 if far else 0)
 
 
 @pytest.mark.parametrize(

@@ -176,7 +176,7 @@ def test_a_short_line_that_turns_is_refused_with_its_edge() -> None:
     )
     with pytest.raises(ProgramError, match=r"takes 0\.375 ms") as refused:
         program(bent, with_wiring(corner=60.0))
-    assert refused.value.source == ("7",)
+    assert refused.value.edges == (7,)
     assert "slower feed" in refused.value.hint
     # With a stop between them there is no deadline.
     assert program(bent).text.count(b"LINE") == 2

@@ -7,10 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from knifetip.messages import Message
-from knifetip.model.verdict import Finding, Unreached, Verdict
+from knifetip.model.verdict import Finding, Severity, Unreached, Verdict
 from knifetip.presentation.verdict import (
     areas_json,
+    finding_from_json,
     findings_json,
+    refused_edges,
     unpack_areas,
     verdict_summary,
 )
@@ -58,6 +60,22 @@ def test_findings_have_the_handles_of_their_edges_and_finite_measures() -> None:
     assert (found["handle"], found["measure"]) == ("B", 1e9)
     assert (found["code"], found["arguments"]["text"]) == ("stored.text", "ab")
     assert (found["severity"], found["refuses"]) == ("fault", True)
+    assert (found["edge"], found["edges"]) == (1, [1])
+    assert finding_from_json(found).all_edges == (1,)
+
+
+def test_a_program_is_refused_because_of_all_edges_that_are_made_as_one() -> None:
+    message = Message("verify.unclassified")
+    findings = [
+        Finding("uncut", message, 4.0, edge=7, edges=(7, 3, 8)),
+        Finding("uncut", message, 4.0, edge=1, severity=Severity.NOTE),
+        Finding("feed", message, 1.0),
+    ]
+    verdict = cast("Verdict", SimpleNamespace(findings=findings))
+    rows = findings_json(verdict, [f"{row:X}" for row in range(9)])
+    assert refused_edges(rows) == [3, 7, 8]
+    # Older versions stored the edge only.
+    assert refused_edges([{"refuses": True, "edge": 5}, {"refuses": True, "edge": -1}]) == [5]
 
 
 def test_areas_have_centre_and_outline_and_are_sorted_by_size() -> None:

@@ -111,8 +111,13 @@ class Problem(MessageOut):
     detail: str = Field(description="Same text as `text`, under the name that RFC 9457 prescribes")
     source: list[str] = Field(
         default=[],
-        description="Entity handles, edge rows or names of request fields that the error "
-        "concerns; empty if there are none",
+        description="Entity handles or names of request fields that the error concerns; empty if "
+        "there are none",
+    )
+    edges: list[int] = Field(
+        default=[],
+        description="Rows of the edges of the drawing that the error concerns, at most 1000; they "
+        "may be parts of one entity. Empty if there are none",
     )
     questions: list[QuestionOut] = Field(
         default=[],

@@ -157,6 +157,11 @@ class JobOut(OrderDetailsOut):
     source: list[str] = Field(
         description="Handles of the entities that `message` concerns; empty if it concerns none"
     )
+    edges: list[int] = Field(
+        description="Rows of the edges of the drawing that `message` concerns, at most 1000: all "
+        "edges because of which the job is refused, also where they are parts of one entity. Empty "
+        "if it concerns none"
+    )
     questions: list[QuestionOut] = Field(
         description="Open questions for which the job was refused; empty if there are none"
     )

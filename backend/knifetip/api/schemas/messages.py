@@ -31,6 +31,14 @@ _TYPES: Final[Mapping[Kind, dict[str, Any]]] = {
     "message": {"$ref": _UNION},
     "message?": {"anyOf": [{"$ref": _UNION}, {"type": "null"}]},
     "messages": {"type": "array", "items": {"$ref": _UNION}},
+    "edge": {"type": "integer", "description": "Row of an edge of the drawing"},
+    "edges": {
+        "type": "array",
+        "items": {"type": "integer"},
+        "description": "Rows of edges of the drawing",
+    },
+    "x": {"type": "number", "description": "Position in the drawing (mm)"},
+    "y": {"type": "number", "description": "Position in the drawing (mm)"},
 }
 
 

@@ -136,6 +136,11 @@ class OrderResult(BaseModel):
         description="Paths of the fields, or handles of the entities, that the problem concerns; "
         "empty if there are none",
     )
+    edges: list[int] = Field(
+        default=[],
+        description="Rows of the edges of the drawing that the problem concerns, at most 1000; "
+        "empty if there are none",
+    )
     questions: list[QuestionOut] = Field(
         default=[], description="Questions for which it was refused; empty if there are none"
     )

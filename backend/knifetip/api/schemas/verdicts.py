@@ -121,6 +121,12 @@ class FindingOut(MessageOut):
         description="Row of the edge in the drawing, counted from 0; -1 if the finding concerns "
         "no edge"
     )
+    edges: list[int] = Field(
+        default=[],
+        description="Rows of all edges of the drawing that the tool makes as one with `edge`, such "
+        "as the chords of a curve, first `edge` itself. Empty if the finding concerns no edge, and "
+        "in verdicts of older versions",
+    )
     handle: str = Field(
         description="Handle of the edge's entity; empty if the finding concerns no edge"
     )

@@ -27,7 +27,7 @@ MESSAGES: Final[Entries] = {
     "cleaning.fitted-edge": entry(
         "the edge and edge {edge} were parts of a curve made of short lines; one line or arc, "
         "which deviates by at most {distance:.2g} mm from this curve, replaces them",
-        edge="count",
+        edge="edge",
         distance="number",
     ),
     "cleaning.folds-trimmed": entry(
@@ -45,7 +45,7 @@ MESSAGES: Final[Entries] = {
     ),
     "cleaning.joined-edge": entry(
         "the edge was merged into edge {edge}, which lies on the same line",
-        edge="count",
+        edge="edge",
     ),
     "cleaning.kept": entry(
         "the edge was kept unchanged",
@@ -68,7 +68,7 @@ MESSAGES: Final[Entries] = {
     "cleaning.near-edge": entry(
         "the edge was drawn twice: it lies {distance:.2g} mm beside edge {edge} and was merged "
         "into it",
-        edge="count",
+        edge="edge",
         distance="number",
     ),
     "cleaning.no-work": entry(
@@ -79,7 +79,7 @@ MESSAGES: Final[Entries] = {
     ),
     "cleaning.on-edge": entry(
         "the edge lies on edge {edge} and was merged into it",
-        edge="count",
+        edge="edge",
     ),
     "cleaning.part-dropped": entry(
         "a part of the edge, {length:.2g} mm long, was dropped because it is too short to process",

@@ -13,7 +13,7 @@ MESSAGES: Final[Entries] = {
         "hold a part) at most {spacing:.1f} mm apart, and away from corners and narrow slots.",
         "Choose narrower bridges or a larger spacing of bridges in the board file, or choose "
         "a board without bridges.",
-        edge="count",
+        edge="edge",
         length="number",
         fewest="count",
         gap="number",
@@ -24,7 +24,7 @@ MESSAGES: Final[Entries] = {
         "its blank. The board requires {fewest:# bridge|# bridges} (uncut gaps) on each part.",
         "Set the line type of the cuts between the parts to ignored and make them by hand, choose "
         "a smaller spacing of bridges in the board file, or choose a board without bridges.",
-        edge="count",
+        edge="edge",
         count="count",
         fewest="count",
     ),
@@ -32,7 +32,7 @@ MESSAGES: Final[Entries] = {
         "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is "
         "too small for a second crease line {offset:.2f} mm inside the bend.",
         "Draw the crease with a larger radius, or set the double crease of the board to 0.",
-        edge="count",
+        edge="edge",
         radius="number",
         offset="number",
     ),
@@ -47,9 +47,31 @@ MESSAGES: Final[Entries] = {
         "bridge. The slanted blade of the knife needs a cut of at least {lead:.2f} mm.",
         "Set the line type of the cut to ignored, join the cut to another cut, or choose a "
         "knife with a less slanted blade.",
-        edge="count",
+        edge="edge",
         length="number",
         lead="number",
+    ),
+    "cutter.contour-touches-itself": entry(
+        "A contour touches itself at X{x:.3f} Y{y:.3f}, in the edges {edge} and {other}, so the "
+        "path of a cutter of {diameter:.3g} mm diameter beside it is not closed.",
+        "Trim the two edges at their intersection, or move one of them.",
+        x="x",
+        y="y",
+        edge="edge",
+        other="edge",
+        diameter="number",
+    ),
+    "cutter.corner-loop": entry(
+        "The edges {edge} and {other} cross {size:.4g} mm before the corner at X{x:.3f} Y{y:.3f}, "
+        "where they meet, so the path of a cutter of {diameter:.3g} mm diameter beside them is not "
+        "closed.",
+        "Trim the two edges at their crossing, so that the corner is there.",
+        edge="edge",
+        other="edge",
+        size="number",
+        x="x",
+        y="y",
+        diameter="number",
     ),
     "cutter.interference": entry(
         "The cutter of {diameter:.2f} mm diameter does not fit beside edge {edge}: it would cut "
@@ -58,16 +80,16 @@ MESSAGES: Final[Entries] = {
         "Choose 'Leave this part uncut' (interference 'trim') and accept the shortfalls that the "
         "verdict then lists, or choose a thinner cutter.",
         diameter="number",
-        edge="text",
+        edge="edge",
         depth="number",
-        other="text",
+        other="edge",
     ),
     "cutter.misses-bridge": entry(
         "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from the start of "
         "this edge in the direction of milling, but the cutter does not reach the contour there.",
         "Choose a thinner cutter, a board with another spacing of bridges, or a board without "
         "bridges.",
-        edge="count",
+        edge="edge",
         distance="number",
     ),
     "cutter.narrower-slits": entry(
@@ -129,7 +151,7 @@ MESSAGES: Final[Entries] = {
         "{angle:.1f}°, so it would run along the edge of the board instead of ending there.",
         "End the groove before the edge of the board, or let it meet the edge of the board at "
         "5° or more.",
-        edge="count",
+        edge="edge",
         angle="number",
     ),
     "groove.curved": entry(
@@ -138,7 +160,7 @@ MESSAGES: Final[Entries] = {
         "Draw the V-grooves with straight lines, permit chords in the board file (groove_curve), "
         "or choose another line type for them.",
         count="count",
-        edge="count",
+        edge="edge",
     ),
     "groove.overcut": entry(
         "The V-cutter cuts {overrun:.2f} mm too far at each end of a groove that ends inside "
@@ -152,7 +174,7 @@ MESSAGES: Final[Entries] = {
         "board and cut into the next part.",
         "End the groove before the edge of the board, let it meet the edge of the board at a "
         "larger angle, or move the parts apart.",
-        edge="count",
+        edge="edge",
         distance="number",
     ),
     "groove.through-cut": entry(
@@ -163,10 +185,10 @@ MESSAGES: Final[Entries] = {
         "side by at most {limit:.2f} mm.",
         "Move the groove and the cut {through:.2f} mm further apart, or choose a board with a "
         "shallower groove.",
-        groove="count",
+        groove="edge",
         width="number",
         through="number",
-        cut="count",
+        cut="edge",
         distance="number",
         place="number",
         limit="number",
@@ -178,10 +200,10 @@ MESSAGES: Final[Entries] = {
         "centre line of the groove.",
         "End the groove at the cut, let the cut cross the groove at 45° or more, or move one of "
         "them.",
-        groove="count",
+        groove="edge",
         width="number",
         through="number",
-        cut="count",
+        cut="edge",
         distance="number",
         place="number",
     ),
@@ -191,7 +213,7 @@ MESSAGES: Final[Entries] = {
         "mm.",
         "Draw the groove with a larger radius, choose a V-cutter with a narrower blade, or "
         "allow a larger deviation in the board file.",
-        edge="count",
+        edge="edge",
         radius="number",
         blade="number",
         error="number",
@@ -200,7 +222,7 @@ MESSAGES: Final[Entries] = {
         "The V-groove at edge {edge} is {depth:.2f} mm deep, but the board is only {caliper:.2f} "
         "mm thick.",
         "Choose a shallower groove or a thicker board.",
-        edge="count",
+        edge="edge",
         depth="number",
         caliper="number",
     ),
@@ -208,7 +230,7 @@ MESSAGES: Final[Entries] = {
         "The V-groove at edge {edge} is {length:.2f} mm long, but the blade is {blade:.2f} mm "
         "wide.",
         "Draw a longer groove, or choose a V-cutter with a narrower blade.",
-        edge="count",
+        edge="edge",
         length="number",
         blade="number",
     ),
@@ -217,9 +239,9 @@ MESSAGES: Final[Entries] = {
         "Y{y:.3f}, so it is not clear on which side the cutter must run.",
         "Trim the contours at their crossings, so that each part has one outline, or set the line "
         "type of the contour that is not to be cut to ignored.",
-        edge="count",
-        x="number",
-        y="number",
+        edge="edge",
+        x="x",
+        y="y",
     ),
     "milling.drawn-twice": entry(
         "{count:# cut lies|# cuts lie} at most {distance:.3f} mm beside other cuts, as edge {edge} "
@@ -228,15 +250,15 @@ MESSAGES: Final[Entries] = {
         "ignored. Otherwise choose a machine with a knife.",
         count="count",
         distance="number",
-        edge="count",
-        other="count",
+        edge="edge",
+        other="edge",
     ),
     "milling.shared-edge": entry(
         "Two parts share edge {edge}. On its line, a cutter of {diameter:g} mm diameter would cut "
         "into one of the parts at an end of the edge or at a line beside it.",
         "Move the parts at least {diameter:g} mm apart. If the edge divides one blank, set its "
         "line type to ignored and cut it by hand, or choose a machine with a knife.",
-        edge="count",
+        edge="edge",
         diameter="number",
     ),
     "tool.bad-radius": entry(

@@ -22,7 +22,7 @@ MESSAGES: Final[Entries] = {
         "The parameter k of the corner at the start of edge {edge} is {k}, but must be between "
         "0 and 1.",
         "Choose a k from 0 (the path of corner type B) to 1 (the path of corner type C).",
-        edge="count",
+        edge="edge",
         k="text",
     ),
     "corner.bad-k-at": entry(

@@ -54,14 +54,14 @@ MESSAGES: Final[Entries] = {
     "edge.no-length": entry(
         "Edges with a length of 0 have no direction: edge {edges:, }.",
         "Delete these edges from the drawing.",
-        edges="texts",
+        edges="edges",
     ),
     "edge.not-finite": entry(
         "Edge {edge} has a coordinate that is not a number.",
         "Draw the edge again.",
-        edge="count",
+        edge="edge",
     ),
-    "edge.place": entry(" at edge {edge}", edge="count"),
+    "edge.place": entry(" at edge {edge}", edge="edge"),
     "edge.too-crowded": entry(
         "More than {limit:,} pairs of end points of edges lie closer together than {distance} mm.",
         "Delete edges that are drawn many times on top of each other.",
@@ -72,7 +72,7 @@ MESSAGES: Final[Entries] = {
         "Edge {edge} lies {distance:.3g} mm away from the origin of the drawing, which is too "
         "far to be processed.",
         "Check the unit of the drawing, or delete the edge.",
-        edge="count",
+        edge="edge",
         distance="number",
     ),
     "edge.too-many-overlaps": entry(

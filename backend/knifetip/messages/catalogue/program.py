@@ -145,7 +145,7 @@ MESSAGES: Final[Entries] = {
         "Row {row} of the toolpath ({motion}, edge {edge})",
         row="count",
         motion="message",
-        edge="count",
+        edge="edge",
     ),
     "toolpath.swivel-without-turn": entry(
         "Internal error: row {row} of the toolpath moves the head about the tip of the tool "

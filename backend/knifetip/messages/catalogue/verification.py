@@ -265,7 +265,7 @@ MESSAGES: Final[Entries] = {
         "start of the groove.",
         "Move the groove and the cut further apart, or choose a shallower groove.",
         depth="number",
-        edge="count",
+        edge="edge",
         distance="number",
         place="number",
     ),
@@ -391,13 +391,13 @@ MESSAGES: Final[Entries] = {
         "The verdict has no finding {code} at edge {edge}.",
         "Read the findings again: the drawing or the program may have changed since.",
         code="text",
-        edge="count",
+        edge="edge",
     ),
     "verify.not-acceptable": entry(
         "The finding {code} at edge {edge} cannot be accepted, because it is no shortfall.",
         "Change the drawing, the tool or the board, and compile the job again.",
         code="text",
-        edge="count",
+        edge="edge",
     ),
     "verify.not-worked": entry(
         "{length:.3f} mm along the edge are not {work}{where}.",
@@ -563,7 +563,7 @@ MESSAGES: Final[Entries] = {
         "Check the line type of the edge, then compile the job again.",
         tool="text",
         length="number",
-        edge="count",
+        edge="edge",
         type="text",
     ),
     "verify.stray-plunge": entry(
@@ -579,7 +579,7 @@ MESSAGES: Final[Entries] = {
         "processed with this tool.",
         "Check the line type of the edge, then compile the job again.",
         tool="text",
-        edge="count",
+        edge="edge",
         type="text",
     ),
     "verify.too-few-bridges": entry(

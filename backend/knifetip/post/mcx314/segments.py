@@ -22,10 +22,11 @@ from knifetip.geometry.chords import split_moves
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.languages.mcx314 import figures
 from knifetip.languages.mcx314.wiring import Wiring
+from knifetip.messages import Message
 from knifetip.model.machine import Machine
 from knifetip.model.tool import Knife, Tool
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.post.check import describe_row
+from knifetip.post.check import describe_row, edges_of_rows
 
 #: Fraction of the tolerance by which merged lines may deviate from the path.
 MERGE_FRACTION: Final = 0.4
@@ -267,7 +268,7 @@ def _merge(
                 raise _refusal(
                     "mcx314.too-short",
                     toolpath,
-                    int(pieces.row[at]),
+                    pieces.row[at : at + 1],
                     milliseconds=spent * 1e3,
                     refill=wiring.refill * 1e3,
                 )
@@ -308,12 +309,13 @@ def _segments(pieces: _Pieces, seconds: F64, toolpath: Toolpath, wiring: Wiring)
     axes = (way != 0).sum(axis=1)
     _refuse(~rapid & (axes > 3), "mcx314.four-axes", pieces, toolpath)
     slow = ~rapid & (speed < wiring.multiple)
-    for wrong in np.flatnonzero(slow | (speed > fastest))[:1]:
+    wrong = np.flatnonzero(slow | (speed > fastest))
+    if len(wrong):
         raise _refusal(
             "mcx314.speed",
             toolpath,
-            int(pieces.row[wrong]),
-            rate=float(rate[wrong]),
+            pieces.row[wrong],
+            rate=float(rate[wrong[0]]),
             slowest=wiring.multiple,
             fastest=fastest,
         )
@@ -358,11 +360,13 @@ def _refuse(
         figures_of = {}
         if pulses is not None:
             figures_of = {"pulses": int(pulses[at]), "limit": figures.LARGEST}
-        raise _refusal(code, toolpath, int(pieces.row[at]), **figures_of)
+        raise _refusal(code, toolpath, pieces.row[wrong], **figures_of)
 
 
-def _refusal(code: str, toolpath: Toolpath, row: int, **measures: float) -> ProgramError:
-    """Return the error for a row of a toolpath that the chip cannot execute."""
-    edge = int(toolpath.source[row])
-    source = [str(edge)] if edge >= 0 else []
-    return ProgramError(code, place=describe_row(toolpath, row), source=source, **measures)
+def _refusal(code: str, toolpath: Toolpath, rows: I64, **measures: float) -> ProgramError:
+    """Return the error for rows of a toolpath that the chip cannot execute.
+
+    The first of them is that which the measures describe.
+    """
+    message = Message(code, place=describe_row(toolpath, int(rows[0])), **measures)
+    return ProgramError(message, at_edges=edges_of_rows(toolpath, rows))
