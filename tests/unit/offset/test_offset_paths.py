@@ -583,8 +583,8 @@ def test_twenty_thousand_segments_with_notches() -> None:
 def test_refuse_names_the_segments_and_the_depth() -> None:
     with pytest.raises(CompensationError, match="would cut") as caught:
         offset_paths(rings(SQUARE, DUMBBELL), 7.0, 1, interference="refuse")
-    assert len(caught.value.source) == 2
-    assert {int(row) for row in caught.value.source} <= set(range(4, 16))
+    assert len(caught.value.edges) == 2
+    assert set(caught.value.edges) <= set(range(4, 16))
 
 
 def test_refuse_names_the_missing_radius_of_an_arc() -> None:
