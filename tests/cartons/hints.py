@@ -115,7 +115,10 @@ def _divided(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
     source = np.concatenate([np.flatnonzero(~cut), np.flatnonzero(cut)[row]])
     columns = {
         name: getattr(drawing, name)[source]
-        for name in ("entity", "layer", "colour", "true_colour", "linetype", "fit_error")
+        for name in (
+            *("entity", "layer", "colour", "true_colour", "linetype"),
+            *("line_width", "fit_error"),
+        )
     }
     divided = replace(
         drawing,

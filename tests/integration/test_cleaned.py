@@ -30,7 +30,10 @@ def with_more(
     """
     columns: dict[str, Any] = {
         name: np.concatenate([getattr(drawing, name), getattr(drawing, name)[like]])
-        for name in ("entity", "layer", "colour", "true_colour", "linetype", "fit_error")
+        for name in (
+            *("entity", "layer", "colour", "true_colour", "linetype"),
+            *("line_width", "fit_error"),
+        )
     }
     more = replace(
         drawing,

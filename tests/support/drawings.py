@@ -36,6 +36,7 @@ def drawing(
     true_colour: ArrayLike | None = None,
     kinds: Sequence[str] | None = None,
     header: Header | None = None,
+    line_width: ArrayLike | None = None,
 ) -> Drawing:
     """Return a drawing in which every edge is an entity of its own.
 
@@ -52,6 +53,8 @@ def drawing(
         0xRRGGBB, -1 for none.
     kinds : n names, optional
         Entity types; by default LINE or ARC, depending on the bulge.
+    line_width : (n,), optional
+        1/100 mm; by default the file states none.
     """
     header = header or Header()
     count = len(styles)
@@ -85,6 +88,7 @@ def drawing(
         Message("unit.given" if header.unit else "unit.header-missing"),
         header.stated,
         header.texts,
+        line_width=np.asarray([] if line_width is None else line_width, np.int32),
     )
 
 

@@ -11,6 +11,7 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.classification.line_widths import distinguishing_widths
 from knifetip.classification.numbered_layers import find_numbered_layers
 from knifetip.classification.vocabulary import is_meaningless
 from knifetip.geometry.columns import I64, U8
@@ -31,8 +32,8 @@ def follow_answers(drawing: Drawing, dieline: Dieline, overrides: U8) -> Dieline
 
     An open edge follows if the user gave one line type to at least as many edges of its look as are
     open, and no edge of its look was decided otherwise.  Edges have one look if they have the same
-    colour and line style, and lie on one layer, on layers of a series, or on layers whose names
-    have no meaning.
+    colour, line style and visible line width, and lie on one layer, on layers of a series, or on
+    layers whose names have no meaning.
 
     Parameters
     ----------
@@ -70,7 +71,10 @@ def follow_answers(drawing: Drawing, dieline: Dieline, overrides: U8) -> Dieline
 
 
 def _looks(drawing: Drawing) -> I64:
-    """Return the number of the look of each of n edges, (n,)."""
+    """Return the number of the look of each of n edges, (n,).
+
+    A look has one line width, unless the widths of its edges differ by chance.
+    """
     attributes = (drawing.colour, drawing.true_colour, drawing.linetype)
     first, row = unique_rows(drawing.layer, *attributes)
     names = [drawing.layers[layer] for layer in drawing.layer[first]]
@@ -83,4 +87,6 @@ def _looks(drawing: Drawing) -> I64:
         )
         for name, look in zip(names, looks, strict=True)
     ]
-    return np.array(of_row, np.int64)[row]
+    look = np.array(of_row, np.int64)[row]
+    width = distinguishing_widths(drawing.line_width, look)
+    return unique_rows(look, width)[1] if width.any() else look

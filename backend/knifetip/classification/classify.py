@@ -26,7 +26,7 @@ from knifetip.classification.decision.profile_rules import (
     match_rules,
     tabulate_styles,
 )
-from knifetip.classification.decision.style_evidence import StyleEvidence
+from knifetip.classification.decision.style_evidence import StyleEvidence, divide_by_line_width
 from knifetip.classification.decision.style_totals import (
     FLAG_COUNT,
     MIXED_ROLES,
@@ -59,7 +59,7 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
         A drawing of n edges.
     rules
         The customer's profile: rules that give line types to styles.  A style is a combination of
-        layer, colour and dash pattern.
+        layer, colour and dash pattern, and its line width where this distinguishes edges.
     conventions
         Colour conventions of other companies, tried for styles without a rule in the profile.
 
@@ -74,7 +74,10 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
         unclassified.  The field ``alternatives`` lists the possible line types for each reason, the
         best guess first, and the confidence of an unclassified edge is that of its best guess.
     """
-    lengths, styles = parallel_pair(lambda: drawing.lengths, lambda: tabulate_styles(drawing))
+    lengths, styles = parallel_pair(
+        lambda: drawing.lengths,
+        lambda: divide_by_line_width(tabulate_styles(drawing), drawing.line_width),
+    )
     matches = match_rules(styles, rules)
     features = _relevant_features(drawing, styles, matches)
     totals = StyleTotals.sum(styles.row, len(styles), features, lengths)

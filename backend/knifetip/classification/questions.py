@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
 from knifetip.classification.decision.profile_rules import display_name, fold_name
+from knifetip.classification.line_widths import distinguishing_widths
 from knifetip.classification.numbered_layers import find_numbered_layers
 from knifetip.classification.vocabulary import is_centre_linetype, is_dashed_linetype, name_meaning
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Drawing, extents
+from knifetip.model.drawing import NO_LINE_WIDTH, Drawing, extents
 from knifetip.model.question import Question
 
 #: Least confidence of a guess that is called the most likely line type.
@@ -23,7 +24,8 @@ _LIKELY: Final = 0.75
 
 def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
     """Return one question for all edges that have the same style and are unclassified for the
-    same reason.  Layers whose names only count are asked about together.
+    same reason.  Layers whose names only count are asked about together.  Edges whose line widths
+    look different are asked about separately, unless their widths differ by chance.
 
     Parameters
     ----------
@@ -44,13 +46,17 @@ def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
     names = [series.get(layer, layer) for layer in drawing.layers]
     number = {name: at for at, name in enumerate(dict.fromkeys(names))}
     layer = np.array([number[name] for name in names], np.int32)[drawing.layer]
-    columns = (layer, drawing.colour, drawing.true_colour, drawing.linetype, dieline.rule)
+    style = (layer, drawing.colour, drawing.true_colour, drawing.linetype)
+    width = distinguishing_widths(drawing.line_width, *style)
+    columns = (*style, width, dieline.rule)
     first, group = unique_rows(*(column[rows] for column in columns))
     count = np.bincount(group)
     groups = np.split(rows[np.argsort(group, kind="stable")], np.cumsum(count)[:-1])
     lengths, bounds = drawing.lengths, drawing.bounds
+    by_width = width[rows][first] > 0
     return [
-        _question(drawing, dieline, names, groups[at], lengths, bounds) for at in range(len(first))
+        _question(drawing, dieline, names, groups[at], lengths, bounds, bool(by_width[at]))
+        for at in range(len(first))
     ]
 
 
@@ -74,6 +80,7 @@ def _question(
     rows: I64,
     lengths: F64,
     bounds: F64,
+    by_width: bool,
 ) -> Question:
     """Return the question that asks the user for the line type of some unclassified edges.
 
@@ -91,6 +98,8 @@ def _question(
         Length of each edge of the drawing.
     bounds : (4,)
         Bounding box of the drawing: x min, y min, x max, y max.
+    by_width
+        Whether other edges differ from these only in their line width, which the question names.
     """
     example = rows[0]
     layer = names[drawing.layer[example]]
@@ -99,20 +108,24 @@ def _question(
     true_colour = int(drawing.true_colour[example])
     box = extents(drawing.ends[rows], drawing.bulge[rows])
     width, height = box[2:] - box[:2]
-    message = Message(
-        "question.line-type",
-        edges=len(rows),
-        layer=display_name(layer),
-        colour=str(colour) if true_colour < 0 else f"#{true_colour:06x}",
-        linetype=display_name(linetype),
-        length=lengths[rows].sum(),
-        width=width,
-        height=height,
-        x=box[0],
-        y=box[1],
-        unit="mm" if drawing.unit else "",
-        guess=_guess_message(dieline, int(example)),
-    )
+    arguments: dict[str, Any] = {
+        "edges": len(rows),
+        "layer": display_name(layer),
+        "colour": str(colour) if true_colour < 0 else f"#{true_colour:06x}",
+        "linetype": display_name(linetype),
+        "length": lengths[rows].sum(),
+        "width": width,
+        "height": height,
+        "x": box[0],
+        "y": box[1],
+        "unit": "mm" if drawing.unit else "",
+        "guess": _guess_message(dieline, int(example)),
+    }
+    if by_width:
+        lines = _line_width_message(int(drawing.line_width[example]), bool(drawing.unit))
+        message = Message("question.line-type-by-width", lines=lines, **arguments)
+    else:
+        message = Message("question.line-type", **arguments)
     spans_drawing = bool((box[2:] - box[:2] >= 0.99 * (bounds[2:] - bounds[:2])).all())
     straight = bool((drawing.bulge[rows] == 0).all())
     guesses = dieline.alternatives[int(dieline.rule[example])]
@@ -120,6 +133,19 @@ def _question(
     others = [kind for kind in LineType if kind not in (LineType.UNCLASSIFIED, *likely)]
     choices = tuple(kind.word for kind in (*likely, *others))
     return Question("line-type", message, choices, tuple(rows.tolist()), layer, colour)
+
+
+def _line_width_message(line_width: int, unit_known: bool) -> Message:
+    """Return the message that describes lines by their width, as in ``Drawing.line_width``.
+
+    ``unit_known`` is whether the unit of the drawing is known.
+    """
+    if line_width == NO_LINE_WIDTH:
+        return Message("question.default-width")
+    if line_width == 0:
+        return Message("question.thinnest-lines")
+    code = "question.line-width" if unit_known else "question.line-width-without-unit"
+    return Message(code, width=line_width / 100.0)
 
 
 def _guess_message(dieline: Dieline, row: int) -> Message | None:

@@ -86,8 +86,8 @@ def assemble(
     length = arc.length(segments.ends[:, 0], segments.ends[:, 1], segments.bulge)
     no_length = ~(length >= point)
     layers, linetypes, attributes = _attributes(styles)
-    # Styles that differ only in upper and lower case of the layer are equal.
-    _, style_number = unique_rows(attributes[:, 1:])
+    # Styles that differ only in line width, or in upper and lower case of the layer, are equal.
+    _, style_number = unique_rows(attributes[:, 1:5])
     first = _survivors(
         segments.ends, segments.bulge, style_number[segments.style], no_length, point
     )
@@ -119,6 +119,7 @@ def assemble(
         colour=_owned(attributes[:, 2].take(segments.style)),
         true_colour=_owned(attributes[:, 3].take(segments.style)),
         linetype=_owned(attributes[:, 4].take(segments.style)),
+        line_width=_owned(attributes[:, 5].take(segments.style)),
         layers=layers,
         linetypes=linetypes,
         import_report=ImportReport(
@@ -152,20 +153,21 @@ def _sealed(words: Sequence[str]) -> Sequence[str]:
 
 
 def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], I32]:
-    """Return the layer names, the linetype names, and an array with one row per style, (s, 5).
+    """Return the layer names, the linetype names, and an array with one row per style, (s, 6).
 
-    A linetype is a pattern of dashes.  The five columns of the array are:
+    A linetype is a pattern of dashes.  The six columns of the array are:
 
     * index of the layer in the layer names;
     * number of the layer name, the same for names that differ only in upper and lower case;
     * colour index;
     * true colour;
-    * index of the linetype in the linetype names.
+    * index of the linetype in the linetype names;
+    * line width.
     """
     layers: dict[str, int] = {}
     folded: dict[str, int] = {}
     linetypes: dict[str, int] = {}
-    rows = np.zeros((len(styles), 5), np.int32)
+    rows = np.zeros((len(styles), 6), np.int32)
     for number, style in enumerate(styles):
         rows[number] = (
             layers.setdefault(style.layer, len(layers)),
@@ -173,6 +175,7 @@ def _attributes(styles: list[Style]) -> tuple[tuple[str, ...], tuple[str, ...], 
             style.colour,
             style.true_colour,
             linetypes.setdefault(style.linetype, len(linetypes)),
+            style.line_width,
         )
     return tuple(layers), tuple(linetypes), rows
 

@@ -8,15 +8,17 @@ from typing import NamedTuple
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32
+from knifetip.model.drawing import NO_LINE_WIDTH
 
 
 class Style(NamedTuple):
-    """Layer, colour and linetype (dash pattern) of the segments of an entity."""
+    """Layer, colour, linetype (dash pattern) and line width of the segments of an entity."""
 
     layer: str
     colour: int  #: AutoCAD colour index 1 … 255
     true_colour: int  #: 0xRRGGBB, -1 if none
     linetype: str
+    line_width: int = NO_LINE_WIDTH  #: 1/100 mm, see ``Drawing.line_width``
 
 
 @dataclass(frozen=True, eq=False, slots=True)

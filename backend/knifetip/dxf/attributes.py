@@ -1,7 +1,7 @@
-"""attributes: layer, colour and linetype of entities, with BYLAYER and BYBLOCK resolved.
+"""attributes: layer, colour, linetype and line width of entities, BYLAYER and BYBLOCK resolved.
 
 If an entity names a layer that the layer table of the file does not contain, the layer is assumed
-to have colour 7 and linetype Continuous, and to be neither off nor frozen.
+to have colour 7, linetype Continuous and no line width, and to be neither off nor frozen.
 """
 
 from __future__ import annotations
@@ -9,9 +9,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final, NamedTuple
 
 from knifetip.drawing_builder.columns import Style
+from knifetip.drawing_builder.line_widths import GREATEST
 from knifetip.drawing_builder.visibility import LayerState, insert_on_layer, object_on_layer
 from knifetip.dxf.encoding import unescape
 from knifetip.messages import Message
+from knifetip.model.drawing import NO_LINE_WIDTH
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing as Document
@@ -21,18 +23,23 @@ if TYPE_CHECKING:
 BYLAYER: Final = "BYLAYER"
 _BYBLOCK = 0
 _BYLAYER = 256
+#: Line widths (group 370) that refer to the layer, to the INSERT, and to a setting of the program.
+WIDTH_BYLAYER: Final = -1
+_WIDTH_BYBLOCK: Final = -2
+_WIDTH_DEFAULT: Final = -3
 
 
 class Layer(NamedTuple):
-    """Colour, linetype and visibility of a layer of a DXF file.
+    """Colour, linetype, line width and visibility of a layer of a DXF file.
 
-    An entity whose colour or linetype is BYLAYER has the colour or linetype of its layer.
+    An entity whose colour, linetype or line width is BYLAYER has that of its layer.
     """
 
     colour: int
     true_colour: int
     linetype: str
     state: LayerState
+    line_width: int = NO_LINE_WIDTH
 
 
 #: Attributes of a layer that is not in the layer table.
@@ -41,7 +48,14 @@ _UNLISTED = Layer(7, -1, "Continuous", LayerState())
 _SHEET = Style("0", 7, -1, "Continuous")
 
 
-def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, plot: int) -> Layer:
+def layer_of(
+    colour: int,
+    true_colour: int | None,
+    linetype: str,
+    flags: int,
+    plot: int,
+    line_width: int = _WIDTH_DEFAULT,
+) -> Layer:
     """Return the layer for a row of the layer table of a file, given the values in this row.
 
     Parameters
@@ -56,10 +70,13 @@ def layer_of(colour: int, true_colour: int | None, linetype: str, flags: int, pl
         Value of group code 70; its lowest bit is set if the layer is frozen.
     plot
         0 if the layer is not plotted.
+    line_width
+        Line width (1/100 mm); negative if the row states none.
     """
     # A negative colour means that the layer is off; 0 has no meaning.
     state = LayerState(off=colour < 0, frozen=bool(flags & 1), plotted=plot != 0)
-    return Layer(_index(abs(colour)), _rgb(true_colour), linetype, state)
+    width = line_width if line_width >= 0 else NO_LINE_WIDTH
+    return Layer(_index(abs(colour)), _rgb(true_colour), linetype, state, width)
 
 
 def layers_of(document: Document) -> dict[str, Layer]:
@@ -71,13 +88,19 @@ def layers_of(document: Document) -> dict[str, Layer]:
             unescape(str(layer.dxf.get("linetype", "Continuous"))),
             int(layer.dxf.get("flags", 0)),
             int(layer.dxf.get("plot", 1)),
+            limited_width(layer.dxf.get("lineweight", _WIDTH_DEFAULT)),
         )
         for layer in document.layers
     }
 
 
+def limited_width(written: int) -> int:
+    """Return a value of group 370, limited to the greatest line width."""
+    return min(int(written), GREATEST)
+
+
 class Styles:
-    """Finds the style (layer, colour, linetype) of each entity of one file."""
+    """Finds the style (layer, colour, linetype, line width) of each entity of one file."""
 
     def __init__(self, layers: dict[str, Layer]) -> None:
         self._layers = layers
@@ -104,6 +127,7 @@ class Styles:
             dxf.get("color", _BYLAYER),
             dxf.true_color if dxf.hasattr("true_color") else None,
             unescape(str(dxf.get("linetype", BYLAYER))),
+            limited_width(dxf.get("lineweight", WIDTH_BYLAYER)),
             insert_style,
         )
 
@@ -113,6 +137,7 @@ class Styles:
         written: int,
         true: int | None,
         linetype: str,
+        line_width: int = WIDTH_BYLAYER,
         insert_style: Style | None = None,
     ) -> Style:
         """Return the style of an entity from its own attributes, its layer and its INSERT.
@@ -127,10 +152,13 @@ class Styles:
             True colour 0xRRGGBB of the entity; None if the entity has none.
         linetype
             Name of the linetype of the entity; "BYLAYER" if the entity has none.
+        line_width
+            Line width of the entity (1/100 mm) or −1 (BYLAYER), −2 (BYBLOCK) or −3 (the default of
+            the program); −1 if the entity has none.
         insert_style
-            Style of the INSERT that places the entity, None in model space.  An entity whose colour
-            or linetype is BYBLOCK gets the colour or linetype of the INSERT.  If an entity
-            in a block is on layer 0, it gets the layer of the INSERT.
+            Style of the INSERT that places the entity, None in model space.  An entity whose
+            colour, linetype or line width is BYBLOCK gets that of the INSERT.  If an entity in a
+            block is on layer 0, it gets the layer of the INSERT.
         """
         block = insert_style or _SHEET
         if insert_style is not None and name == "0":
@@ -148,7 +176,13 @@ class Styles:
             linetype = layer.linetype
         elif linetype.upper() == "BYBLOCK":
             linetype = block.linetype
-        return Style(name, colour, true_colour, linetype)
+        if line_width == _WIDTH_BYBLOCK:
+            line_width = block.line_width
+        elif line_width == _WIDTH_DEFAULT:
+            line_width = NO_LINE_WIDTH
+        elif line_width < 0:
+            line_width = layer.line_width
+        return Style(name, colour, true_colour, linetype, line_width)
 
     def _of(self, layer: str) -> Layer:
         return self._layers.get(layer.lower(), _UNLISTED)

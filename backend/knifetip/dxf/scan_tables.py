@@ -26,7 +26,7 @@ class ScanTables(NamedTuple):
     vertex: OutF64_2  #: (v, 3) x, y and bulge of the vertices of polylines
     block: OutI32_2  #: (b, 5) headers of blocks, columns ``fields.NAME`` …
     base: OutF64_2  #: (b, 2) base points of blocks
-    layer: OutI32_2  #: (l, 6) rows of the layer table
+    layer: OutI32_2  #: (l, 7) rows of the layer table
     spans: OutI64_2  #: (n, 2) first and last byte of each name
     slots: OutI32_1  #: (2^16,) hash table of names, -1 where empty
     left: OutI64_2  #: (u, 5) table, row, column and bytes of numbers that are left to ``float``

@@ -16,8 +16,21 @@ import numpy as np
 from knifetip.geometry.columns import F64
 from knifetip.kernels import F64_2, OutF64_1, OutF64_3, kernel
 
+#: Widths of a polyline whose relative difference is smaller are equal.
+_SAME_WIDTH: Final = 1e-6
 #: Radians to a degree.
 _DEGREE: Final = math.pi / 180.0
+
+
+def one_width(least: F64, most: F64) -> F64:
+    """Return the line width of each of k polylines, (k,); 0 if it is not drawn as one wide line.
+
+    ``least`` and ``most`` (k,) are the least and the greatest width at the vertices of each
+    polyline (file units).
+    """
+    with np.errstate(invalid="ignore"):
+        is_one = (least > 0.0) & (most - least <= _SAME_WIDTH * most) & np.isfinite(most)
+    return np.where(is_one, most, 0.0)
 
 
 @kernel

@@ -41,6 +41,9 @@ NO_BOXES: Final = LocationBoxes(
 )
 
 
+#: Line width of edges for which the file states none.
+NO_LINE_WIDTH: Final = -1
+
 #: Reason for entities that were kept unchanged.
 KEPT: Final = Message("import.kept")
 
@@ -135,6 +138,10 @@ class Drawing:
     #: units while the unit is unknown); 0 for an edge that the file contains; infinite if a
     #: version that did not measure it stored the drawing; default 0
     fit_error: F64 = field(default_factory=lambda: np.zeros(0))
+    #: (n,) width with which the file draws each edge (1/100 mm; while the unit is unknown, a width
+    #: in file units counts as one in mm), 0 for the thinnest line; NO_LINE_WIDTH if the file states
+    #: none; default NO_LINE_WIDTH
+    line_width: I32 = field(default_factory=lambda: np.zeros(0, np.int32))
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -143,7 +150,9 @@ class Drawing:
         put(self, "bulge", freeze(self.bulge, np.float64, rows))
         fit_error = self.fit_error if len(self.fit_error) else np.zeros(rows)
         put(self, "fit_error", freeze(fit_error, np.float64, rows))
-        for name in ("entity", "layer", "colour", "true_colour", "linetype"):
+        if len(self.line_width) == 0:
+            put(self, "line_width", np.full(rows, NO_LINE_WIDTH, np.int32))
+        for name in ("entity", "layer", "colour", "true_colour", "linetype", "line_width"):
             put(self, name, freeze(getattr(self, name), np.int32, rows))
 
     def __len__(self) -> int:

@@ -13,6 +13,7 @@ import numpy as np
 from knifetip.drawing_builder.clip import UNCLIPPED, Box, Clip
 from knifetip.drawing_builder.colours import nearest_index
 from knifetip.drawing_builder.columns import Style
+from knifetip.drawing_builder.line_widths import add_line_widths, enlargements
 from knifetip.drawing_builder.page_border import compare_with_page, report_page_border
 from knifetip.drawing_builder.path_table import Paths, Table, boxes
 from knifetip.drawing_builder.report import ReportWriter
@@ -57,6 +58,7 @@ class PageLine(NamedTuple):
     style: LineStyle
     stroke: int | None  #: colour of the stroke, None for none
     fill: int | None  #: colour of the fill, None for none
+    line_width: float  #: in path coordinates, -1 without a stroke
 
 
 class PageLines:
@@ -99,6 +101,7 @@ class PageLines:
         style: LineStyle,
         stroke: int | None,
         fill: int | None,
+        line_width: float,
     ) -> None:
         """Add the current path of the path builder to the paths of the page.
 
@@ -114,19 +117,28 @@ class PageLines:
             Layer, colour and dashes of the path.
         stroke, fill
             Colours of the stroke and of the fill, None for none.
+        line_width
+            Width of the stroke in path coordinates, -1 without a stroke.
         """
-        self._lines.append(PageLine(row, self.path.keep(), matrix, clip, style, stroke, fill))
+        self._lines.append(
+            PageLine(row, self.path.keep(), matrix, clip, style, stroke, fill, line_width)
+        )
 
     @property
     def empty(self) -> bool:
         """Whether the page has no path."""
         return not self._lines
 
-    def collect(self) -> tuple[Table, Paths, list[Style]]:
+    def collect(self, millimetres: float) -> tuple[Table, Paths, list[Style]]:
         """Return the paths of the page that are kept, and their styles.
 
         Paths outside the page and white lines are dropped, and so are filled areas if the page has
         strokes.  The reasons are written into the import report.
+
+        Parameters
+        ----------
+        millimetres
+            Length of a point of the page (mm).
 
         Returns
         -------
@@ -152,7 +164,10 @@ class PageLines:
             keep = self._drop_areas(box, ~border.outside)
         self.report.location_boxes.append(LocationBoxes(row[~keep], box[~keep]))
         kept_lines = [line for line, is_kept in zip(lines, keep.tolist(), strict=True) if is_kept]
-        styles, style = self._assign_styles(kept_lines)
+        with np.errstate(all="ignore"):
+            widths = np.array([line.line_width for line in kept_lines], np.float64)
+            widths = widths * enlargements(matrix[keep]) * millimetres
+        styles, style = add_line_widths(*self._assign_styles(kept_lines), widths)
         is_clipped = any(line.clip is not UNCLIPPED for line in kept_lines)
         clip = [line.clip for line in kept_lines] if is_clipped else ()
         return table.select(keep), Paths(row[keep], style, matrix[keep], clip), styles
@@ -190,7 +205,7 @@ class PageLines:
         return kept
 
     def _assign_styles(self, lines: list[PageLine]) -> tuple[list[Style], I32]:
-        """Return the list of the styles of n paths, and for each path the index of its style, (n,).
+        """Return the styles of n paths without line widths, and the style index of each, (n,).
 
         The layer of each path is also written into the path's row of the import report.
         """

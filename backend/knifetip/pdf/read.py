@@ -1,9 +1,9 @@
 """read: read the first page of a PDF, or of an Illustrator file with PDF content.
 
 ``read`` returns a Drawing with segments in mm, and a row of the import report for every path, text
-and image.  Line types are distinguished by layer, spot colour, colour and dashes.  The size of the
-page is known: one unit of its coordinates is 1/72 in, or the multiple of 1/72 in that the entry
-UserUnit of the page contains.
+and image.  Line types are distinguished by layer, spot colour, colour, dashes and line width.  The
+size of the page is known: one unit of its coordinates is 1/72 in, or the multiple of 1/72 in that
+the entry UserUnit of the page contains.
 
 ``document`` finds the page, ``page_reader`` interprets its operators and forms.
 """
@@ -88,7 +88,7 @@ def _build_drawing(data: bytes, unit: str, millimetres: float, limits: Limits) -
         file.check_time()
     if lines.empty:
         _refuse_empty(file, page, lines)
-    table, paths, styles = lines.collect()
+    table, paths, styles = lines.collect(millimetres)
     segments = columns(lines.report, table, paths, millimetres, limits, "PDF")
     evidence = (
         Message("unit.pdf") if page.unit == 1.0 else Message("unit.pdf-scaled", scale=page.unit)

@@ -46,7 +46,7 @@ _PAINTS: Final = {
 }
 #: Operators that do not change the position or style of lines.
 _IGNORED: Final = frozenset(
-    (*("w", "J", "j", "M", "ri", "i", "MP", "DP", "BX", "EX"), *("Tc", "Tw", "Tz", "Tr", "Ts"))
+    (*("J", "j", "M", "ri", "i", "MP", "DP", "BX", "EX"), *("Tc", "Tw", "Tz", "Tr", "Ts"))
 )
 _DEVICE: Final = {"g": GRAY, "rg": RGB, "k": CMYK}
 #: Deepest stack of graphics states and of layers; drawing programs stay below 100.
@@ -74,6 +74,7 @@ class State(NamedTuple):
     dashed: bool = False
     masked: bool = False  #: whether a soft mask hides parts of objects
     transparent: bool = False  #: whether a transparent group contains the objects
+    line_width: float = 1.0  #: in coordinates of the matrix, 0 for the thinnest line
 
 
 class StreamContext(NamedTuple):
@@ -226,6 +227,7 @@ class Stream:
             style,
             _colour(state.stroke) if stroked else None,
             _colour(state.fill) if filled else None,
+            state.line_width if stroked else -1.0,
         )
 
     def _clip(self, operator: str, _operands: list[Any]) -> None:
@@ -264,13 +266,18 @@ class Stream:
         inner = numbers if len(numbers) == 6 == len(operands) else _INVALID
         self._state = self._state._replace(matrix=compose(self._state.matrix, inner))
 
+    def _set_line_width(self, _operator: str, operands: list[Any]) -> None:
+        width = operands[-1] if operands else None
+        if isinstance(width, float) and width >= 0.0:
+            self._state = self._state._replace(line_width=width)
+
     def _set_dash(self, _operator: str, operands: list[Any]) -> None:
         dashes = operands[0] if operands and isinstance(operands[0], list) else []
         dashed = any(isinstance(one, float) and one > 0.0 for one in dashes)
         self._state = self._state._replace(dashed=dashed)
 
     def _set_state(self, _operator: str, operands: list[Any]) -> None:
-        """Apply the opacity, the mask and the dashes of a graphics state dictionary.
+        """Apply opacity, mask, line width and dashes of a graphics state dictionary.
 
         ``operands`` contains the name of the dictionary.
         """
@@ -285,6 +292,8 @@ class Stream:
             self._state = self._state._replace(fill_seen=not number(alpha) < VISIBLE)
         if (mask := file.entry(node, "/SMask")) is not None:
             self._state = self._state._replace(masked=isinstance(mask, DictionaryObject))
+        if (width := file.entry(node, "/LW")) is not None:
+            self._set_line_width("w", [number(width)])
         if dash := file.array(node, "/D"):
             dashes = [number(file.resolve(one)) for one in file.resolve(dash[0]) or []]
             self._set_dash("d", [dashes])
@@ -450,6 +459,7 @@ _HANDLERS: Final[dict[str, Callable[[Stream, str, list[Any]], None]]] = {
     "q": Stream._save,
     "Q": Stream._restore,
     "cm": Stream._concatenate,
+    "w": Stream._set_line_width,
     "d": Stream._set_dash,
     "gs": Stream._set_state,
     "W": Stream._clip,

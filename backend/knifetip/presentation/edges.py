@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from knifetip.messages import Message, from_json, printable, render
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import KEPT, Drawing, ImportOutcome, ImportReport
+from knifetip.model.drawing import KEPT, NO_LINE_WIDTH, Drawing, ImportOutcome, ImportReport
 from knifetip.model.words import Repeated
 from knifetip.presentation.columns import pack_columns, unpack_columns
 from knifetip.presentation.outcomes import EdgeOutcomes
@@ -54,6 +54,7 @@ class EdgeTable(NamedTuple):
                 "colour": drawing.colour,
                 "true_colour": drawing.true_colour,
                 "linetype": drawing.linetype,
+                "line_width": drawing.line_width,
                 "rule": dieline.rule,
                 "confidence": dieline.confidence,
                 "face": dieline.face,
@@ -82,12 +83,14 @@ class EdgeTable(NamedTuple):
     def unpack(cls, block: bytes) -> EdgeTable:
         """Return the table that ``pack`` wrote to a block of bytes.
 
-        Tables that older versions stored have no outcomes; all their edges count as kept.
+        Tables that older versions stored have no outcomes, and all their edges count as kept, or no
+        line widths.
         """
         columns, meta = unpack_columns(block)
         missing = np.zeros(len(columns["ends"]), np.int32)
+        no_width = missing + NO_LINE_WIDTH
         return cls(
-            {"outcome": missing, "reason": missing, **columns},
+            {"outcome": missing, "reason": missing, "line_width": no_width, **columns},
             {"outcomes": ["kept"], "reasons": [""], "alternatives": [], **meta},
         )
 
@@ -113,6 +116,7 @@ class EdgeTable(NamedTuple):
                     "layer": meta["layers"][values["layer"][index]],
                     "colour": values["colour"][index],
                     "linetype": meta["linetypes"][values["linetype"][index]],
+                    "line_width": millimetres(values["line_width"][index]),
                     "type": meta["types"][values["line_type"][index]],
                     "rule": meta["rules"][rule] if rule >= 0 else "",
                     "confidence": values["confidence"][index],
@@ -140,6 +144,11 @@ class EdgeTable(NamedTuple):
         yield b"]}"
 
 
+def millimetres(line_width: int) -> float | None:
+    """Return a line width (1/100 mm) in mm, None for ``NO_LINE_WIDTH``."""
+    return None if line_width == NO_LINE_WIDTH else line_width / 100.0
+
+
 def stored_handles(block: bytes) -> list[str]:
     """Return the handle of each of the n edges of a packed EdgeTable, a list of n strings."""
     return list(unpack_columns(block)[1]["handles"])
@@ -150,7 +159,8 @@ def restore_drawing(block: bytes) -> tuple[Drawing, Dieline]:
 
     The import report of the drawing has one row per edge.  The drawing has no annotations, and its
     report has no rows for entities without edges, because the table contains neither.  The column
-    ``fit_error`` is infinite if a version that did not measure it stored the table.
+    ``fit_error`` is infinite if a version that did not measure it stored the table, and the line
+    widths are ``NO_LINE_WIDTH`` if a version that did not read them did.
 
     Raises
     ------
@@ -184,6 +194,7 @@ def restore_drawing(block: bytes) -> tuple[Drawing, Dieline]:
         unit=meta["unit"],
         evidence=Message("unit.not-given"),
         fit_error=fit_error,
+        line_width=columns.get("line_width", np.full(count, NO_LINE_WIDTH, np.int32)),
     )
     dieline = Dieline(
         columns["ends"],

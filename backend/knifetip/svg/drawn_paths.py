@@ -35,7 +35,9 @@ class DrawnPaths:
     matrix: list[Matrix] = field(default_factory=list)  #: from path coordinates to file units
     row: list[int] = field(default_factory=list)  #: row of the import report
     style: list[int] = field(default_factory=list)  #: index in ``styles``
-    styles: list[Style] = field(default_factory=list)
+    styles: list[Style] = field(default_factory=list)  #: without line widths
+    stroke_width: list[float] = field(default_factory=list)  #: user units, or pixels; -1 for none
+    fixed_stroke: list[bool] = field(default_factory=list)  #: whether it is in pixels
     stroke: list[int | None] = field(default_factory=list)  #: colours of strokes, None for none
     fill: list[int | None] = field(default_factory=list)  #: colours of fills, None for none
     clip: list[Clip] = field(default_factory=list)  #: visible areas
@@ -53,6 +55,7 @@ class DrawnPaths:
         matrix: Matrix,
         appearance: Appearance,
         clip: Clip,
+        window_diagonal: float,
     ) -> None:
         """Add the path of an element, with the style of the element.
 
@@ -70,6 +73,8 @@ class DrawnPaths:
             Stroke, fill and dashes of the element.
         clip
             Visible area of the element.
+        window_diagonal
+            Length to which a stroke width in per cent refers (user units).
         """
         stroke, fill = appearance.drawn_stroke, appearance.drawn_fill
         paint = stroke if stroke is not None else fill
@@ -88,6 +93,11 @@ class DrawnPaths:
         self.matrix.append(matrix)
         self.row.append(row)
         self.style.append(number)
+        width = -1.0 if stroke is None else appearance.stroke_width
+        self.stroke_width.append(
+            width * window_diagonal / 100.0 if appearance.is_percent and width > 0.0 else width
+        )
+        self.fixed_stroke.append(appearance.fixed_stroke)
         self.stroke.append(stroke)
         self.fill.append(fill)
         self.clip.append(clip)

@@ -279,7 +279,9 @@ class _Expansion:
         if omit_reason:
             self._omit(row, shapes.shape_path_data, node, context)
         else:
-            self.drawn.add(row, data, layer, context.matrix, appearance, context.clip)
+            self.drawn.add(
+                row, data, layer, context.matrix, appearance, context.clip, context.window[2]
+            )
         return None
 
     def _omit(

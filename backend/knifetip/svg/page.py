@@ -52,6 +52,7 @@ class Page:
     hints: tuple[UnitHint, ...] = ()  #: other settings that depend on the unit
     visible: Box = UNBOUNDED  #: visible area (file units)
     warnings: tuple[Message, ...] = ()  #: contradictions about the size of the page
+    pixel: float = 1.0  #: file units in one pixel of the displayed page
 
 
 def read_page(root: Node, unit: str, millimetres_per_unit: float, pixel: str) -> Page:
@@ -107,6 +108,7 @@ def read_page(root: Node, unit: str, millimetres_per_unit: float, pixel: str) ->
         file_unit,
         visible=visible,
         warnings=_aspect_warnings(root, box, width, height, written),
+        pixel=pixel_length / millimetres,
     )
 
 
@@ -122,6 +124,7 @@ def _unscaled_page(root: Node, unit: str, millimetres_per_unit: float) -> Page:
     )
     top = box[1] + box[3] if box else height or 0.0
     visible = _page_box(width, height)
+    pixel = 1.0
     if box is not None:
         x_scale, _, _, y_scale, left, above = view_box_matrix(box, width, height, root)
         visible = (
@@ -130,6 +133,7 @@ def _unscaled_page(root: Node, unit: str, millimetres_per_unit: float) -> Page:
             ((width or x_scale * box[2]) - left) / x_scale,
             top + above / y_scale,
         )
+        pixel = 1.0 / x_scale
     return Page(
         (1.0, 0.0, 0.0, -1.0, 0.0, top),
         millimetres_per_unit,
@@ -138,6 +142,7 @@ def _unscaled_page(root: Node, unit: str, millimetres_per_unit: float) -> Page:
         "",
         (UnitHint("pixels", Message("unit.page-in-pixels")),),
         visible,
+        pixel=pixel,
     )
 
 

@@ -1,9 +1,9 @@
 """read: read an SVG, plain or packed (.svgz).
 
 ``read`` returns a Drawing with segments in mm, and a row of the import report for every drawable
-element.  Line types are distinguished by colour and dashes of the stroke, and by layer, group or
-id.  The modules are called in this order: ``document`` (tree of elements), ``page`` (size),
-``expand`` (copies of ``use``), ``segments`` (arrays of lines and arcs).
+element.  Line types are distinguished by colour, dashes and width of the stroke, and by layer,
+group or id.  The modules are called in this order: ``document`` (tree of elements), ``page``
+(size), ``expand`` (copies of ``use``), ``segments`` (arrays of lines and arcs).
 """
 
 from __future__ import annotations
@@ -62,9 +62,9 @@ def read(
         root = parse_document(data, limits)
         page = read_page(root, unit or "", millimetres, pixel_unit(root, data))
         report, paths = expand(root, page, limits)
-        columns = segment_columns(report, paths, page, limits)
+        columns, styles = segment_columns(report, paths, page, limits)
         known = KnownUnit(page.scale, page.unit, page.evidence, page.stated, page.hints)
-        return assemble(report, columns, paths.styles, paths.annotations, known)
+        return assemble(report, columns, styles, paths.annotations, known)
     except KnifetipError:
         raise
     except (ValueError, ArithmeticError, LookupError) as error:

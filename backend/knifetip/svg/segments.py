@@ -10,7 +10,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from knifetip.drawing_builder.clip import UNCLIPPED
-from knifetip.drawing_builder.columns import Columns
+from knifetip.drawing_builder.columns import Columns, Style
+from knifetip.drawing_builder.line_widths import add_line_widths, enlargements
 from knifetip.drawing_builder.page_border import compare_with_page, report_page_border
 from knifetip.drawing_builder.path_segments import too_many
 from knifetip.drawing_builder.path_table import Paths, boxes
@@ -28,8 +29,8 @@ from knifetip.svg.path_data import ScannedPaths, scan_paths
 
 def segment_columns(
     report: ReportWriter, drawn_paths: DrawnPaths, page: Page, limits: Limits
-) -> Columns:
-    """Return the segments of all visible paths as lines and arcs.
+) -> tuple[Columns, list[Style]]:
+    """Return the segments of all visible paths as lines and arcs, and their styles.
 
     Parameters
     ----------
@@ -61,13 +62,30 @@ def segment_columns(
         report.location_boxes.append(_location_boxes(drawn_paths.omitted, limits))
     report.location_boxes.append(LocationBoxes(row[~kept], box[~kept]))
     is_clipped = any(clip is not UNCLIPPED for clip in drawn_paths.clip)
+    widths = _line_widths(drawn_paths, matrix, page)[kept]
+    styles, style = add_line_widths(
+        drawn_paths.styles, np.array(drawn_paths.style, np.int32)[kept], widths
+    )
     placed = Paths(
         row[kept],
-        np.array(drawn_paths.style, np.int32)[kept],
+        style,
         matrix[kept],
         [drawn_paths.clip[path] for path in np.flatnonzero(kept).tolist()] if is_clipped else (),
     )
-    return columns(report, table.select(kept), placed, page.scale, limits, "SVG")
+    return columns(report, table.select(kept), placed, page.scale, limits, "SVG"), styles
+
+
+def _line_widths(drawn_paths: DrawnPaths, matrix: F64, page: Page) -> F64:
+    """Return the width of the stroke of each of p paths, (p,) (mm; file units without a unit).
+
+    The width is negative for a path without a stroke.  ``matrix`` (p, 6) is the matrix of each path
+    to file units.
+    """
+    with np.errstate(all="ignore"):
+        fixed = np.array(drawn_paths.fixed_stroke, np.bool_)
+        factors = np.where(fixed, page.pixel, enlargements(matrix))
+        widths: F64 = np.array(drawn_paths.stroke_width, np.float64) * factors
+        return widths * (page.scale or 1.0)
 
 
 def _report_broken_paths(

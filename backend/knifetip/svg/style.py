@@ -36,12 +36,15 @@ class Appearance(NamedTuple):
     stroke_opacity: float = 1.0
     fill_opacity: float = 1.0
     opacity: float = 1.0  #: product of the element and the elements that contain it
-    stroke_width: float = 1.0  #: user units
+    stroke_width: float = 1.0  #: user units, or per cent
+    is_percent: bool = False  #: whether the stroke width is in per cent of the window
     clip_even_odd: bool = False  #: whether ``clip-rule`` is evenodd
     clip_path: str = ""  #: value of ``clip-path``, empty for none; not inherited
     mask: str = ""  #: value of ``mask``, empty for none; not inherited
     overflow: str = ""  #: value of ``overflow``; not inherited
     background: int | None = None  #: background colour, None for none; not inherited
+    #: whether no matrix scales the stroke (``vector-effect: non-scaling-stroke``); not inherited
+    fixed_stroke: bool = False
 
     @property
     def drawn_stroke(self) -> int | None:
@@ -74,6 +77,7 @@ _PROPERTIES: Final[tuple[str, ...]] = (
     "clip-rule",
     "mask",
     "overflow",
+    "vector-effect",
     "background",
     "background-color",
 )
@@ -265,6 +269,7 @@ def _appearance(values: dict[str, str], inherited: Appearance) -> Appearance:
     if (word := values.get("clip-rule", "inherit").strip().lower()) != "inherit":
         even_odd = word == "evenodd"
     shown = inherited.shown and values.get("display", "").lower() != "none"
+    stroke_width, is_percent = _stroke_width(values.get("stroke-width"), inherited, font_size)
     return Appearance(
         stroke,
         fill,
@@ -276,12 +281,14 @@ def _appearance(values: dict[str, str], inherited: Appearance) -> Appearance:
         stroke_opacity=_opacity(values.get("stroke-opacity"), inherited.stroke_opacity),
         fill_opacity=_opacity(values.get("fill-opacity"), inherited.fill_opacity),
         opacity=inherited.opacity * _opacity(values.get("opacity"), 1.0),
-        stroke_width=_stroke_width(values.get("stroke-width"), inherited.stroke_width, font_size),
+        stroke_width=stroke_width,
+        is_percent=is_percent,
         clip_even_odd=even_odd,
         clip_path=_reference(values.get("clip-path")),
         mask=_reference(values.get("mask")),
         overflow=values.get("overflow", "").strip().lower(),
         background=_paint(values.get("background-color", values.get("background")), None, colour),
+        fixed_stroke="non-scaling-stroke" in values.get("vector-effect", "").lower().split(),
     )
 
 
@@ -310,12 +317,17 @@ def _opacity(value: str | None, inherited: float) -> float:
     return min(max(share, 0.0), 1.0) if math.isfinite(share) else inherited
 
 
-def _stroke_width(value: str | None, inherited: float, font_size: float) -> float:
+def _stroke_width(value: str | None, inherited: Appearance, font_size: float) -> tuple[float, bool]:
+    """Return a stroke width (user units, or per cent), and whether it is in per cent.
+
+    ``value`` is the value of ``stroke-width``, None if it is not given.
+    """
+    before = inherited.stroke_width, inherited.is_percent
     if value is None:
-        return inherited
+        return before
     try:
-        # The percentage of a window is not 0 unless the value is.
+        # A percentage refers to the window of the element that is drawn.
         width = to_pixels(value, 100.0, font_size)
     except ValueError:
-        return inherited
-    return width if width >= 0.0 else inherited
+        return before
+    return (width, value.rstrip().endswith("%")) if width >= 0.0 else before

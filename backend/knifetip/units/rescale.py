@@ -12,10 +12,10 @@ from knifetip.model.unit import factor
 def rescale(drawing: Drawing, unit: str) -> Drawing:
     """Return the drawing with its file coordinates interpreted in another unit.
 
-    Bulges, layers and the rows of the import report do not change.  Ellipses and splines were
-    approximated by lines and arcs when the drawing was read, so a larger unit also increases the
-    error of this approximation.  To keep the error within the tolerance, read the file again with
-    ``unit``.
+    Bulges, layers, line widths and the rows of the import report do not change.  Ellipses and
+    splines were approximated by lines and arcs when the drawing was read, so a larger unit also
+    increases the error of this approximation.  To keep the error within the tolerance, read the
+    file again with ``unit``.
 
     Parameters
     ----------

@@ -82,6 +82,13 @@ describe("columns", () => {
     expect(edges.handles).toEqual(["2F4"]);
   });
 
+  test("edges have the widths of their lines, and none in drawings of older versions", () => {
+    const names = { handles: ["2F4"], layers: ["NUT"] };
+    const drawn = edgesOf(packed({ ...EDGES, line_width: Int32Array.of(50) }, names));
+    expect(drawn.lineWidth).toEqual(Int32Array.of(50));
+    expect(edgesOf(packed(EDGES, names)).lineWidth).toEqual(Int32Array.of(-1));
+  });
+
   test("a tool path has its placement", () => {
     const toolpath = toolpathOf(
       packed(

@@ -107,6 +107,10 @@ export function edgesOf(bytes: ArrayBuffer): Edges {
     colour: column(from, "colour", Int32Array),
     rule: column(from, "rule", Int32Array),
     linetype: column(from, "linetype", Int32Array),
+    // Drawings of older versions have no line widths.
+    lineWidth: from.columns.has("line_width")
+      ? column(from, "line_width", Int32Array)
+      : new Int32Array(bulge.length).fill(-1),
     confidence: column(from, "confidence", Float64Array),
     length: column(from, "length", Float64Array),
     handles: strings(from.meta.handles),

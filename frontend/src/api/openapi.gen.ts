@@ -4181,6 +4181,11 @@ export interface components {
              */
             linetype: string;
             /**
+             * Line Width
+             * @description Width with which the file draws the edge (mm, if the unit is known), 0 for the thinnest line; null if the file states none
+             */
+            line_width: number | null;
+            /**
              * Type
              * @description Line type of the edge; an `ignored` edge is not machined, an `unclassified` edge has no line type yet
              * @enum {string}
@@ -10180,6 +10185,10 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "classification.own-width";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "classification.paired";
             arguments: Record<string, never>;
         } | {
@@ -15762,6 +15771,10 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "question.default-width";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "question.guess";
             arguments: {
                 type: string;
@@ -15786,10 +15799,43 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "question.line-type-by-width";
+            arguments: {
+                edges: number;
+                layer: string;
+                colour: string;
+                linetype: string;
+                lines: components["schemas"]["Message"];
+                length: number;
+                width: number;
+                height: number;
+                x: number;
+                y: number;
+                unit: string;
+                guess: components["schemas"]["Message"] | null;
+            };
+        } | {
+            /** @constant */
+            code: "question.line-width";
+            arguments: {
+                width: number;
+            };
+        } | {
+            /** @constant */
+            code: "question.line-width-without-unit";
+            arguments: {
+                width: number;
+            };
+        } | {
+            /** @constant */
             code: "question.shape";
             arguments: {
                 reason: components["schemas"]["Message"];
             };
+        } | {
+            /** @constant */
+            code: "question.thinnest-lines";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "question.tool";
@@ -20233,6 +20279,7 @@ export interface operations {
                      *           "layer": "CUT",
                      *           "colour": 1,
                      *           "linetype": "CONTINUOUS",
+                     *           "line_width": 12.5,
                      *           "type": "unclassified",
                      *           "rule": "text",
                      *           "confidence": 12.5,

@@ -40,6 +40,8 @@ export interface Edges extends Segments {
   readonly rule: Int32Array;
   /** (n,) index into `linetypes` */
   readonly linetype: Int32Array;
+  /** (n,) width with which the file draws the edge (1/100 mm), −1 if it states none */
+  readonly lineWidth: Int32Array;
   /** (n,) confidence in the line type, 0 … 1 */
   readonly confidence: Float64Array;
   /** (n,) mm */

@@ -44,6 +44,7 @@ const EDGES = {
   layer: Int32Array.of(0, 0, 0),
   colour: Int32Array.of(1, 1, 1),
   linetype: Int32Array.of(0, 0, 0),
+  lineWidth: Int32Array.of(-1, -1, -1),
   rule: Int32Array.of(0, 0, 0),
   confidence: Float64Array.of(1, 1, 1),
   length: Float64Array.of(100, 50, 100),

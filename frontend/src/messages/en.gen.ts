@@ -363,6 +363,10 @@ export const TEXTS = {
     "text": "the user set the line type of the edge",
     "hint": ""
   },
+  "classification.own-width": {
+    "text": "the line width of the edge distinguishes it from other edges with the same layer, colour and line style",
+    "hint": ""
+  },
   "classification.paired": {
     "text": "some edges with this layer, colour and line style form pairs of parallel lines",
     "hint": ""
@@ -4031,6 +4035,10 @@ export const TEXTS = {
     "text": "The program of job {job} was damaged during its transfer from the server (SHA-256 {arrived}… instead of {expected}…). Nothing was sent to the machine.",
     "hint": "Queue the job again. If this happens again, compile the job again."
   },
+  "question.default-width": {
+    "text": "lines of the default width",
+    "hint": ""
+  },
   "question.guess": {
     "text": " The most likely line type is {type} ({percent} %): {reason}.",
     "hint": ""
@@ -4039,8 +4047,24 @@ export const TEXTS = {
     "text": "{edges:# edge|# edges} on layer \"{layer}\" (colour {colour}, line style {linetype}) {edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent {width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y {y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",
     "hint": ""
   },
+  "question.line-type-by-width": {
+    "text": "{edges:# edge|# edges} on layer \"{layer}\" (colour {colour}, line style {linetype}, {lines}) {edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent {width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y {y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",
+    "hint": ""
+  },
+  "question.line-width": {
+    "text": "lines {width:g} mm wide",
+    "hint": ""
+  },
+  "question.line-width-without-unit": {
+    "text": "lines {width:g} wide",
+    "hint": ""
+  },
   "question.shape": {
     "text": " The drawing shows: {reason}.",
+    "hint": ""
+  },
+  "question.thinnest-lines": {
+    "text": "thinnest lines",
     "hint": ""
   },
   "question.tool": {

@@ -18,7 +18,7 @@ import {
 } from "../state/questions";
 import { rowsOfLayer } from "../state/rows";
 import { useUiStore } from "../state/store";
-import { useFormatLength } from "../state/useFormatLength";
+import { useFormatLength, useFormatLineWidth } from "../state/useFormatLength";
 import { SHOW_EDGES } from "./labels";
 import css from "./panels.module.css";
 import { answerHandlers } from "./previewHandlers";
@@ -37,6 +37,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
   const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   const length = useFormatLength();
+  const lineWidth = useFormatLineWidth();
   const rows = useMemo(
     () =>
       question.edges.length > 0 || edges === undefined
@@ -71,7 +72,11 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
           </span>
         </span>
         <span className={questionCss.questionFacts} title={renderText(question)}>
-          {edgeQuestionFacts(question, facts?.linetypes ?? [])}
+          {edgeQuestionFacts(
+            question,
+            facts?.linetypes ?? [],
+            facts?.lineWidths.map(lineWidth) ?? [],
+          )}
         </span>
       </button>
       <p className={questionCss.questionText}>

@@ -11,7 +11,7 @@ import { LINE_STYLES } from "../state/palette";
 import { useEdges } from "../state/queries";
 import { layerOf, rowsOfLayer } from "../state/rows";
 import { useUiStore } from "../state/store";
-import { useFormatLength } from "../state/useFormatLength";
+import { useFormatLength, useFormatLineWidth } from "../state/useFormatLength";
 import css from "./inspector.module.css";
 import { USE_PROFILE_TYPE } from "./labels";
 import { Refusal } from "./Permitted";
@@ -134,6 +134,7 @@ interface FactsProps {
 }
 
 function Facts({ summary, handle }: FactsProps) {
+  const lineWidth = useFormatLineWidth();
   return (
     <dl className={panels.facts}>
       {handle !== null && (
@@ -158,6 +159,12 @@ function Facts({ summary, handle }: FactsProps) {
       </dd>
       <dt>Line style in file</dt>
       <dd>{summary.linetypes.join(", ")}</dd>
+      {summary.lineWidths.length > 0 && (
+        <>
+          <dt>Line width in file</dt>
+          <dd>{summary.lineWidths.map(lineWidth).join(", ")}</dd>
+        </>
+      )}
       {summary.outcome !== "" && (
         <>
           <dt>Import result</dt>

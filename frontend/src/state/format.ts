@@ -25,6 +25,12 @@ export function formatHundredths(value: number): string {
   return value < 0.005 ? `0${THIN}mm` : `${value.toFixed(2)}${THIN}mm`;
 }
 
+/** The width of a line in a file, given in 1/100 mm, or in 1/100 of an unknown unit. */
+export function formatLineWidth(hundredths: number, isUnitKnown = true): string {
+  if (hundredths === 0) return "thinnest";
+  return isUnitKnown ? `${hundredths / 100}${THIN}mm` : formatUnitless(hundredths / 100);
+}
+
 /** A deviation in mm, with four decimals. */
 export function formatDeviation(value: number): string {
   if (!Number.isFinite(value)) return "–";

@@ -22,6 +22,7 @@ const EDGES: Edges = {
   layer: new Int32Array(3),
   colour: new Int32Array(3),
   linetype: new Int32Array(3),
+  lineWidth: Int32Array.of(50, 18, -1),
   rule: Int32Array.of(0, 1, 1),
   confidence: new Float64Array(3),
   length: new Float64Array(3),

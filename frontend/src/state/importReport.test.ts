@@ -53,6 +53,7 @@ const EDGES: Edges = {
   layer: Int32Array.of(0, 0, 1),
   colour: Int32Array.of(1, 1, 5),
   linetype: new Int32Array(3),
+  lineWidth: Int32Array.of(50, 18, -1),
   rule: Int32Array.of(0, 0, 1),
   confidence: Float64Array.of(0.95, 0.9, 0.6),
   length: Float64Array.of(100, 0.01, 50),
@@ -107,6 +108,7 @@ describe("edges that are looked at", () => {
       [0.6, 1],
     ]);
     expect(found.alternatives).toEqual([]);
+    expect(found.lineWidths).toEqual([50, 18]);
     expect(found.length).toBeCloseTo(150.01);
     expect(summarizeEdges(EDGES, [1]).outcome).toBe("dropped: a speck");
   });

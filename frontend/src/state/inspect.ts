@@ -24,6 +24,8 @@ export interface EdgeSummary {
   readonly layers: readonly string[];
   readonly colours: readonly number[];
   readonly linetypes: readonly string[];
+  /** Widths with which the file draws them (1/100 mm), without those that it does not state. */
+  readonly lineWidths: readonly number[];
   /** Outcome of cleaning if it is the same for all; empty if kept as drawn. */
   readonly outcome: string;
 }
@@ -45,6 +47,7 @@ export function summarizeEdges(edges: Edges, rows: readonly number[]): EdgeSumma
   const layers = new Set<string>();
   const colours = new Set<number>();
   const linetypes = new Set<string>();
+  const lineWidths = new Set<number>();
   let length = 0;
   for (const row of rows) {
     const type = lineTypeOf(edges.lineType[row]);
@@ -62,6 +65,7 @@ export function summarizeEdges(edges: Edges, rows: readonly number[]): EdgeSumma
     layers.add(layerOf(edges, row));
     colours.add(edges.colour[row] ?? 0);
     linetypes.add(edges.linetypes[edges.linetype[row] ?? -1] ?? "");
+    lineWidths.add(edges.lineWidth[row] ?? -1);
   }
   const listed = [...reasons.values()].sort((a, b) => b.rows.length - a.rows.length);
   const [outcome = ""] = outcomes;
@@ -73,6 +77,7 @@ export function summarizeEdges(edges: Edges, rows: readonly number[]): EdgeSumma
     layers: [...layers].slice(0, LISTED),
     colours: [...colours].slice(0, LISTED),
     linetypes: [...linetypes].slice(0, LISTED),
+    lineWidths: [...lineWidths].filter((width) => width >= 0).slice(0, LISTED),
     outcome: outcomes.size === 1 ? outcome : "",
   };
 }

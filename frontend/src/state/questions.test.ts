@@ -45,8 +45,32 @@ test("the title is the layer, or what the edges of several layers lack", () => {
 });
 
 test("edges of several colours have no colour among their facts", () => {
-  expect(edgeQuestionFacts({ colour: 1 }, ["DASHED"])).toBe("Colour 1 (red) · Line style DASHED");
-  expect(edgeQuestionFacts({ colour: 0 }, ["DASHED", "DOT"])).toBe("Line styles DASHED, DOT");
+  expect(edgeQuestionFacts({ colour: 1 }, ["DASHED"], [])).toBe(
+    "Colour 1 (red) · Line style DASHED",
+  );
+  expect(edgeQuestionFacts({ colour: 0 }, ["DASHED", "DOT"], [])).toBe("Line styles DASHED, DOT");
+});
+
+test("the widths of the lines are facts, too", () => {
+  expect(edgeQuestionFacts({ colour: 0 }, ["DOT"], ["0.5 mm"])).toBe(
+    "Line style DOT · Line width 0.5 mm",
+  );
+  expect(edgeQuestionFacts({ colour: 0 }, [], ["0.18 mm", "0.5 mm"])).toBe(
+    "Line widths 0.18 mm, 0.5 mm",
+  );
+});
+
+test("a question for lines of one width has the same text on its card as other questions", () => {
+  const guess = {
+    code: "question.guess",
+    arguments: { type: "crease", percent: 78, reason: reason("it divides two panels") },
+  };
+  const lines = { code: "question.line-width", arguments: { width: 0.5 } };
+  const question = {
+    code: "question.line-type-by-width",
+    arguments: { ...LINE, lines, guess },
+  };
+  expect(edgeQuestionText(question)).toEqual({ percent: 78, text: "It divides two panels" });
 });
 
 test("a question for the unit shows why it is unknown", () => {

@@ -18,15 +18,23 @@ export function edgeQuestionTitle({ kind, layer }: Pick<Question, "kind" | "laye
   return kind === "tool" ? "No tool for these edges" : "Edges without a line type";
 }
 
-/** Colour and line styles of the edges of a question; edges of several colours have no colour. */
+/**
+ * Colour, line styles and line widths of the edges of a question; edges of several colours have no
+ * colour.
+ */
 export function edgeQuestionFacts(
   { colour }: Pick<Question, "colour">,
   linetypes: readonly string[],
+  lineWidths: readonly string[],
 ): string {
   const facts = [];
   if (colour !== 0) facts.push(`Colour ${colourName(colour)}`);
   if (linetypes.length > 0)
     facts.push(`${linetypes.length === 1 ? "Line style" : "Line styles"} ${linetypes.join(", ")}`);
+  if (lineWidths.length > 0) {
+    const title = lineWidths.length === 1 ? "Line width" : "Line widths";
+    facts.push(`${title} ${lineWidths.join(", ")}`);
+  }
   return facts.join(" · ");
 }
 
@@ -35,7 +43,8 @@ const capitalized = (text: string): string => text.charAt(0).toUpperCase() + tex
 /** The text for a question about edges; the card shows their layer, colour and length already. */
 export function edgeQuestionText(question: ServerMessage): QuestionText {
   const message = typed(question);
-  if (message.code !== "question.line-type") return { percent: null, text: renderText(question) };
+  if (message.code !== "question.line-type" && message.code !== "question.line-type-by-width")
+    return { percent: null, text: renderText(question) };
   const { guess } = message.arguments;
   if (guess?.code === "question.guess") {
     const { percent, reason } = guess.arguments;

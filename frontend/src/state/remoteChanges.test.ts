@@ -18,6 +18,7 @@ const edgesOf = (types: readonly number[], revision: number): Edges => ({
   layer: new Int32Array(types.length),
   colour: new Int32Array(types.length),
   linetype: new Int32Array(types.length),
+  lineWidth: new Int32Array(types.length).fill(-1),
   rule: new Int32Array(types.length),
   confidence: new Float64Array(types.length),
   length: new Float64Array(types.length),

@@ -12,7 +12,7 @@ import numpy as np
 
 from knifetip.geometry.columns import F64, U8
 from knifetip.model.dieline import LineType
-from knifetip.model.drawing import Drawing
+from knifetip.model.drawing import NO_LINE_WIDTH, Drawing
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
 HALF_CUT, IGNORED = LineType.HALF_CUT, LineType.IGNORED
@@ -88,7 +88,7 @@ def without_names(drawing: Drawing) -> Drawing:
 
 
 def without_style(drawing: Drawing) -> Drawing:
-    """Return the drawing with all edges on layer 0, in one colour and one linetype."""
+    """Return the drawing with all edges on layer 0, in one colour, linetype and line width."""
     count = len(drawing)
     return replace(
         without_names(drawing),
@@ -96,6 +96,7 @@ def without_style(drawing: Drawing) -> Drawing:
         true_colour=np.full(count, -1, np.int32),
         linetype=np.zeros(count, np.int32),
         linetypes=("CONTINUOUS",),
+        line_width=np.full(count, NO_LINE_WIDTH, np.int32),
     )
 
 

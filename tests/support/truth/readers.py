@@ -12,7 +12,10 @@ from knifetip.model.drawing import Drawing, LocationBoxes
 reading = import_module("knifetip.dxf.read")
 ezdxf_reader = import_module("knifetip.dxf.ezdxf_reader.reader")
 
-_COLUMNS = ("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype")
+_COLUMNS = (
+    *("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype"),
+    *("line_width", "fit_error"),
+)
 _RECORDS = ("layers", "linetypes", "unit", "evidence", "stated")
 
 

@@ -21,6 +21,8 @@ LAYERS = (
     "DefPoints",
 )
 LINETYPES = ("Continuous", "DASHED", "BYLAYER", "ByBlock")
+#: Values of group 370; other programs write those that the format does not define, too.
+LINE_WIDTHS = (-3, -2, -1, 0, 18, 50, 17, 300, -7)
 BLOCKS = ("PANEL", "Flap", "*U1", "hole", "NEST", "EMPTY")
 OLD, NEW = ("AC1009",), ("AC1015", "AC1018", "AC1021", "AC1024", "AC1027", "AC1032")
 
@@ -78,7 +80,7 @@ def spellings(draw: Draw) -> Spelling:
 
 @st.composite
 def _common(draw: Draw, new: bool) -> list[Tag]:
-    """Draw the tags of layer, linetype and colour; linetype and colour may be missing."""
+    """Draw the tags of layer, linetype, colour and line width; all but the layer may be missing."""
     tags: list[Tag] = [(8, draw(st.sampled_from(LAYERS)))]
     if draw(st.booleans()):
         tags.append((6, draw(st.sampled_from(LINETYPES))))
@@ -86,6 +88,8 @@ def _common(draw: Draw, new: bool) -> list[Tag]:
         tags.append((62, draw(st.sampled_from((0, 1, 3, 7, 255, 256)))))
     if new and draw(st.integers(0, 3)) == 0:
         tags.append((420, draw(st.integers(0, 0xFFFFFF))))
+    if draw(st.integers(0, 2)) == 0:
+        tags.append((370, draw(st.sampled_from(LINE_WIDTHS))))
     if draw(st.integers(0, 9)) == 0:
         tags.append((67, draw(st.sampled_from((0, 1)))))
     if draw(st.integers(0, 9)) == 0:
@@ -137,6 +141,21 @@ def _vertices(draw: Draw) -> list[tuple[float, float, float]]:
     return found
 
 
+polyline_widths = st.sampled_from((0.5, 0.5, 0.25, 0.0, -1.0, 0.782700154027225))
+
+
+def _vertex_widths(draw: Draw) -> st.SearchStrategy[list[Tag]]:
+    """Return a strategy for the widths of a vertex: of one polyline, they are often the same."""
+    width = draw(polyline_widths)
+    both: list[Tag] = [(40, width), (41, width)]
+    ways: tuple[list[list[Tag]], ...] = (
+        [[]],
+        [both],
+        [both, [], both[:1], both[1:], [(40, draw(polyline_widths))]],
+    )
+    return st.sampled_from(draw(st.sampled_from(ways)))
+
+
 @st.composite
 def _lwpolyline(draw: Draw, new: bool) -> list[list[Tag]]:
     if not new and draw(st.booleans()):
@@ -146,10 +165,11 @@ def _lwpolyline(draw: Draw, new: bool) -> list[list[Tag]]:
     tags: list[Tag] = [(100, "AcDbPolyline"), (90, len(vertices)), (70, draw(st.integers(0, 1)))]
     if (z := _z(draw)) != 0.0:
         tags.append((38, z))
+    if draw(st.integers(0, 3)) == 0:
+        tags.append((43, draw(polyline_widths)))
+    vertex_widths = _vertex_widths(draw)
     for x, y, bulge in vertices:
-        tags.extend([(10, x), (20, y)])
-        if draw(st.integers(0, 5)) == 0:
-            tags.extend([(40, 0.5), (41, 0.5)])
+        tags.extend([(10, x), (20, y), *draw(vertex_widths)])
         if bulge:
             tags.append((42, bulge))
     return [[(0, "LWPOLYLINE"), *draw(_common(new)), *tags, *_side(draw)]]
@@ -171,14 +191,16 @@ def _polyline(draw: Draw, new: bool) -> list[list[Tag]]:
             (10, 0.0),
             (20, 0.0),
             (30, z),
+            *draw(_vertex_widths(draw)),
             (70, flags),
             *_side(draw),
         ]
     ]
+    vertex_widths = _vertex_widths(draw)
     for x, y, bulge in _vertices(draw):
         marker = "AcDb3dPolylineVertex" if three else "AcDb2dVertex"
         vertex: list[Tag] = [(0, "VERTEX"), layer, (100, "AcDbVertex"), (100, marker)]
-        vertex += [(10, x), (20, y), (30, z)]
+        vertex += [(10, x), (20, y), (30, z), *draw(vertex_widths)]
         if bulge and not three:
             vertex.append((42, bulge))
         rows.append([*vertex, (70, 32)] if three else vertex)
@@ -324,6 +346,8 @@ def drawings(draw: Draw, plain: bool = False) -> bytes:
         extra: list[Tag] = [(420, 0x123456)] if new and name == "Crease" else []
         if name == "NoPlot":
             extra = [(290, 0)]
+        if draw(st.integers(0, 2)) == 0:
+            extra.append((370, draw(st.sampled_from(LINE_WIDTHS))))
         table += tags(
             (0, "LAYER"), *marks, (2, name), (70, flags), (62, colour), *extra, (6, "DASHED")
         )

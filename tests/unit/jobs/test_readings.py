@@ -16,10 +16,11 @@ from knifetip.library import load
 from knifetip.library.definition import Definition, Shelf
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.drawing import Drawing
+from knifetip.model.drawing import NO_LINE_WIDTH, Drawing
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.stage import no_progress
 from knifetip.presentation.columns import pack_columns, unpack_columns
+from knifetip.presentation.edges import EdgeTable
 
 CONTENT = samples()["tuck-end-carton.dxf"]
 
@@ -43,7 +44,7 @@ def overrides(stored_drawing: StoredDrawing, **changes: LineType) -> bytes:
 
 def same(one: tuple[Drawing, Dieline], other: tuple[Drawing, Dieline]) -> None:
     columns = ("ends", "bulge", "layer", "colour", "true_colour", "linetype", "lengths")
-    for name in (*columns, "fit_error"):
+    for name in (*columns, "fit_error", "line_width"):
         assert (getattr(one[0], name) == getattr(other[0], name)).all()
     for name in ("layers", "linetypes", "handles", "unit"):
         assert getattr(one[0], name) == getattr(other[0], name)
@@ -111,6 +112,17 @@ def test_a_reading_of_an_older_version_is_made_anew() -> None:
     del columns["true_colour"]
     old = replace(kept, edges=pack_columns(columns, meta))
     same(restore_or_read(old, kept.interpretation), from_file(kept.interpretation))
+
+
+def test_a_reading_of_a_version_without_line_widths_is_restored(unread: None) -> None:
+    kept = stored(Interpretation())
+    columns, meta = unpack_columns(kept.edges)
+    del columns["line_width"]
+    old = replace(kept, edges=pack_columns(columns, meta))
+    drawing, dieline = restore_or_read(old, kept.interpretation)
+    assert (drawing.line_width == NO_LINE_WIDTH).all()
+    assert (dieline.line_type == columns["line_type"]).all()
+    assert [row["line_width"] for row in EdgeTable.unpack(old.edges).rows(0, 2)] == [None, None]
 
 
 def test_a_reading_without_fit_errors_is_made_anew_and_keeps_the_overrides() -> None:

@@ -81,7 +81,10 @@ def test_the_carton_equals_that_of_the_svg(layered: bool, flate: bool) -> None:
 
 def pick(drawing: Drawing, kept: np.ndarray) -> Drawing:
     """Return the drawing with the chosen edges only."""
-    columns = ("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype")
+    columns = (
+        *("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype"),
+        "line_width",
+    )
     given = {name: getattr(drawing, name)[kept] for name in columns}
     rest = {
         name: getattr(drawing, name) for name in ("layers", "linetypes", "import_report", "unit")

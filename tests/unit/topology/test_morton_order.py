@@ -28,7 +28,10 @@ TOUCH, REACH = GAP, 1.0
 
 def in_order(drawing: Drawing, order: I64) -> Drawing:
     """Return the drawing with its edges in another order, given as rows."""
-    columns = ("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype")
+    columns = (
+        *("ends", "bulge", "entity", "layer", "colour", "true_colour", "linetype"),
+        "line_width",
+    )
     return replace(drawing, **{name: getattr(drawing, name)[order] for name in columns})
 
 

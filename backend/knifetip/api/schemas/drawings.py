@@ -384,6 +384,10 @@ class EdgeOut(BaseModel):
     layer: str = Field(description="Name of the edge's layer in the file")
     colour: int = Field(description="AutoCAD colour index of the edge, 1 … 255")
     linetype: str = Field(description="Linetype in the file, such as DASHED")
+    line_width: float | None = Field(
+        description="Width with which the file draws the edge (mm, if the unit is known), 0 for "
+        "the thinnest line; null if the file states none"
+    )
     type: LineTypeWord = Field(
         description="Line type of the edge; an `ignored` edge is not machined, an `unclassified` "
         "edge has no line type yet"

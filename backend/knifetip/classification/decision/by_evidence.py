@@ -226,6 +226,8 @@ def _guess_divider(
     own = evidence.length[style, Role.DIVIDER]
     if evidence.only_divides[style]:
         reasons = [Message("classification.as-its-style")]
+        if evidence.by_width[style]:
+            reasons.append(Message("classification.own-width"))
         # With folds in two styles, either style may be perforated or half cut.
         two_styles = evidence.other_folds[style] > _OTHER_FOLDS * own
         if evidence.main_folds[style]:

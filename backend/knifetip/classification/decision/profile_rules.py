@@ -65,6 +65,8 @@ class StyleTable:
     linetype: tuple[str, ...]  #: (c,) name of the linetype
     entity: tuple[str, ...]  #: (c,) kind of entity, such as LINE
     block: tuple[str, ...]  #: (c,) name of the block, "" outside blocks
+    #: (c,) number of the line width among styles that are equal otherwise, 0 if it has no meaning
+    width: I32
 
     def __len__(self) -> int:
         return len(self.layer)
@@ -73,7 +75,8 @@ class StyleTable:
 def tabulate_styles(drawing: Drawing) -> StyleTable:
     """Return the table of the different styles of a drawing, and the style of each edge.
 
-    A style combines layer, colour, dash pattern, kind of entity and block.
+    A style combines layer, colour, dash pattern, kind of entity and block.  Its line width is added
+    by ``divide_by_line_width``; rules have no condition on it.
     """
     report = drawing.import_report
     kinds, kind = number_words(report.kind)
@@ -96,6 +99,7 @@ def tabulate_styles(drawing: Drawing) -> StyleTable:
         tuple(drawing.linetypes[row] for row in drawing.linetype[first]),
         tuple(report.kind[row] for row in entity),
         tuple(report.block[row] if report.block else "" for row in entity),
+        np.zeros(len(first), np.int32),
     )
 
 

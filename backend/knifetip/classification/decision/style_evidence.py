@@ -14,10 +14,12 @@ import numpy as np
 from knifetip.classification.decision.conventions import FittingConvention
 from knifetip.classification.decision.profile_rules import RuleMatches, StyleTable
 from knifetip.classification.decision.style_totals import StyleTotals
+from knifetip.classification.line_widths import distinguishing_widths
 from knifetip.classification.numbered_layers import find_numbered_layers
 from knifetip.classification.shape.roles import HOLES, NOT_CARTON, Role
 from knifetip.classification.vocabulary import NameMeaning, is_dashed_linetype, name_meaning
-from knifetip.geometry.columns import F64, I64, Bool
+from knifetip.geometry.columns import F64, I32, I64, Bool
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRules
@@ -36,8 +38,10 @@ class StyleEvidence:
     profile: LineRules
     matches: RuleMatches
     conventions: Sequence[FittingConvention]
-    style_groups: I64  #: (c,) group of styles with equal layer, colour and dash pattern
-    length: F64  #: (c, roles) of all edges that share layer, colour and linetype with the style
+    #: (c,) group of styles with equal layer, colour, dash pattern and, where it matters, line width
+    style_groups: I64
+    by_width: Bool  #: (c,) whether other styles differ from it only in their line width
+    length: F64  #: (c, roles) of all edges in the group of the style
     total: F64  #: (roles,) length of all edges
     other_folds: F64  #: (c,) length of dividers in other styles that have nearly only dividers
     only_divides: Bool  #: (c,) whether nearly all edges of the style are dividers
@@ -71,17 +75,12 @@ class StyleEvidence:
         conventions
             Colour conventions that fit the drawing.
         """
-        group = _group_styles(styles)
         length = totals.length
-        grouped = np.zeros((int(group.max(initial=-1)) + 1, length.shape[1]))
-        np.add.at(grouped, group, length)
-        carton = grouped.sum(axis=1) - grouped[:, list(NOT_CARTON)].sum(axis=1)
-        closing = grouped[:, [Role.OUTLINE, *HOLES, Role.MARK]].sum(axis=1)
-        only_divides = (
-            (grouped[:, Role.DIVIDER] >= 0.85 * carton)
-            & (closing <= 0.02 * carton)
-            & (carton > 0.0)
-        )
+        look = _group_styles(styles)
+        group = _divide_groups(look, styles.width, length)
+        by_width = np.bincount(look)[look] != np.bincount(group)[group]
+        grouped = _sum_groups(group, length)
+        only_divides = _only_divides(grouped)
         folds = np.where(only_divides, grouped[:, Role.DIVIDER], 0.0)
         must_fold = _divider_fraction(totals.must_fold, group, grouped) > _MUST_FOLD_FRACTION
         main = grouped[:, Role.DIVIDER] > _MAIN_FOLD_FRACTION * length[:, Role.DIVIDER].sum()
@@ -91,6 +90,7 @@ class StyleEvidence:
             matches,
             conventions,
             group,
+            by_width,
             grouped[group],
             length.sum(axis=0),
             (folds.sum() - folds)[group],
@@ -127,12 +127,109 @@ class StyleEvidence:
         return meaning, True
 
 
+def divide_by_line_width(styles: StyleTable, line_width: I32) -> StyleTable:
+    """Return the styles of a drawing, divided where their line widths distinguish edges.
+
+    Parameters
+    ----------
+    styles
+        The c styles of a drawing with n edges, without line widths.
+    line_width : (n,)
+        Line width of each edge, as in ``Drawing``.
+    """
+    if len(line_width) == 0 or (line_width == line_width[0]).all():
+        return styles
+    width = distinguishing_widths(line_width, _group_styles(styles)[styles.row])
+    if not width.any():
+        return styles
+    first, row = unique_rows(styles.row, width)
+    style = styles.row[first]
+
+    def names(column: Sequence[str]) -> tuple[str, ...]:
+        return tuple(column[one] for one in style.tolist())
+
+    return StyleTable(
+        row,
+        names(styles.layer),
+        styles.colour[style],
+        styles.true_colour[style],
+        names(styles.linetype),
+        names(styles.entity),
+        names(styles.block),
+        width[first],
+    )
+
+
+def _sum_groups(group: I64, length: F64) -> F64:
+    """Return the sums of lengths (c, roles) over the groups of c styles, (groups, roles)."""
+    grouped = np.zeros((int(group.max(initial=-1)) + 1, length.shape[1]))
+    np.add.at(grouped, group, length)
+    return grouped
+
+
+def _carton_length(grouped: F64) -> F64:
+    """Return the length of the edges of each group that may belong to a carton, (groups,)."""
+    carton: F64 = grouped.sum(axis=1) - grouped[:, list(NOT_CARTON)].sum(axis=1)
+    return carton
+
+
+def _only_divides(grouped: F64) -> Bool:
+    """Return the mask of the groups whose edges are nearly all dividers, (groups,).
+
+    ``grouped`` (groups, roles) is the length of the edges of each group, by role.
+    """
+    carton = _carton_length(grouped)
+    closing = grouped[:, [Role.OUTLINE, *HOLES, Role.MARK]].sum(axis=1)
+    mask: Bool = (
+        (grouped[:, Role.DIVIDER] >= 0.85 * carton) & (closing <= 0.02 * carton) & (carton > 0.0)
+    )
+    return mask
+
+
+def _divide_groups(look: I64, width: I32, length: F64) -> I64:
+    """Return the groups of c styles, (c,), divided by line width where it distinguishes folds.
+
+    A look is divided if most of its dividers have a width whose lines only divide panels, and the
+    lines of another width do not.  It is also divided if it is the only look of all cartons and has
+    two widths, neither of which only divides panels.  Otherwise the widths have no known meaning:
+    the cuts of a colour have two widths, or one line was drawn thinner by chance.
+
+    Parameters
+    ----------
+    look : (c,)
+        Number of the layer, colour and dash pattern of each style.
+    width : (c,)
+        Number of the line width of each style within its look, 0 if it has no meaning.
+    length : (c, roles)
+        Length of the edges of each style, by role.
+    """
+    if not width.any():
+        return look
+    first, part = unique_rows(look, width)
+    grouped = _sum_groups(part, length)
+    look_of, is_carton = look[first], _carton_length(grouped) > 0.0
+    folds = _only_divides(grouped)
+    looks = int(look.max()) + 1
+    with_folds, with_others, with_carton = (
+        np.bincount(look_of[mask], minlength=looks) > 0
+        for mask in (folds, is_carton & ~folds, is_carton)
+    )
+    divider = grouped[:, Role.DIVIDER]
+    dividers = np.bincount(look_of, divider)
+    own_dividers = np.bincount(look_of, np.where(folds, divider, 0.0))
+    told = with_folds & with_others & (own_dividers > _MAIN_FOLD_FRACTION * dividers)
+    is_alone = (np.count_nonzero(with_carton) == 1) & (np.bincount(look_of) == 2) & with_carton
+    divided = told | (is_alone & ~with_folds)
+    _, group = unique_rows(look, np.where(divided[look], width, 0))
+    return group
+
+
 def _divider_fraction(part: F64, group: I64, grouped: F64) -> F64:
     """Return the fraction of divider length that has some property, by groups of styles, (c,).
 
-    Dividers are the edges between two panels.  Styles with equal layer, colour and dash pattern
-    form a group.  The fraction, 0 … 1, is computed for each group, and the result contains for each
-    of c styles the fraction of its group.
+    Dividers are the edges between two panels.  Styles with equal layer, colour, dash pattern and
+    line width form a group.  The fraction, 0 … 1, is computed for each group, and the result
+    contains for each of c styles the fraction of its group.
 
     Parameters
     ----------

@@ -9,6 +9,7 @@ entity of the block has one row in the import report and one placement per repet
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
@@ -18,6 +19,7 @@ from typing import Final, NamedTuple, Protocol
 import numpy as np
 
 from knifetip.drawing_builder.columns import Style
+from knifetip.drawing_builder.line_widths import hundredths
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.drawing_builder.visibility import INVISIBLE
 from knifetip.dxf.attributes import Styles
@@ -185,6 +187,8 @@ class BlockExpansion:
         Finds the style of each entity.
     limits
         Limits of the size of the drawing and of the reading time.
+    scale
+        Millimetres per file unit, 0 while the unit is unknown.
 
     Raises
     ------
@@ -198,6 +202,7 @@ class BlockExpansion:
         on_sheet: Iterable[tuple[str, int]],
         styles: Styles,
         limits: Limits,
+        scale: float,
     ) -> None:
         self.sheet = ReportWriter()
         self.placed: list[Placed] = []
@@ -205,6 +210,7 @@ class BlockExpansion:
         self._blocks = blocks
         self._styles = styles
         self._limits = limits
+        self._scale = scale or 1.0
         self._until = time.monotonic() + limits.seconds
         self._recursive = self._count(on_sheet)
 
@@ -322,6 +328,9 @@ class BlockExpansion:
         if len(placements[0]) > 1:
             notes.append(Message("import.repeated", times=len(placements[0])))
         row = self.sheet.row(handle, counted.kind, style.layer, None, notes)
+        if drawn.line_width > 0.0:
+            width = drawn.line_width * self._scale * _enlargement(placements[0])
+            style = style._replace(line_width=int(hundredths(np.array([width]))[0]))
         self.placed.append(Placed(row, drawn.shape, *placements, style))
 
     def _hidden_reason(self, source: SourceEntity, kind: str, layer: str) -> Message | None:
@@ -418,6 +427,12 @@ class BlockExpansion:
         )
         for child in block.entries:
             self._entry(child, f"{handle}/", inner_placements, style)
+
+
+def _enlargement(linear: F64) -> float:
+    """Return the factor by which the first of k linear maps, (k, 2, 2), enlarges a line width."""
+    (a, b), (c, d) = linear[0].tolist()
+    return math.sqrt(abs(a * d - b * c))
 
 
 def _product(outer: F64, inner: F64) -> F64:

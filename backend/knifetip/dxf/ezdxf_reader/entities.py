@@ -19,6 +19,7 @@ import numpy as np
 from knifetip.dxf.shapes import (
     arc_segment_count,
     mirror_segments,
+    one_width,
     polyline_segment_count,
     sweep_angle,
     write_arc,
@@ -52,10 +53,14 @@ Shape: TypeAlias = Lines | Ellipse | Spline
 
 @dataclass(frozen=True, eq=False, slots=True)
 class EntityShape:
-    """The shape of an entity, and notes on changes that were made to it."""
+    """The shape of an entity, notes on changes that were made to it, and its width.
+
+    Only a polyline that is drawn as a wide line has a width as a part of its geometry.
+    """
 
     shape: Shape
     notes: list[Message] = field(default_factory=list)
+    line_width: float = 0.0  #: file units, 0 for none
 
 
 class Undrawable(Exception):
@@ -278,8 +283,13 @@ def _chain(xy: F64, bulge: F64, closed: bool, mirror: bool) -> Lines:
 def _lwpolyline(entity: Any) -> EntityShape:
     points = np.array(entity.lwpoints.values, dtype=np.float64).reshape(-1, 5)
     notes = height_notes((float(entity.dxf.get("elevation", 0.0)),))
+    widths = points[:, 2:4]
+    if not widths.any():
+        widths = np.array([float(entity.dxf.get("const_width", 0.0))])
     return EntityShape(
-        _chain(points[:, :2], points[:, 4], entity.closed, is_mirrored(entity)), notes
+        _chain(points[:, :2], points[:, 4], entity.closed, is_mirrored(entity)),
+        notes,
+        float(one_width(widths.min(), widths.max())),
     )
 
 
@@ -303,7 +313,18 @@ def _polyline(entity: Any) -> EntityShape:
     notes = height_notes(
         (float(entity.dxf.elevation.z) if entity.dxf.hasattr("elevation") else 0.0,)
     )
-    return EntityShape(_chain(xy, bulge, entity.is_closed, is_mirrored(entity)), notes)
+    widths = np.array(
+        [
+            float(v.dxf.get(f"{end}_width", entity.dxf.get(f"default_{end}_width", 0.0)))
+            for v in vertices
+            for end in ("start", "end")
+        ]
+    )
+    return EntityShape(
+        _chain(xy, bulge, entity.is_closed, is_mirrored(entity)),
+        notes,
+        float(one_width(widths.min(), widths.max())),
+    )
 
 
 def _ellipse(entity: DXFGraphic) -> EntityShape:

@@ -31,11 +31,12 @@ _Pair = tuple[PrescannedEntity, str, DXFEntity | None]
 
 
 def expand(
-    document: Document, prescan: Prescan, limits: Limits
+    document: Document, prescan: Prescan, limits: Limits, scale: float
 ) -> tuple[ReportWriter, list[Placed]]:
     """Return the import report and the placed shapes of an ezdxf document.
 
     ``prescan`` contains the entities and blocks of the file as written, before ezdxf changed them.
+    ``scale`` is the length of a file unit in mm, 0 while the unit is unknown.
 
     Raises
     ------
@@ -58,7 +59,8 @@ def expand(
             _references(pairs),
             partial(_entries, pairs),
         )
-    expansion = BlockExpansion(blocks, _references(on_sheet), Styles(layers_of(document)), limits)
+    styles = Styles(layers_of(document))
+    expansion = BlockExpansion(blocks, _references(on_sheet), styles, limits, scale)
     for entry in _entries(on_sheet):
         expansion.sheet_entity(entry)
     for key, block in prescan.blocks.items():

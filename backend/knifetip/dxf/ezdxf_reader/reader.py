@@ -49,7 +49,7 @@ def read_with_ezdxf(data: bytes, unit: str, limits: Limits, lines_before: int = 
     counted = prescan(data, lines_before)
     _check(counted, limits)
     known = known_unit(unit, counted.variables)
-    sheet, shapes = expand(load_document(data, counted, limits), counted, limits)
+    sheet, shapes = expand(load_document(data, counted, limits), counted, limits, known.scale)
     if not counted.ended:
         sheet.row("EOF", "EOF", "", Message("import.no-end-mark", mark="EOF"))
     segments = columns(sheet, shapes, known.scale, limits)

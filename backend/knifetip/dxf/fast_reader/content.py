@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Final
+
+from knifetip.drawing_builder.line_widths import GREATEST
 from knifetip.dxf.decimals import EXACT, UNSURE
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader import group_codes as g
 from knifetip.dxf.fast_reader import keywords as w
 from knifetip.dxf.fast_reader import state as s
-from knifetip.dxf.fast_reader.group_values import integer_at, name_at
+from knifetip.dxf.fast_reader.group_values import NONE, integer_at, name_at
 from knifetip.dxf.fast_reader.keywords import is_word
 from knifetip.dxf.fast_reader.structure import mark_unsupported
 from knifetip.dxf.scan_tables import ScanTables
@@ -19,6 +22,9 @@ from knifetip.kernels import (
     OutI64_2,
     inline_kernel,
 )
+
+#: Bits of ``state.SEEN`` for the widths of a vertex.
+_WIDTHS: Final = 1 << (g.B_VALUE + f.START_WIDTH) | 1 << (g.B_VALUE + f.END_WIDTH)
 
 
 @inline_kernel
@@ -61,6 +67,9 @@ def take_decimal(
             return s.ON
         state[s.SEEN] |= bit
         value[row, column] = read
+    elif 40 <= code <= 43 and code != 42 and (kind == f.LWPOLYLINE or kind == f.POLYLINE):
+        _take_width(code, read, tables, state)
+        return s.ON
     elif code == 30 or code == 31 or code == 38:
         if not abs(read) <= g.FLAT or sure != EXACT:
             mark_unsupported(entity, state)
@@ -96,6 +105,7 @@ def take_decimal(
                     return s.REFUSED
                 vertex[state[s.VERTICES], 2] = 0.0
                 state[s.VERTICES] += 1
+                state[s.SEEN] &= ~_WIDTHS
                 entity[row, f.COUNT] += 1
             elif entity[row, f.COUNT] == 0:
                 mark_unsupported(entity, state)
@@ -118,6 +128,39 @@ def take_decimal(
         unsure[number_, 3], unsure[number_, 4] = low, high
         state[s.UNSURES] = number_ + 1
     return s.ON
+
+
+@inline_kernel
+def _take_width(code: int, read: float, tables: ScanTables, state: OutI64_1) -> None:
+    """Store a width of the polyline or of the vertex that is being read.
+
+    The least and the greatest width of all vertices are stored, and the numbers of vertices with a
+    width at their start and at their end.  ``code`` is the group code of the width ``read`` (file
+    units).  A width that precedes the vertices of an LWPOLYLINE has no meaning, except that of the
+    whole polyline.
+    """
+    row, kind, marks = state[s.ROW], state[s.OPEN_KIND], state[s.OPEN_MARKS]
+    value, is_vertex = tables.value, state[s.MODE] == s.IN_VERTEX
+    bit = 1 << (g.B_VALUE + (f.END_WIDTH if code == 41 else f.START_WIDTH))
+    if code == 43:
+        bit = 1 << (g.B_VALUE + f.ANGLE)
+    if state[s.SEEN] & bit or (marks > 0 and marks != (3 if is_vertex else 2)):
+        mark_unsupported(tables.entity, state)
+        return
+    if kind == f.LWPOLYLINE and code != 43 and tables.entity[row, f.COUNT] == 0:
+        return
+    state[s.SEEN] |= bit
+    if code == 43 or (kind == f.POLYLINE and not is_vertex):
+        value[row, f.END_WIDTH if code == 41 else f.START_WIDTH] = read
+        return
+    # The comparisons are false for NaN, the value of a column that is not given.
+    if not value[row, f.LEAST_WIDTH] <= read:
+        value[row, f.LEAST_WIDTH] = read
+    if not value[row, f.MOST_WIDTH] >= read:
+        value[row, f.MOST_WIDTH] = read
+    column = f.STARTS if code == 40 else f.ENDS
+    count = value[row, column]
+    value[row, column] = count + 1.0 if count > 0.0 else 1.0
 
 
 @inline_kernel
@@ -287,6 +330,15 @@ def _store_geometry_tag(
             return s.ON
         entity[row, column] = integer & 0xFFFFFF
         state[s.SEEN] |= bit
+    elif code == 370:
+        integer = integer_at(data, low, high)
+        if integer == NONE:
+            return s.REFUSED
+        if seen_tags & (1 << g.B_LINE_WIDTH):
+            mark_unsupported(entity, state)
+            return s.ON
+        entity[row, f.LINE_WIDTH] = max(min(integer, GREATEST), -4)
+        state[s.SEEN] |= 1 << g.B_LINE_WIDTH
     elif code == 70 or (code == 71 and kind == f.INSERT):
         integer = integer_at(data, low, high)
         column, bit = f.FLAGS, 1 << g.B_FLAGS

@@ -29,7 +29,7 @@ IS_POINT: Final = np.isin(
 
 #: Mask of the group codes that are read; other group codes are skipped.
 MEANS: Final = np.zeros(LAST_CODE + 1, np.bool_)
-MEANS[[1, 2, 3, 5, 6, 8, 60, 62, 66, 67, 70, 71, 100, 101, 410, 420]] = True
+MEANS[[1, 2, 3, 5, 6, 8, 60, 62, 66, 67, 70, 71, 100, 101, 370, 410, 420]] = True
 #: Column of the value for each group code up to 255, or -1.
 COLUMN_OF: Final = np.full(256, -1)
 for _code, _column in (
@@ -45,6 +45,8 @@ for _kind, _columns in (
     (f.ARC, (f.X, f.Y, f.RADIUS, f.ANGLE, f.ANGLE2)),
     (f.CIRCLE, (f.X, f.Y, f.RADIUS)),
     (f.INSERT, (f.X, f.Y, f.SCALE_X, f.SCALE_Y, f.ANGLE, f.SPACE_X, f.SPACE_Y)),
+    (f.LWPOLYLINE, f.OF_POLYLINE),
+    (f.POLYLINE, f.OF_POLYLINE),
     (OF_WORDS, f.LENGTHS),
 ):
     HAS[_kind, list(_columns)] = True
@@ -65,9 +67,11 @@ for _kind in (f.LINE, f.ARC, f.CIRCLE, f.INSERT, OF_WORDS):
             ACTION[_kind, _code] = NUMBER
 ACTION[f.LINE : OF_WORDS, [30, 31, 210, 220, 230]] = NUMBER
 ACTION[f.LWPOLYLINE : f.INSERT, 31] = ACTION[f.LWPOLYLINE, 30] = BY_PLACE
-ACTION[f.LWPOLYLINE, [10, 20, 42, 38]] = NUMBER
-ACTION[VERTEX, [10, 20, 30, 42, 210, 220, 230]] = NUMBER
+ACTION[f.LWPOLYLINE, [10, 20, 38, 40, 41, 42, 43]] = NUMBER
+ACTION[f.POLYLINE, [40, 41]] = NUMBER
+ACTION[VERTEX, [10, 20, 30, 40, 41, 42, 210, 220, 230]] = NUMBER
 ACTION[VERTEX, 5] = BY_PLACE
+ACTION[f.LINE : OF_WORDS, 370] = TAKEN
 
 # Bits of ``state.SEEN`` for the tags that an entity already has.
 B_HANDLE, B_LAYER, B_LINETYPE, B_COLOUR, B_TRUE, B_FLAGS, B_NAME = range(7)
@@ -75,6 +79,7 @@ B_VALUE: Final = 7  # one bit for each column of the values, from this bit on
 B_COLUMNS: Final = B_VALUE + f.VALUES
 B_ROWS: Final = B_COLUMNS + 1
 B_PAPER: Final = B_ROWS + 1
+B_LINE_WIDTH: Final = B_PAPER + 1
 POINT: Final = 3 << B_VALUE
 
 #: Required tags of each kind.

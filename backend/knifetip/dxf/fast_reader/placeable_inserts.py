@@ -13,13 +13,19 @@ from knifetip.geometry.tolerance import BULGE
 
 
 def find_placeable_inserts(
-    scanned: Scan, tables: Tables, segments: EntitySegments, rows: I64, one_by_one: Bool
+    scanned: Scan,
+    tables: Tables,
+    segments: EntitySegments,
+    rows: I64,
+    one_by_one: Bool,
+    polyline_width: F64,
 ) -> tuple[I64, I64, F64]:
     """Return the k INSERTs in model space whose blocks are placed by array operations.
 
     All other INSERTs are marked in ``one_by_one``, the mask of the entities that
     ``BlockExpansion`` expands.  ``rows`` are the rows in ``Scan.entity`` of the entities of
-    model space.
+    model space.  ``polyline_width`` (e,) is the width of each wide polyline, 0 for other entities;
+    an INSERT that scales its block scales this width.
 
     Returns
     -------
@@ -44,9 +50,10 @@ def find_placeable_inserts(
     block_of_name = [tables.blocks.get(name.lower(), -1) for name in tables.names]
     block = np.array([*block_of_name, -1], np.int64)[reference]
     simple = np.zeros(len(scanned.block) + 1, np.bool_)
-    straight = simple.copy()
+    straight, wide_lines = simple.copy(), simple.copy()
     for number, arcs in _simple_blocks(scanned, tables, segments).items():
         simple[number], straight[number] = True, not arcs
+    wide_lines[scanned.entity[polyline_width > 0.0, f.BLOCK]] = True
     scale = placement[:, 2:4]
     columnar = (
         ~one_by_one[position]
@@ -54,6 +61,7 @@ def find_placeable_inserts(
         & (mirror == 0)
         & (np.maximum(wide, high) <= 1)
         & (scale != 0.0).all(axis=1)
+        & (~wide_lines[block] | (np.abs(scale) == 1.0).all(axis=1))
         & (straight[block] | (np.abs(scale[:, 0]) == np.abs(scale[:, 1])))
     )
     one_by_one[position[~columnar]] = True

@@ -37,6 +37,7 @@ from knifetip.dxf.fast_reader.import_report_writer import (
     report_rows,
 )
 from knifetip.dxf.fast_reader.placeable_inserts import find_placeable_inserts
+from knifetip.dxf.fast_reader.polyline_widths import set_polyline_widths
 from knifetip.dxf.fast_reader.scan import scan
 from knifetip.dxf.fast_reader.segments import segments_of
 from knifetip.dxf.fast_reader.source_entities import SourceEntities
@@ -110,14 +111,17 @@ class FastReader:
         reach = REACH / (scale or 1.0)
         hidden = self._hidden(rows)
         one_by_one = self._one_by_one(rows, hidden, reach)
+        widths = set_polyline_widths(self.scan, scale)
+        self._source.polyline_width = widths
         position, block, placement = find_placeable_inserts(
-            self.scan, self.tables, self.segments, rows, one_by_one
+            self.scan, self.tables, self.segments, rows, one_by_one, widths
         )
         expansion = BlockExpansion(
             self._source.blocks(),
             self._references(rows, one_by_one, block),
             self.tables.styles,
             self.limits,
+            scale,
         )
         shown = np.where(one_by_one | hidden, 0, self.segments.number[rows])
         refuse_beyond(int(shown.sum()), self.limits)

@@ -45,12 +45,12 @@ class Scan:
     """The content of a DXF file in arrays: entities, blocks, layers and names, in file order."""
 
     data: bytes
-    entity: I32  #: (e, 21) columns ``KIND`` … ``UNSUPPORTED``, each contiguous
+    entity: I32  #: (e, 22) columns ``KIND`` … ``UNSUPPORTED``, each contiguous
     value: F64  #: (e, 11) columns ``X`` … ``SPACE_Y``, file units and degrees; NaN if not given
     vertex: F64  #: (v, 3) x, y, bulge
     block: I32  #: (b, 5)
     base: F64  #: (b, 2) base points
-    layer: I32  #: (l, 6)
+    layer: I32  #: (l, 7)
     others: I64  #: values of the handles of objects that are not entities
     names: tuple[bytes, ...]  #: names by index
     header: tuple[int, int]  #: span of section HEADER, (0, 0) without one
@@ -157,7 +157,7 @@ def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
     value = np.empty((capacity, f.VALUES), order="F")
     vertex, other_handles = np.empty((point[-1], 3)), np.empty(point[-1], np.int64)
     block, base = np.empty((points[0] // 4, 5), np.int32), np.empty((points[0] // 4, 2))
-    layer = np.empty((MOST_NAMES, 6), np.int32)
+    layer = np.empty((MOST_NAMES, f.LAYER_WIDTH), np.int32)
     spans = [np.empty((MOST_NAMES, 2), np.int64) for _ in parts]
     unsure = [np.empty((_MOST_LEFT, 5), np.int64) for _ in parts]
     text = np.frombuffer(data, np.uint8)

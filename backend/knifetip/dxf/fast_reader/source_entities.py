@@ -24,7 +24,7 @@ from knifetip.dxf.fast_reader.scan import Scan
 from knifetip.dxf.fast_reader.segments import EntitySegments
 from knifetip.dxf.fast_reader.tables import Tables, Unsupported
 from knifetip.formats.limits import Limits
-from knifetip.geometry.columns import I64, Bool
+from knifetip.geometry.columns import F64, I64, Bool
 
 if TYPE_CHECKING:
     from knifetip.dxf.ezdxf_reader.ezdxf_entity import EzdxfEntity
@@ -50,6 +50,7 @@ class SourceEntities:
         """Read the entities in the mask ``unsupported``, (e,), with ezdxf."""
         self.tables = tables
         self.segments = segments
+        self.polyline_width: F64 = np.zeros(0)  #: (e,) set when the unit is known
         self._scan = scanned
         self._unsupported = self._read_unsupported(np.flatnonzero(unsupported), limits)
 
@@ -151,7 +152,8 @@ class _ScannedEntity:
             raise Undrawable(reason)
         segments = self._source.segments
         low, high = segments.first[self._row : self._row + 2]
-        return EntityShape(Lines(segments.ends[low:high], segments.bulge[low:high]))
+        shape = Lines(segments.ends[low:high], segments.bulge[low:high])
+        return EntityShape(shape, line_width=float(self._source.polyline_width[self._row]))
 
     def reference(self) -> Reference:
         return self._source.reference(self._row)

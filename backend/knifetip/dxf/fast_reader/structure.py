@@ -222,6 +222,7 @@ def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: Ou
     entity[row, f.LAYER] = entity[row, f.LINETYPE] = entity[row, f.REFERENCE] = -1
     entity[row, f.TRUE_COLOUR] = -1
     entity[row, f.COLOUR] = 256
+    entity[row, f.LINE_WIDTH] = -1
     entity[row, f.COLUMNS] = entity[row, f.ROWS] = 1
     entity[row, f.START] = start
     # Curves are read with ezdxf, one by one.

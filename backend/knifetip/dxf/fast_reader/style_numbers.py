@@ -19,7 +19,7 @@ from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
 
 #: Columns of an entity's style.
-_STYLE = [f.LAYER, f.LINETYPE, f.COLOUR, f.TRUE_COLOUR]
+_STYLE = [f.LAYER, f.LINETYPE, f.COLOUR, f.TRUE_COLOUR, f.LINE_WIDTH]
 
 
 class StyleNumbering:
@@ -59,8 +59,9 @@ class StyleNumbering:
         The index is -1 for an entity that has no segments or is not in ``rows``, the rows in
         ``Scan.entity`` of the entities of model space.
         """
-        with_segments, key = style_keys(self._scan.entity, rows, self._count)
-        first, kind = unique_rows(key)
+        with_segments, key, line_width = style_keys(self._scan.entity, rows, self._count)
+        many = bool((line_width[1:] != line_width[:1]).any())
+        first, kind = unique_rows(key, line_width) if many else unique_rows(key)
         numbers = [self.number_of(self._tables.style(row)) for row in with_segments[first].tolist()]
         styles = np.full(len(self._scan.entity), -1, np.int32)
         styles[with_segments] = np.array(numbers, np.int32)[kind]

@@ -103,6 +103,7 @@ class Tables:
             line[f.COLOUR],
             true if true >= 0 else None,
             self.names[linetype] if linetype >= 0 else BYLAYER,
+            line[f.LINE_WIDTH],
             insert_style,
         )
 
@@ -152,6 +153,7 @@ class Tables:
                 self.names[linetype] if linetype >= 0 else "Continuous",
                 row[f.LAYER_FLAGS],
                 row[f.LAYER_PLOT],
+                row[f.LAYER_LINE_WIDTH],
             )
         return table
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from knifetip.drawing_builder.line_widths import GREATEST
 from knifetip.dxf.byte_scan import ONE, code_at, end_of_line
 from knifetip.dxf.decimals import WRONG, number
 from knifetip.dxf.fast_reader import fields as f
@@ -90,7 +91,7 @@ def _store_layer_tag(
             return s.REFUSED
         layer[row, column] = name
         state[s.NAMED] |= code == 2
-    elif code == 62 or code == 70 or code == 290 or code == 420:
+    elif code == 62 or code == 70 or code == 290 or code == 370 or code == 420:
         integer = integer_at(data, low, high)
         if abs(integer) >= 1 << 31:
             return s.REFUSED
@@ -102,6 +103,9 @@ def _store_layer_tag(
                 integer = 7 if integer >= 0 else -7
         elif code == 290:
             column = f.LAYER_PLOT
+        elif code == 370:
+            column = f.LAYER_LINE_WIDTH
+            integer = min(integer, GREATEST)
         elif code == 420:
             column = f.LAYER_TRUE
             integer &= 0xFFFFFF

@@ -150,6 +150,10 @@ MESSAGES: Final[Entries] = {
     "classification.override": entry(
         "the user set the line type of the edge",
     ),
+    "classification.own-width": entry(
+        "the line width of the edge distinguishes it from other edges with the same layer, colour "
+        "and line style",
+    ),
     "classification.paired": entry(
         "some edges with this layer, colour and line style form pairs of parallel lines",
     ),

@@ -120,6 +120,7 @@ MESSAGES: Final[Entries] = {
         name="text",
         limit="count",
     ),
+    "question.default-width": entry("lines of the default width"),
     "question.guess": entry(
         " The most likely line type is {type} ({percent} %): {reason}.",
         type="text",
@@ -143,10 +144,31 @@ MESSAGES: Final[Entries] = {
         unit="text",
         guess="message?",
     ),
+    "question.line-type-by-width": entry(
+        '{edges:# edge|# edges} on layer "{layer}" (colour {colour}, line style {linetype}, '
+        "{lines}) {edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent "
+        "{width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y "
+        "{y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",
+        edges="count",
+        layer="text",
+        colour="text",
+        linetype="text",
+        lines="message",
+        length="number",
+        width="number",
+        height="number",
+        x="number",
+        y="number",
+        unit="text",
+        guess="message?",
+    ),
+    "question.line-width": entry("lines {width:g} mm wide", width="number"),
+    "question.line-width-without-unit": entry("lines {width:g} wide", width="number"),
     "question.shape": entry(
         " The drawing shows: {reason}.",
         reason="message",
     ),
+    "question.thinnest-lines": entry("thinnest lines"),
     "question.tool": entry(
         "{machine} has no tool for {edges:# edge|# edges} of the line type {type}. Which other "
         "line type should {edges:this edge|these edges} get?",
