@@ -223,7 +223,7 @@ async def test_the_line_that_the_board_executes_is_reported_and_not_the_sent_one
 @pytest.mark.parametrize("fault", ["drop_answers", "damage_answers", "ignore"])
 async def test_requests_are_repeated_and_executed_once(fault: str) -> None:
     text = strips(3)
-    async with connected(speed=2.0, silence=1.5) as (server, controller):
+    async with connected(speed=1.0, silence=1.5) as (server, controller):
         link = controller._connection.link
         async with run(text, controller) as course:
             await until_cutting(course, 0.05)
