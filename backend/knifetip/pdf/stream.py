@@ -126,8 +126,11 @@ class Stream:
     def __init__(self, page: PageContext, state: State, context: StreamContext) -> None:
         self._page = page
         self._state = state
+        # Many files set the line width before each path, so it is kept beside the state, which is
+        # a tuple and copied for each change.  ``_state.line_width`` is the initial width.
+        self._line_width = state.line_width
         self._context = context
-        self._stack: list[State] = []
+        self._stack: list[tuple[State, float]] = []
         self._marks: list[LayerMark] = [context.mark]
         self._text_object = TextObject()
         self._clip_rule = ""  # the operator W or W* that makes the current path a clip path
@@ -227,7 +230,7 @@ class Stream:
             style,
             _colour(state.stroke) if stroked else None,
             _colour(state.fill) if filled else None,
-            state.line_width if stroked else -1.0,
+            self._line_width if stroked else -1.0,
         )
 
     def _clip(self, operator: str, _operands: list[Any]) -> None:
@@ -252,13 +255,13 @@ class Stream:
     # ── The graphics state ────────────────────────────────────────────────────────────────────
 
     def _save(self, _operator: str, _operands: list[Any]) -> None:
-        self._stack.append(self._state)
+        self._stack.append((self._state, self._line_width))
         if len(self._stack) > _MAX_STACK:
             raise DrawingTooLarge("pdf.too-many-states", limit=_MAX_STACK)
 
     def _restore(self, _operator: str, _operands: list[Any]) -> None:
         if self._stack:
-            self._state = self._stack.pop()
+            self._state, self._line_width = self._stack.pop()
 
     def _concatenate(self, _operator: str, operands: list[Any]) -> None:
         numbers = tuple(one for one in operands if isinstance(one, float))
@@ -269,7 +272,7 @@ class Stream:
     def _set_line_width(self, _operator: str, operands: list[Any]) -> None:
         width = operands[-1] if operands else None
         if isinstance(width, float) and width >= 0.0:
-            self._state = self._state._replace(line_width=width)
+            self._line_width = width
 
     def _set_dash(self, _operator: str, operands: list[Any]) -> None:
         dashes = operands[0] if operands and isinstance(operands[0], list) else []
@@ -412,7 +415,7 @@ class Stream:
 
         The opacity of fills applies to a transparency group as a whole, not to its content.
         """
-        state = self._state
+        state = self._state._replace(line_width=self._line_width)
         if self._page.file.entry(form, "/Group") is None:
             return state
         return state._replace(

@@ -122,6 +122,24 @@ def test_one_thin_line_among_folds_of_another_width_is_asked_about() -> None:
     assert [question.edges for question in list_questions(drawn, dieline)] == [(4, 5), (6,)]
 
 
+def test_two_widths_of_the_only_style_are_evidence_like_two_colours() -> None:
+    """One width closes all outlines; the other has folds and a hole."""
+    by_width = classified(sheet((OUTLINE, BLACK, WIDE), (FOLDS + HOLE, BLACK, THIN)))
+    by_colour = classified(sheet((OUTLINE, BLACK, WIDE), (FOLDS + HOLE, RED, WIDE)))
+    assert words(by_width) == words(by_colour)
+    assert by_width.confidence.tolist() == by_colour.confidence.tolist()
+
+
+def test_an_outline_of_two_widths_is_decided_like_one_of_one_width() -> None:
+    """Widths that differ by chance have no meaning."""
+    lines = OUTLINE + FOLDS + HOLE
+    one = classified(sheet((lines, BLACK, WIDE)))
+    alternating = [([line], BLACK, (WIDE, THIN)[at % 2]) for at, line in enumerate(lines)]
+    two = classified(sheet(*alternating))
+    assert words(two) == words(one)
+    assert two.confidence.tolist() == one.confidence.tolist()
+
+
 def test_thin_holes_beside_coloured_folds_are_cut_like_the_outline() -> None:
     """Where colours tell cuts from folds, the widths of the cuts say nothing."""
     parts = (OUTLINE, BLACK, WIDE), (FOLDS, RED, WIDE)

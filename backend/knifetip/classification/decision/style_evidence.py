@@ -28,6 +28,8 @@ from knifetip.model.profile import LineRules
 _MAIN_FOLD_FRACTION: Final = 0.6
 #: … and if more than this fraction of the length of its own dividers must be folds.
 _MUST_FOLD_FRACTION: Final = 0.5
+#: A line width with at most this fraction of the length of its look's outlines closes none.
+_STRAY_OUTLINE_FRACTION: Final = 0.02
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -191,8 +193,9 @@ def _divide_groups(look: I64, width: I32, length: F64) -> I64:
 
     A look is divided if most of its dividers have a width whose lines only divide panels, and the
     lines of another width do not.  It is also divided if it is the only look of all cartons and has
-    two widths, neither of which only divides panels.  Otherwise the widths have no known meaning:
-    the cuts of a colour have two widths, or one line was drawn thinner by chance.
+    two widths, neither of which only divides panels, and one of which closes all outlines.
+    Otherwise the widths have no known meaning: the cuts of a colour have two widths, or one line
+    was drawn thinner by chance.
 
     Parameters
     ----------
@@ -218,8 +221,11 @@ def _divide_groups(look: I64, width: I32, length: F64) -> I64:
     dividers = np.bincount(look_of, divider)
     own_dividers = np.bincount(look_of, np.where(folds, divider, 0.0))
     told = with_folds & with_others & (own_dividers > _MAIN_FOLD_FRACTION * dividers)
+    outline = grouped[:, Role.OUTLINE]
+    stray = _STRAY_OUTLINE_FRACTION * np.bincount(look_of, outline)
+    closing = np.bincount(look_of[outline > stray[look_of]], minlength=looks)
     is_alone = (np.count_nonzero(with_carton) == 1) & (np.bincount(look_of) == 2) & with_carton
-    divided = told | (is_alone & ~with_folds)
+    divided = told | (is_alone & (closing == 1) & ~with_folds)
     _, group = unique_rows(look, np.where(divided[look], width, 0))
     return group
 
