@@ -29,6 +29,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.geometry.arc",
         "knifetip.geometry.capacity",
         "knifetip.geometry.chain",
+        "knifetip.geometry.curve",
         "knifetip.geometry.spatial_index",
         "knifetip.geometry.unique_rows",
         "knifetip.geometry.union_find",

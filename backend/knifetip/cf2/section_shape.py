@@ -363,4 +363,7 @@ def _fit_ellipses(
         result: F64 = sign * (np.cos(t) * v[k] - np.sin(t) * u[k]) @ linear.T
         return result
 
-    return fit_many(point, tangent, len(arcs), tolerance)
+    fits = fit_many(point, tangent, len(arcs), tolerance)
+    if fits.failed:
+        raise next(iter(fits.failed.values()))
+    return fits.segments, fits.curve

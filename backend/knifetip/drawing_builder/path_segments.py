@@ -6,7 +6,6 @@ Bézier curves are approximated by arcs.
 
 from __future__ import annotations
 
-import time
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -28,8 +27,6 @@ from knifetip.messages import Message
 
 #: Fraction of the tolerance within which an arc counts as circular and a curve as straight.
 _SHAPE_TOLERANCE: Final = 0.01
-#: Curves that are fitted between two checks of the time limit.
-_BLOCK: Final = 4096
 
 
 def too_many(limits: Limits, format_name: str) -> DrawingTooLarge:
@@ -163,24 +160,19 @@ def fit_segments(
     oval = np.flatnonzero(~circle)
     curved[placed.arc[oval]] = True
 
-    deadline = time.monotonic() + limits.seconds
     total = sum(len(part[1]) for part in parts)
     for indices, numbers, point, tangent in (
         (bent, placed.cubic, *_bezier(placed.control)),
         (oval, placed.arc, *_elliptic(placed)),
     ):
-        for low in range(0, len(indices), _BLOCK):
-            if time.monotonic() > deadline:
-                raise DrawingTooLarge(
-                    "reading.too-slow", format=format_name, seconds=limits.seconds
-                )
+        try:
             part = _fit_arcs(
-                placed, indices[low : low + _BLOCK], numbers, point, tangent, tolerance
+                placed, indices, numbers, point, tangent, tolerance, limits.segments - total
             )
-            total += len(part[1])
-            if total > limits.segments:
-                raise too_many(limits, format_name)
-            parts.append(part)
+        except GeometryError:
+            raise too_many(limits, format_name) from None
+        total += len(part[1])
+        parts.append(part)
     if total > limits.segments:
         raise too_many(limits, format_name)
     ends, bulge, error, origin = (np.concatenate(column) for column in zip(*parts, strict=True))
@@ -330,12 +322,11 @@ def _fit_arcs(
     point: EvaluateEach,
     tangent: EvaluateEach,
     tolerance: float,
+    max_pieces: int,
 ) -> tuple[F64, F64, F64, I64]:
     """Approximate curves by circular arcs, and return the arcs.
 
-    If the fit of several curves fails, each half of the curves is fitted separately, until the
-    curve that cannot be fitted is found.  The message about this curve is written to
-    ``placed.failed``.
+    The messages about curves that cannot be fitted are written to ``placed.failed``.
 
     Parameters
     ----------
@@ -350,6 +341,8 @@ def _fit_arcs(
         derivatives.
     tolerance
         Maximum distance between a curve and its arcs (file units).
+    max_pieces
+        Largest number of pieces of the curves, each of which becomes one or two arcs.
 
     Returns
     -------
@@ -358,27 +351,21 @@ def _fit_arcs(
         units).
     source : (m,)
         Index in ``placed`` of the curve that each arc approximates.
+
+    Raises
+    ------
+    GeometryError
+        The curves need too many pieces.
     """
-    try:
-        (start, end, bulge, error), origin = fit_many(
-            lambda k, s: point(indices[k], s),
-            lambda k, s: tangent(indices[k], s),
-            len(indices),
-            tolerance,
-        )
-    except GeometryError as reason:
-        if len(indices) == 1:
-            placed.failed[int(numbers[indices[0]])] = reason.message
-            return np.zeros((0, 2, 2)), np.zeros(0), np.zeros(0), np.zeros(0, np.int64)
-        middle = len(indices) // 2
-        halves = [
-            _fit_arcs(placed, half, numbers, point, tangent, tolerance)
-            for half in (indices[:middle], indices[middle:])
-        ]
-        ends, bulge, error, origin = (
-            np.concatenate(column) for column in zip(*halves, strict=True)
-        )
-        return ends, bulge, error, origin
+    (start, end, bulge, error), origin, failed = fit_many(
+        lambda k, s: point(indices[k], s),
+        lambda k, s: tangent(indices[k], s),
+        len(indices),
+        tolerance,
+        max_pieces,
+    )
+    for one, reason in failed.items():
+        placed.failed[int(numbers[indices[one]])] = reason.message
     rows = numbers[indices[origin]]
     # Exact ends, so that the next segment begins where this one ends.
     first = np.flatnonzero(np.diff(origin, prepend=-1))

@@ -13,8 +13,9 @@ Appl. Math. 59 (1995).
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Final, TypeAlias
+import math
+from collections.abc import Callable, Mapping
+from typing import Final, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,6 +24,15 @@ from knifetip.errors import GeometryError
 from knifetip.geometry.azimuth import tan_half_angle
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import BULGE, CURVE
+from knifetip.kernels import (
+    F64_2,
+    F64_3,
+    I64_1,
+    Bool_1,
+    OutF64_1,
+    inline_kernel,
+    kernel,
+)
 
 #: Function from parameters (m,) to points or directions (m, 2).
 Evaluate: TypeAlias = Callable[[F64], F64]
@@ -33,7 +43,14 @@ EvaluateEach: TypeAlias = Callable[[I64, F64], F64]
 Segments: TypeAlias = tuple[F64, F64, F64, F64]
 
 #: Parameters of the points of a piece, 0 … 1, at which its biarc is measured.
-_PROBE_FRACTIONS: Final = np.linspace(0.0, 1.0, 26)[1:-1]
+_ALL_FRACTIONS: Final = (np.linspace(0.0, 1.0, 26)[1:-1],)
+#: The same in two steps: most biarcs that are not good are found at the first points.
+_PROBE_FRACTIONS: Final = (
+    _ALL_FRACTIONS[0][6::11],
+    np.delete(_ALL_FRACTIONS[0], np.s_[6::11]),
+)
+#: Number of pieces up to which all points are measured in one step.
+_FEW: Final = 256
 #: Fraction of the tolerance that a measured deviation may use; the maximum may be between probes.
 _MARGIN: Final = 0.97
 #: Divisor c of the deviation |κ′| h³ / c, measured on ellipses with axes 1 : 1.01 to 1 : 100.
@@ -42,10 +59,32 @@ _BIARC_ERROR: Final = 150.0
 _MAX_BULGE: Final = 0.5
 #: Largest number of halvings of a piece.
 _MAX_HALVINGS: Final = 40
-#: Largest number of pieces of a fit.
-_MAX_PIECES: Final = 100_000
+#: Largest number of pieces of a curve.
+MAX_PIECES: Final = 100_000
+#: Borders of the cells of a span, 0 … 1, at which its curvature is measured.
+_GRID: Final = np.linspace(0.0, 1.0, 33)
 #: Number of pieces or spans that are processed at once, to limit the memory for long curves.
 _BATCH: Final = 4096
+
+
+class ManyFits(NamedTuple):
+    """n lines and arcs that approximate many curves, and the curves that cannot be approximated."""
+
+    segments: Segments  #: in the order of the curves
+    curve: I64  #: (n,) number of the curve of each line or arc, never decreasing
+    failed: Mapping[int, GeometryError]  #: reason by number of a curve without lines and arcs
+
+
+class _Pieces(NamedTuple):
+    """m pieces of curves: the parts between two parameters of a curve."""
+
+    first: F64  #: (m,) parameter at which the piece starts
+    last: F64  #: (m,) parameter at which the piece ends
+    curve: I64  #: (m,) number of the curve of the piece
+
+    def select(self, rows: I64 | Bool | slice) -> _Pieces:
+        """Return the pieces in ``rows``, which are indices or a mask."""
+        return _Pieces(self.first[rows], self.last[rows], self.curve[rows])
 
 
 def fit(
@@ -82,24 +121,22 @@ def fit(
     knots = np.asarray(breaks, dtype=np.float64)
     if len(knots) < 2 or not np.isfinite(knots).all() or not (np.diff(knots) > 0.0).all():
         raise GeometryError("curve.parameters")
-    if not tolerance > 0.0:
-        raise GeometryError("curve.bad-tolerance", tolerance=tolerance)
-    with np.errstate(all="ignore"):
-        edges = _spread_breaks(point, tangent, knots, tolerance)
-        begin, _, joints, bulges, errors = _halve_until_fitted(
-            point, tangent, edges[:-1], edges[1:], tolerance
-        )
-    corners = point(np.append(begin, knots[-1]))
-    start = np.stack([corners[:-1], joints], axis=1).reshape(-1, 2)
-    end = np.stack([joints, corners[1:]], axis=1).reshape(-1, 2)
-    one = np.zeros(len(start), np.int64)
-    segments = start, end, bulges.reshape(-1), np.repeat(errors, 2)
-    return _merge_collinear(segments, one, 1e-6 * tolerance)[0]
+    spans = _Pieces(knots[:-1], knots[1:], np.zeros(len(knots) - 1, np.int64))
+    found = fit_spans(
+        lambda _, t: point(t), lambda _, t: tangent(t), spans, 1, tolerance, MAX_PIECES
+    )
+    if found.failed:
+        raise found.failed[0]
+    return found.segments
 
 
 def fit_many(
-    point: EvaluateEach, tangent: EvaluateEach, count: int, tolerance: float = CURVE
-) -> tuple[Segments, I64]:
+    point: EvaluateEach,
+    tangent: EvaluateEach,
+    count: int,
+    tolerance: float = CURVE,
+    max_pieces: int = MAX_PIECES,
+) -> ManyFits:
     """Return lines and arcs that approximate many smooth curves within a tolerance.
 
     Parameters
@@ -111,142 +148,161 @@ def fit_many(
         Number of curves.
     tolerance : float, mm
         Largest distance of a point of a curve from the segments of the curve.
+    max_pieces
+        Largest number of pieces of all curves; each piece becomes one or two segments.
 
     Returns
     -------
-    segments : Segments
+    ManyFits
         Ends (mm) of the n lines and arcs, their bulges (|bulge| ≤ 0.5), and the greatest distance
-        of the curve from each of them (mm), as in ``fit``.
-    curve : (n,) int64
-        Number of the curve that each line or arc belongs to, never decreasing.  A curve without
-        length has no line or arc.
+        of the curve from each of them (mm), as in ``fit``.  A curve without length has no line or
+        arc.
 
     Raises
     ------
     GeometryError
-        A curve has no finite points, or needs too many pieces.
+        The curves together need too many pieces.
     """
-    parts = [
-        _fit_block(point, tangent, low, min(_BATCH, count - low), tolerance)
-        for low in range(0, count, _BATCH)
-    ]
-    if not parts:
-        none = np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(0)
-        return none, np.zeros(0, np.int64)
-    segments, curve = zip(*parts, strict=True)
-    start, end, bulge, error = (np.concatenate(column) for column in zip(*segments, strict=True))
-    return (start, end, bulge, error), np.concatenate(curve)
+    first: F64 = 2.0 * (np.arange(count, dtype=np.float64) % _BATCH)
+
+    def parameter(k: I64, t: F64) -> F64:
+        return np.clip(t - first[k], 0.0, 1.0)
+
+    return fit_spans(
+        lambda k, t: point(k, parameter(k, t)),
+        lambda k, t: tangent(k, parameter(k, t)),
+        _Pieces(first, first + 1.0, np.arange(count)),
+        count,
+        tolerance,
+        max_pieces,
+    )
 
 
-def _fit_block(
-    point: EvaluateEach, tangent: EvaluateEach, low: int, count: int, tolerance: float
-) -> tuple[Segments, I64]:
-    """Return lines and arcs that approximate the curves ``low`` … ``low + count - 1``.
+def fit_spans(
+    point: EvaluateEach,
+    tangent: EvaluateEach,
+    spans: _Pieces,
+    count: int,
+    tolerance: float,
+    max_pieces: int,
+) -> ManyFits:
+    """Return lines and arcs that approximate curves of one or more smooth spans.
 
-    The curves are joined into one curve and fitted together: the parameters 2i to 2i + 1 of the
-    joined curve belong to the curve ``low + i``.
+    The pieces of all curves are counted before the first of them is converted.
 
     Parameters
     ----------
     point, tangent
-        Functions from the numbers of curves (m,) and parameters on them (m,), 0 … 1, to points (m,
-        2) mm and to derivatives (m, 2).
-    low, count
-        Number of the first curve, and how many curves are fitted.
+        Functions from the numbers of curves (m,) and parameters on them (m,) to points (m, 2) and
+        to derivatives (m, 2) of any length.
+    spans
+        The smooth spans of the curves, in the order of the curves.
+    count
+        Number of curves.
     tolerance : mm
         Largest distance of a point of a curve from its segments.
-
-    Returns
-    -------
-    segments, curve
-        The n lines and arcs, and the number of the curve that each of them approximates, (n,).
-    """
-
-    def curve_and_parameter(t: F64) -> tuple[I64, F64]:
-        """Return curve numbers and the parameters on these curves, (m,) each.
-
-        ``t`` (m,) are parameters of the joined curve.
-        """
-        k = np.minimum(t // 2.0, count - 1.0)
-        return k.astype(np.int64) + low, np.clip(t - 2.0 * k, 0.0, 1.0)
-
-    def point_at(t: F64) -> F64:
-        return point(*curve_and_parameter(t))
-
-    def tangent_at(t: F64) -> F64:
-        return tangent(*curve_and_parameter(t))
-
-    with np.errstate(all="ignore"):
-        edges = _spread_breaks(point_at, tangent_at, np.arange(2.0 * count), tolerance)
-        first, last = edges[:-1], edges[1:]
-        nonempty = first // 1.0 % 2.0 == 0.0
-        begin, finish, joints, bulges, errors = _halve_until_fitted(
-            point_at, tangent_at, first[nonempty], last[nonempty], tolerance
-        )
-    start = np.stack([point_at(begin), joints], axis=1).reshape(-1, 2)
-    end = np.stack([joints, point_at(finish)], axis=1).reshape(-1, 2)
-    curve = np.repeat((begin // 2.0).astype(np.int64), 2) + low
-    segments = start, end, bulges.reshape(-1), np.repeat(errors, 2)
-    return _merge_collinear(segments, curve, 1e-6 * tolerance)
-
-
-def _halve_until_fitted(
-    point: Evaluate, tangent: Evaluate, first: F64, last: F64, tolerance: float
-) -> tuple[F64, F64, F64, F64, F64]:
-    """Return pieces of a curve, halved until the biarc of each piece is within the tolerance.
-
-    Parameters
-    ----------
-    point, tangent
-        Functions from parameters of the curve to its points and to its derivatives.
-    first, last : (k,)
-        Parameters at which the initial pieces start and end.
-    tolerance : mm
-        Largest distance of a biarc from the curve.
-
-    Returns
-    -------
-    first, last : (m,)
-        Parameters at which the final pieces start and end, in the order of the curve.
-    joint : (m, 2) mm
-        Point at which the two arcs of each biarc meet.
-    bulge : (m, 2)
-        Bulges of the two arcs.
-    error : (m,) mm
-        Greatest distance of each biarc from the curve.
+    max_pieces
+        Largest number of pieces of all curves.
 
     Raises
     ------
     GeometryError
-        The curve needs too many pieces, or the biarc of a piece exceeds the tolerance after all
-        permitted halvings.
+        The tolerance is not positive, or the curves together need too many pieces.
     """
-    done: list[tuple[F64, F64, F64, F64, F64]] = []
-    total = 0
-    for _ in range(_MAX_HALVINGS):
+    if not tolerance > 0.0:
+        raise GeometryError("curve.bad-tolerance", tolerance=tolerance)
+    failed: dict[int, GeometryError] = {}
+    with np.errstate(all="ignore"):
+        pieces = _divide_spans(point, tangent, spans, count, tolerance, max_pieces, failed)
+        parts = []
+        spare = max_pieces
+        # Each batch has whole curves.
+        for low in range(0, count, _BATCH):
+            begin, end = np.searchsorted(pieces.curve, [low, low + _BATCH])
+            if begin == end:
+                continue
+            part = _fit_pieces(
+                point, tangent, pieces.select(slice(begin, end)), tolerance, spare, failed
+            )
+            spare -= len(part[1]) // 2
+            parts.append(_merge_collinear(*part, 1e-6 * tolerance))
+    if not parts:
+        none = np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(0)
+        return ManyFits(none, np.zeros(0, np.int64), failed)
+    segments, curve = zip(*parts, strict=True)
+    start, end_, bulge, error = (np.concatenate(column) for column in zip(*segments, strict=True))
+    return ManyFits((start, end_, bulge, error), np.concatenate(curve), failed)
+
+
+def _fit_pieces(
+    point: EvaluateEach,
+    tangent: EvaluateEach,
+    pieces: _Pieces,
+    tolerance: float,
+    max_pieces: int,
+    failed: dict[int, GeometryError],
+) -> tuple[Segments, I64]:
+    """Return two segments for each piece of curves, and the curve of each segment.
+
+    The pieces are halved until the biarc of each piece is within the tolerance (mm).  The reason
+    for each curve that cannot be fitted is added to ``failed``.
+
+    Raises
+    ------
+    GeometryError
+        The curves need more than ``max_pieces`` pieces.
+    """
+    done: list[tuple[_Pieces, F64, F64, F64]] = []
+    base = int(pieces.curve[0])
+    made = np.zeros(int(pieces.curve[-1]) - base + 1, np.int64)
+    for halvings in range(_MAX_HALVINGS + 1):
+        wanted = made + np.bincount(pieces.curve - base, minlength=len(made))
+        lost = wanted > MAX_PIECES
+        if halvings == _MAX_HALVINGS:
+            lost |= np.bincount(pieces.curve - base, minlength=len(made)) > 0
+        for one in np.flatnonzero(lost).tolist():
+            failed[base + one] = (
+                GeometryError("curve.too-many-pieces", limit=MAX_PIECES, tolerance=tolerance)
+                if wanted[one] > MAX_PIECES
+                else GeometryError("curve.not-fitted", tolerance=tolerance)
+            )
+        if lost.any():
+            pieces = pieces.select(~lost[pieces.curve - base])
+            wanted[lost] = made[lost] = 0
+        if wanted.sum() > max_pieces:
+            raise GeometryError("curve.too-many-pieces", limit=max_pieces, tolerance=tolerance)
+        if not len(pieces.curve):
+            break
         blocks = [
-            _biarcs(point, tangent, first[at : at + _BATCH], last[at : at + _BATCH], tolerance)
-            for at in range(0, len(first), _BATCH)
+            _biarcs(point, tangent, pieces.select(slice(at, at + _BATCH)), tolerance)
+            for at in range(0, len(pieces.curve), _BATCH)
         ]
         joint, bulge, error, good = (np.concatenate(column) for column in zip(*blocks, strict=True))
-        done.append((first[good], last[good], joint[good], bulge[good], error[good]))
-        total += int(good.sum())
-        bad = ~good
-        if not bad.any():
-            break
-        if total + 2 * int(bad.sum()) > _MAX_PIECES:
-            raise GeometryError("curve.too-many-pieces", limit=_MAX_PIECES, tolerance=tolerance)
-        middle = (first[bad] + last[bad]) / 2.0
-        first, last = (
-            np.concatenate([first[bad], middle]),
-            np.concatenate([middle, last[bad]]),
+        finished = pieces.select(good)
+        done.append((finished, joint[good], bulge[good], error[good]))
+        made += np.bincount(finished.curve - base, minlength=len(made))
+        first, last, curve = pieces.select(~good)
+        middle = (first + last) / 2.0
+        pieces = _Pieces(
+            np.concatenate([first, middle]),
+            np.concatenate([middle, last]),
+            np.concatenate([curve, curve]),
         )
-    else:
-        raise GeometryError("curve.not-fitted", tolerance=tolerance)
-    columns = [np.concatenate(column) for column in zip(*done, strict=True)]
-    order = np.argsort(columns[0])
-    first, last, joint, bulge, error = (column[order] for column in columns)
-    return first, last, joint, bulge, error
+    every, *columns = zip(*done, strict=True)
+    first, last, curve = (np.concatenate(column) for column in zip(*every, strict=True))
+    joint, bulge, error = (np.concatenate(column) for column in columns)
+    order = np.lexsort((first, curve))
+    if failed:
+        order = order[~np.isin(curve[order], list(failed))]
+    first, last, curve = first[order], last[order], curve[order]
+    joint, bulge, error = joint[order], bulge[order], error[order]
+    begin, end = point(curve, first), point(curve, last)
+    # Neighbouring pieces of a curve have a common point.
+    same = (curve[1:] == curve[:-1]) & (first[1:] == last[:-1])
+    end[:-1][same] = begin[1:][same]
+    start = np.stack([begin, joint], axis=1).reshape(-1, 2)
+    finish = np.stack([joint, end], axis=1).reshape(-1, 2)
+    return (start, finish, bulge.reshape(-1), np.repeat(error, 2)), np.repeat(curve, 2)
 
 
 def _merge_collinear(segments: Segments, curve: I64, min_length: float) -> tuple[Segments, I64]:
@@ -275,68 +331,163 @@ def _merge_collinear(segments: Segments, curve: I64, min_length: float) -> tuple
     return (start[first], end[last], bulge[first], error), curve[first]
 
 
-def _spread_breaks(point: Evaluate, tangent: Evaluate, knots: F64, tolerance: float) -> F64:
-    """Return parameters that divide a curve into pieces whose biarcs have nearly equal errors.
-
-    The result, (m,), is increasing and contains all ``knots``.
+def _divide_spans(
+    point: EvaluateEach,
+    tangent: EvaluateEach,
+    spans: _Pieces,
+    count: int,
+    tolerance: float,
+    max_pieces: int,
+    failed: dict[int, GeometryError],
+) -> _Pieces:
+    """Return pieces of the spans of curves whose biarcs have nearly equal errors.
 
     Parameters
     ----------
     point, tangent
-        Functions from parameters of the curve to its points and to its derivatives.
-    knots : (k,)
-        Parameters of the start and the end of the curve, and of points between at which a piece
-        must end; increasing.
+        Functions from numbers of curves and parameters to points and to derivatives.
+    spans
+        The smooth spans of the curves, in the order of the curves.
+    count
+        Number of curves.
+    tolerance : mm
+        Largest distance of a biarc from the curve.
+    max_pieces
+        Largest number of pieces of all curves.
+    failed
+        The reason for each curve that cannot be divided is added to it.
+
+    Raises
+    ------
+    GeometryError
+        The curves together need too many pieces.
+    """
+    spans_of = np.bincount(spans.curve, minlength=count)
+    for one in np.flatnonzero(spans_of > MAX_PIECES).tolist():
+        failed[one] = GeometryError(
+            "curve.too-many-spans", spans=int(spans_of[one]), limit=MAX_PIECES
+        )
+    if failed:
+        spans = spans.select(spans_of[spans.curve] <= MAX_PIECES)
+    made = np.zeros(count, np.int64)
+    parts = []
+    for at in range(0, len(spans.curve), _BATCH):
+        block = spans.select(slice(at, at + _BATCH))
+        grid = block.first[:, None] + (block.last - block.first)[:, None] * _GRID
+        place, ahead = _evaluate_grid(point, tangent, block.curve, grid)
+        infinite = ~np.isfinite(place).all(axis=(1, 2))
+        if infinite.any():
+            for one in np.unique(block.curve[infinite]).tolist():
+                failed[one] = GeometryError("curve.not-finite")
+        wanted = _wanted_pieces(place, ahead, tolerance)
+        number = np.clip(np.ceil(wanted.sum(axis=1) - 1e-6), 1, 64).astype(np.int64)
+        number[infinite] = 0
+        made += np.bincount(block.curve, number, minlength=count).astype(np.int64)
+        heavy = made > MAX_PIECES
+        if heavy.any():
+            for one in np.flatnonzero(heavy).tolist():
+                failed[one] = GeometryError(
+                    "curve.too-many-pieces", limit=MAX_PIECES, tolerance=tolerance
+                )
+            number[heavy[block.curve]] = 0
+        if made[~heavy].sum() > max_pieces:
+            raise GeometryError("curve.too-many-pieces", limit=max_pieces, tolerance=tolerance)
+        sums = np.concatenate([np.zeros((len(wanted), 1)), np.cumsum(wanted, axis=1)], axis=1)
+        start = np.empty(int(number.sum()))
+        spread(sums, grid, number, start)
+        row = np.repeat(np.arange(len(number)), number)
+        last = np.append(start[1:], 0.0)
+        ends = np.cumsum(number[number > 0]) - 1
+        last[ends] = block.last[number > 0]
+        parts.append(_Pieces(start, last, block.curve[row]).select(start < last))
+    if not parts:
+        return spans
+    pieces = _Pieces(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+    if failed:
+        return pieces.select(~np.isin(pieces.curve, list(failed)))
+    return pieces
+
+
+def _evaluate_grid(
+    point: EvaluateEach, tangent: EvaluateEach, curve: I64, grid: F64
+) -> tuple[F64, F64]:
+    """Return points and derivatives of n spans at their parameters ``grid``, (n, c, 2) each.
+
+    The derivative at the end of a span is that just before its end, where there may be a corner.
+    """
+    shape = (*grid.shape, 2)
+    curves = np.repeat(curve, grid.shape[1])
+    place = point(curves, grid.reshape(-1)).reshape(shape)
+    seen = grid.copy()
+    seen[:, -1] = np.nextafter(grid[:, -1], grid[:, 0])
+    return place, tangent(curves, seen.reshape(-1)).reshape(shape)
+
+
+def _wanted_pieces(place: F64, ahead: F64, tolerance: float) -> F64:
+    """Return how many pieces the cells of n spans need, (n, c - 1), as fractions of a piece.
+
+    Parameters
+    ----------
+    place, ahead : (n, c, 2)
+        Points and derivatives of each span at the borders of its cells.
     tolerance : mm
         Largest distance of a biarc from the curve.
     """
-    cells = 32
-    if len(knots) - 1 > _MAX_PIECES:
-        raise GeometryError("curve.too-many-spans", spans=len(knots) - 1, limit=_MAX_PIECES)
-    edges: list[F64] = []
-    for block in range(0, len(knots) - 1, _BATCH):
-        left = knots[block : block + _BATCH + 1]
-        grid = left[:-1, None] + np.diff(left)[:, None] * np.linspace(0.0, 1.0, cells + 1)
-        shape = (*grid.shape, 2)
-        place = point(grid.reshape(-1)).reshape(shape)
-        if not np.isfinite(place).all():
-            raise GeometryError("curve.not-finite")
-        seen = grid.copy()
-        seen[:, -1] = np.nextafter(grid[:, -1], grid[:, 0])
-        ahead = tangent(seen.reshape(-1)).reshape(shape)
-        step = np.diff(place, axis=1)
-        along = np.hypot(step[..., 0], step[..., 1])
-        before, after = ahead[:, :-1], ahead[:, 1:]
-        turn = np.arctan2(
-            before[..., 0] * after[..., 1] - before[..., 1] * after[..., 0],
-            (before * after).sum(axis=-1),
-        )
-        curvature = np.nan_to_num(turn / along, nan=0.0, posinf=0.0, neginf=0.0)
-        change = np.abs(np.gradient(curvature, axis=1))
-        # |κ′|^⅓ ds with κ′ = Δκ / Δs; at least one piece per 90° of turning.
-        wanted = np.cbrt(change * along**2 / (_BIARC_ERROR * tolerance))
-        wanted = np.maximum(np.nan_to_num(wanted), np.abs(np.nan_to_num(turn)) / (np.pi / 2.0))
-        wanted += wanted.max(axis=1, keepdims=True) * 1e-6 + 1e-12
-        count = np.clip(np.ceil(wanted.sum(axis=1) - 1e-6), 1, 64).astype(np.int64)
-        for row, pieces in enumerate(count):
-            sum_ = np.concatenate([[0.0], np.cumsum(wanted[row])])
-            fraction = np.linspace(0.0, sum_[-1], pieces + 1)[:-1]
-            edges.append(np.interp(fraction, sum_, grid[row]))
-    edges.append(knots[-1:])
-    every = np.concatenate(edges)
-    result: F64 = every[np.concatenate([[True], np.diff(every) > 0.0])]
+    step = np.diff(place, axis=1)
+    along = np.hypot(step[..., 0], step[..., 1])
+    before, after = ahead[:, :-1], ahead[:, 1:]
+    turn = np.arctan2(
+        before[..., 0] * after[..., 1] - before[..., 1] * after[..., 0],
+        (before * after).sum(axis=-1),
+    )
+    curvature = np.nan_to_num(turn / along, nan=0.0, posinf=0.0, neginf=0.0)
+    change = np.abs(np.gradient(curvature, axis=1))
+    # |κ′|^⅓ ds with κ′ = Δκ / Δs; at least one piece per 90° of turning.
+    wanted = np.cbrt(change * along**2 / (_BIARC_ERROR * tolerance))
+    wanted = np.maximum(np.nan_to_num(wanted), np.abs(np.nan_to_num(turn)) / (np.pi / 2.0))
+    wanted += wanted.max(axis=1, keepdims=True) * 1e-6 + 1e-12
+    result: F64 = wanted
     return result
 
 
+@kernel(allocates=False)
+def spread(sums: F64_2, grid: F64_2, number: I64_1, start: OutF64_1) -> None:
+    """Write the parameters at which the pieces of spans start, ``start``, one span after another.
+
+    Parameters
+    ----------
+    sums : (n, c)
+        For each parameter of the grid, how many pieces the part of the span before it needs.
+    grid : (n, c)
+        Parameters of each span.
+    number : (n,)
+        Number of pieces of each span.
+    """
+    at = 0
+    for row in range(len(number)):
+        pieces = number[row]
+        if pieces == 0:
+            continue
+        step = sums[row, -1] / pieces
+        cell = 0
+        for piece in range(pieces):
+            fraction = piece * step
+            while cell < sums.shape[1] - 2 and sums[row, cell + 1] <= fraction:
+                cell += 1
+            low = sums[row, cell]
+            slope = (grid[row, cell + 1] - grid[row, cell]) / (sums[row, cell + 1] - low)
+            start[at] = slope * (fraction - low) + grid[row, cell]
+            at += 1
+
+
 def _biarcs(
-    point: Evaluate, tangent: Evaluate, first: F64, last: F64, tolerance: float
+    point: EvaluateEach, tangent: EvaluateEach, pieces: _Pieces, tolerance: float
 ) -> tuple[F64, F64, F64, Bool]:
-    """Return the biarc of each of m pieces of a curve, its error, and whether it is good.
+    """Return the biarc of each of m pieces of curves, its error, and whether it is good.
 
     A biarc is good if its distance from the curve is within the tolerance (mm) and the bulges of
-    its arcs are at most ``_MAX_BULGE``.  ``point`` and ``tangent`` are functions from parameters of
-    the curve to its points and derivatives.  ``first`` and ``last`` (m,) are the parameters at
-    which the pieces start and end.
+    its arcs are at most ``_MAX_BULGE``.  ``point`` and ``tangent`` are functions from numbers of
+    curves and parameters to points and derivatives.
 
     Returns
     -------
@@ -345,13 +496,15 @@ def _biarcs(
     bulge : (m, 2)
         Bulges of the two arcs.
     error : (m,) mm
-        Greatest distance of each biarc from the curve.
+        Greatest distance of each good biarc from the curve.
     good : (m,)
         Whether each biarc is good.
     """
-    a, b = point(first), point(last)
+    first, last, curve = pieces
+    a, b = point(curve, first), point(curve, last)
     # A piece that ends in a corner has its own direction just before its end.
-    u, v = _normalise(tangent(first)), _normalise(tangent(np.nextafter(last, first)))
+    u = _normalise(tangent(curve, first))
+    v = _normalise(tangent(curve, np.nextafter(last, first)))
     chord = b - a
     # Equal tangent lengths d: |chord|² - 2 d chord·(u + v) - 2 d² (1 - u·v) = 0, Bolton.
     square = (chord * chord).sum(axis=1)
@@ -368,56 +521,146 @@ def _biarcs(
     bulge[one_arc, 0] = one_arc_bulge[one_arc]
     bulge[one_arc, 1] = 0.0
 
-    t = first[:, None] + (last - first)[:, None] * _PROBE_FRACTIONS
-    probes = point(t.reshape(-1)).reshape(len(first), -1, 2)
-    deviation = _distances(a, joint, bulge[:, 0], probes)
-    two = ~one_arc
-    deviation[two] = np.minimum(
-        deviation[two], _distances(joint[two], b[two], bulge[two, 1], probes[two])
-    )
-    error = deviation.max(axis=1) / _MARGIN
-    good = (error <= tolerance) & (np.abs(bulge) <= _MAX_BULGE).all(axis=1)
-
     # At a cusp the direction is undefined; use the chord if it is within tolerance.
-    chord_error = _distances(a, b, np.zeros(len(a)), probes).max(axis=1) / _MARGIN
-    flat = ~good & (chord_error <= tolerance)
-    blunt = flat & (~np.isfinite(bulge).all(axis=1) | (square <= (4.0 * tolerance) ** 2))
+    may_be_chord = ~np.isfinite(bulge).all(axis=1) | (square <= (4.0 * tolerance) ** 2)
+    error = np.where((np.abs(bulge) <= _MAX_BULGE).all(axis=1), 0.0, np.inf)
+    chord_error = np.where(may_be_chord, 0.0, np.inf)
+    for fractions in _PROBE_FRACTIONS if len(a) >= _FEW else _ALL_FRACTIONS:
+        rows = np.flatnonzero((error <= tolerance) | (chord_error <= tolerance))
+        if not len(rows):
+            break
+        begin = first[rows]
+        t = begin[:, None] + (last[rows] - begin)[:, None] * fractions
+        probes = point(np.repeat(curve[rows], len(fractions)), t.reshape(-1))
+        measure(
+            Biarcs(a, joint, b, bulge, one_arc),
+            rows,
+            probes.reshape(len(rows), -1, 2),
+            tolerance * _MARGIN,
+            error,
+            chord_error,
+        )
+    good = error <= tolerance
+    blunt = ~good & (chord_error <= tolerance)
     joint[blunt], bulge[blunt], error[blunt] = b[blunt], 0.0, chord_error[blunt]
     bulge[np.abs(bulge) < BULGE] = 0.0
     enough: Bool = good | blunt
     return joint, bulge, error, enough
 
 
+class Biarcs(NamedTuple):
+    """m biarcs: arcs from a start to a joint, and from there to an end."""
+
+    start: F64_2  #: (m, 2)
+    joint: F64_2  #: (m, 2)
+    end: F64_2  #: (m, 2)
+    bulge: F64_2  #: (m, 2) bulges of both arcs
+    is_one_arc: Bool_1  #: (m,) whether the first arc ends at the end, and there is no second one
+
+
+@kernel(allocates=False)
+def measure(
+    biarcs: Biarcs,
+    rows: I64_1,
+    probes: F64_3,
+    tolerance: float,
+    error: OutF64_1,
+    chord_error: OutF64_1,
+) -> None:
+    """Increase the errors of biarcs and of their chords to the distances of points from them.
+
+    Parameters
+    ----------
+    biarcs
+        All m biarcs.
+    rows : (r,)
+        The biarcs that are measured.
+    probes : (r, k, 2)
+        Points of the curve that each of these biarcs approximates.
+    tolerance
+        Largest error; an error that exceeds it becomes infinite, and is not measured further.
+    error, chord_error : (m,)
+        Greatest distance of points from each biarc and from its chord; infinite ones are skipped.
+    """
+    start, joint, end, bulge, is_one_arc = biarcs
+    for at in range(len(rows)):
+        row = rows[at]
+        if error[row] < np.inf:
+            most = 0.0
+            first = _frame(start, joint, row, bulge[row, 0])
+            second = _frame(joint, end, row, bulge[row, 1])
+            for probe in range(probes.shape[1]):
+                x, y = probes[at, probe, 0], probes[at, probe, 1]
+                distance = _distance(first, x, y)
+                if not is_one_arc[row]:
+                    distance = min(distance, _distance(second, x, y))
+                if not distance <= tolerance:
+                    most = np.inf
+                    break
+                most = max(most, distance)
+            error[row] = max(error[row], most / _MARGIN)
+        if chord_error[row] < np.inf:
+            most = 0.0
+            chord = _frame(start, end, row, 0.0)
+            for probe in range(probes.shape[1]):
+                distance = _distance(chord, probes[at, probe, 0], probes[at, probe, 1])
+                if not distance <= tolerance:
+                    most = np.inf
+                    break
+                most = max(most, distance)
+            chord_error[row] = max(chord_error[row], most / _MARGIN)
+
+
+class Frame(NamedTuple):
+    """A line or arc in coordinates with the origin at its start and x along its chord."""
+
+    x: float  #: start
+    y: float
+    ahead_x: float  #: direction of the chord
+    ahead_y: float
+    length: float  #: length of the chord
+    bulge: float  #: 0 for a line
+    middle_y: float  #: y of the centre
+    radius: float
+    half: float  #: half the sweep (radians)
+
+
+@inline_kernel
+def _frame(start: F64_2, end: F64_2, row: int, bulge: float) -> Frame:
+    """Return the line or arc from ``start[row]`` to ``end[row]`` as a frame."""
+    x, y = end[row, 0] - start[row, 0], end[row, 1] - start[row, 1]
+    length = math.hypot(x, y)
+    if not length > 0.0:
+        length = 1.0
+    ahead_x, ahead_y = x / length, y / length
+    x, y = start[row, 0], start[row, 1]
+    if abs(bulge) < BULGE:
+        return Frame(x, y, ahead_x, ahead_y, length, 0.0, 0.0, 0.0, 0.0)
+    middle_y = length * (1.0 - bulge * bulge) / (4.0 * bulge)
+    radius = length * (1.0 + bulge * bulge) / (4.0 * abs(bulge))
+    half = 2.0 * math.atan(abs(bulge)) + 1e-15
+    return Frame(x, y, ahead_x, ahead_y, length, bulge, middle_y, radius, half)
+
+
+@inline_kernel
+def _distance(frame: Frame, at_x: float, at_y: float) -> float:
+    """Return the distance of a point from a line or arc."""
+    from_x, from_y = at_x - frame.x, at_y - frame.y
+    ahead_x, ahead_y, length, bulge = frame.ahead_x, frame.ahead_y, frame.length, frame.bulge
+    x = from_x * ahead_x + from_y * ahead_y
+    y = from_x * -ahead_y + from_y * ahead_x
+    if bulge == 0.0:
+        if x >= 0.0 and x <= length:
+            return abs(y)
+        return min(math.hypot(x, y), math.hypot(x - length, y))
+    rx, ry = x - length / 2.0, y - frame.middle_y
+    # The ray from the centre through the point meets the arc if it points into its sector.
+    out = -1.0 if bulge > 0.0 else 1.0
+    if math.atan2(abs(rx), ry * out) <= frame.half:
+        return abs(math.hypot(rx, ry) - frame.radius)
+    return min(math.hypot(x, y), math.hypot(x - length, y))
+
+
 def _normalise(vectors: F64) -> F64:
     """Return vectors, (n, 2), scaled to length 1; NaN for zero vectors."""
     return vectors / np.hypot(vectors[:, 0], vectors[:, 1])[:, None]
-
-
-def _distances(start: F64, end: F64, bulge: F64, points: F64) -> F64:
-    """Return the distances of k points from each of m lines or arcs, (m, k) mm.
-
-    ``start``, ``end`` (m, 2) mm and ``bulge`` (m,) are the lines or arcs; ``points`` (m, k, 2) mm
-    has k points for each of them.
-    """
-    chord = end - start
-    length = np.hypot(chord[:, 0], chord[:, 1])
-    length = np.where(length > 0.0, length, 1.0)
-    ahead = chord / length[:, None]
-    x = ((points - start[:, None]) * ahead[:, None]).sum(axis=2)
-    side = np.stack([-ahead[:, 1], ahead[:, 0]], axis=1)
-    y = ((points - start[:, None]) * side[:, None]).sum(axis=2)
-    size = length[:, None]
-    to_ends = np.minimum(np.hypot(x, y), np.hypot(x - size, y))
-    straight = np.where((x >= 0.0) & (x <= size), np.abs(y), to_ends)
-    b = bulge[:, None]
-    flat = np.abs(b) < BULGE
-    safe = np.where(flat, 1.0, b)
-    middle_y = size * (1.0 - safe * safe) / (4.0 * safe)
-    radius = size * (1.0 + safe * safe) / (4.0 * np.abs(safe))
-    rx, ry = x - size / 2.0, y - middle_y
-    # The ray from the centre through the probe meets the arc if it points into its sector.
-    out = np.where(safe > 0.0, -1.0, 1.0)
-    inside = np.arctan2(np.abs(rx), ry * out) <= 2.0 * np.arctan(np.abs(safe)) + 1e-15
-    round_ = np.where(inside, np.abs(np.hypot(rx, ry) - radius), to_ends)
-    result: F64 = np.where(flat, straight, round_)
-    return result

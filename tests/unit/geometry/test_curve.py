@@ -338,7 +338,8 @@ def cubics(control: F64) -> tuple[Cubics, Cubics]:
 def test_many_curves_are_fitted_independently() -> None:
     control = np.random.default_rng(4).uniform(-50.0, 50.0, (300, 4, 2))
     point, tangent = cubics(control)
-    (start, end, bulge, error), which = curve.fit_many(point, tangent, len(control), 0.01)
+    (start, end, bulge, error), which, failed = curve.fit_many(point, tangent, len(control), 0.01)
+    assert not failed
     assert np.unique(which).tolist() == list(range(300))
     for k in range(300):
         own = which == k
@@ -362,12 +363,58 @@ def test_a_curve_without_length_among_others_has_no_segment() -> None:
         [[[0, 0], [1, 2], [3, 2], [4, 0]], [[5, 5]] * 4, [[9, 0]] * 2 + [[9, 9]] * 2]
     )
     point, tangent = cubics(control.astype(float))
-    (_, _, bulge, _), which = curve.fit_many(point, tangent, 3, 0.01)
+    (_, _, bulge, _), which, _ = curve.fit_many(point, tangent, 3, 0.01)
     assert set(which.tolist()) == {0, 2}
     assert (bulge[which == 2] == 0.0).all()
 
 
 def test_no_curves_are_no_segments() -> None:
     point, tangent = cubics(np.zeros((0, 4, 2)))
-    segments, which = curve.fit_many(point, tangent, 0)
+    segments, which, _ = curve.fit_many(point, tangent, 0)
     assert [len(column) for column in (*segments, which)] == [0] * 5
+
+
+def test_a_curve_that_is_not_finite_does_not_hinder_the_others() -> None:
+    control = np.random.default_rng(5).uniform(-50.0, 50.0, (3, 4, 2))
+    control[1, 2, 0] = np.nan
+    point, tangent = cubics(control)
+    _, which, failed = curve.fit_many(point, tangent, 3, 0.01)
+    assert np.unique(which).tolist() == [0, 2]
+    assert {number: reason.message.code for number, reason in failed.items()} == {
+        1: "curve.not-finite"
+    }
+
+
+def test_the_pieces_of_all_curves_are_counted_before_the_first_is_fitted() -> None:
+    control = np.random.default_rng(6).uniform(-50.0, 50.0, (100, 4, 2))
+    point, tangent = cubics(control)
+    evaluated = 0
+
+    def counted(k: I64, s: F64) -> F64:
+        nonlocal evaluated
+        evaluated += len(k)
+        return point(k, s)
+
+    with pytest.raises(GeometryError) as refusal:
+        curve.fit_many(counted, tangent, len(control), 0.01, 50)
+    assert refusal.value.message.code == "curve.too-many-pieces"
+    assert refusal.value.message.arguments["limit"] == 50
+    # 32 cells of each curve are examined to count its pieces; no piece is measured.
+    assert evaluated == 100 * 33
+
+
+def test_the_pieces_of_a_spline_are_counted_before_it_is_fitted() -> None:
+    count = curve.MAX_PIECES // 40
+    control = np.random.default_rng(7).uniform(-1e6, 1e6, (count, 2))
+    spline = Spline(control, np.ones(count), np.arange(count + 4.0), 3)
+    evaluated = 0
+
+    def counted(t: F64) -> F64:
+        nonlocal evaluated
+        evaluated += len(t)
+        return spline.point(t)
+
+    with pytest.raises(GeometryError) as refusal:
+        curve.fit(counted, spline.tangent, spline.breaks)
+    assert refusal.value.message.code == "curve.too-many-pieces"
+    assert evaluated == 33 * (count - 3)
