@@ -91,7 +91,7 @@ def parse_operations(data: bytes) -> Iterator[tuple[str, list[Any]]]:
             yield operator, operands
             operands = []
         elif kind == 3:
-            operands.append(_name(match[3]))
+            operands.append(decode_name(match[3]))
         elif kind == 4:
             start, position = position, _string_end(data, position)
             operands.append(_ESCAPE.sub(_unescape, data[start : position - 1]))
@@ -112,7 +112,8 @@ def parse_operations(data: bytes) -> Iterator[tuple[str, list[Any]]]:
         raise TruncatedStream("pdf.open-array")
 
 
-def _name(raw: bytes) -> Name:
+def decode_name(raw: bytes) -> Name:
+    """Return the name that a content stream contains as the bytes ``raw``, without the slash."""
     if b"#" in raw:
         raw = _NUMBERED.sub(lambda match: bytes((int(match[1], 16),)), raw)
     for charset in _CHARSETS:

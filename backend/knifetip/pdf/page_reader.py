@@ -23,6 +23,7 @@ from knifetip.geometry.affine import Matrix, compose
 from knifetip.messages import Message
 from knifetip.pdf.content import TruncatedStream
 from knifetip.pdf.document import Page, PdfFile, other_pages
+from knifetip.pdf.form_sizes import FormSizes
 from knifetip.pdf.layers import Layers
 from knifetip.pdf.page_lines import LayerMark, PageLines
 from knifetip.pdf.path_builder import PathBuilder
@@ -111,9 +112,13 @@ class _PageReader:
         self.file = file
         self._matrix, visible = _display_matrix(page)
         self.drawn = PageLines(file.limits, visible)
+        resources = Resources(file)
         self._page = PageContext(
-            file, self.drawn, Layers(file), Resources(file), visible, set(), self.form
+            file, self.drawn, Layers(file), resources, visible, set(), self.form
         )
+        self._form_bytes = 0
+        self._form_data: dict[int, tuple[StreamObject, bytes]] = {}
+        self._sizes = FormSizes(file, resources, self._data_of_form)
         self.bytes_read = 0
         self._max_bytes = max_bytes
 
@@ -124,7 +129,9 @@ class _PageReader:
         """
         state = State(self._matrix)
         none = LayerMark("", "")
-        self.run(self._contents(page), state, StreamContext("", (), none, page.resources))
+        contents = self._contents(page)
+        self._sizes.check(contents, page.resources, self._max_bytes - self.bytes_read)
+        self.run(contents, state, StreamContext("", (), none, page.resources))
         if notes := len(self.file.array(page.node, "/Annots")):
             reason = Message("import.annotations", count=notes)
             self.drawn.row("", "annotation", none, reason)
@@ -151,7 +158,10 @@ class _PageReader:
             The total size exceeds the limit.
         """
         self.bytes_read += size
-        if self.bytes_read > self._max_bytes:
+        self._refuse_beyond(self.bytes_read)
+
+    def _refuse_beyond(self, size: int) -> None:
+        if size > self._max_bytes:
             raise DrawingTooLarge("pdf.expands-too-far", limit=self._max_bytes / 2**20)
 
     def run(self, data: bytes, state: State, context: StreamContext) -> None:
@@ -202,6 +212,23 @@ class _PageReader:
         resources = file.entry(node, "/Resources")
         if isinstance(resources, DictionaryObject):
             context = context._replace(resources=resources)
-        data = file.data(node)
+        data = self._data_of_form(node)
         self._check_size(len(data))
         self.run(data, state, context)
+
+    def _data_of_form(self, node: StreamObject) -> bytes:
+        """Return the content stream of a form, which is unpacked once.
+
+        Raises
+        ------
+        DrawingTooLarge
+            The different streams of forms together exceed the limit.
+        """
+        cached = self._form_data.get(id(node))
+        if cached is None:
+            data = self.file.data(node)
+            self._form_bytes += len(data)
+            self._refuse_beyond(self._form_bytes)
+            # The node is kept, so that no other node gets its id.
+            cached = self._form_data[id(node)] = node, data
+        return cached[1]

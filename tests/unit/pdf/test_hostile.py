@@ -325,3 +325,41 @@ def test_any_order_of_operators_is_read_or_refused(given_: list[str]) -> None:
             more=[form("0 0 m 9 9 l S /A Do")],
         )
     )
+
+
+def drawn_forms(page_content: str, *forms: str) -> bytes:
+    names = " ".join(f"/F{k} {6 + k} 0 R" for k in range(len(forms)))
+    return pdf(page_content, resources=f"/XObject <<{names}>>", more=[form(one) for one in forms])
+
+
+@pytest.mark.parametrize(
+    ("data", "is_allowed"),
+    [
+        # Elements: painted paths and drawn forms, 50 at most.
+        (drawn_forms("/F0 Do " * 25, LINE), True),
+        (drawn_forms("/F0 Do " * 26, LINE), False),
+        (drawn_forms("/F0 Do/F0 Do " * 2, "/F1 Do " * 5, LINE), True),
+        (drawn_forms("/F0 Do/F0 Do " * 3, "/F1 Do " * 5, LINE), False),
+        (drawn_forms("/F0 Do", "/F0 Do " * 40 + LINE), True),
+        (drawn_forms(LINE * 49), True),
+    ],
+    ids=["forms", "too many forms", "nested", "too many nested", "in itself", "no form"],
+)
+def test_copies_of_forms_are_counted_before_they_are_read(data: bytes, is_allowed: bool) -> None:
+    if is_allowed:
+        assert len(read(data, limits=FEW)) > 0
+        return
+    with pytest.raises(DrawingTooLarge) as caught:
+        read(data, limits=FEW)
+    assert caught.value.message.code == "reading.expands-too-far"
+
+
+def test_forms_that_expand_to_billions_of_lines_are_refused_without_reading_them(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def interpret(*_: object) -> None:
+        raise AssertionError("a content stream was interpreted")
+
+    monkeypatch.setattr("knifetip.pdf.stream.Stream.interpret", interpret)
+    with pytest.raises(DrawingTooLarge):
+        read(laughs(10, 10))
