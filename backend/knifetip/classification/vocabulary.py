@@ -104,7 +104,7 @@ def _by_line_type(table: Mapping[str, str]) -> list[tuple[str, LineType]]:
     ]
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=1 << 17)
 def name_meaning(name: str) -> NameMeaning:
     """Return the line type that the name of a layer or dash pattern suggests.
 

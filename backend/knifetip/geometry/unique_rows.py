@@ -99,6 +99,8 @@ def _slot(table: I64_2, row: int, slots: I32_1) -> Any:
     """
     key = np.uint64(0)
     for column in range(table.shape[1]):
-        key = (key ^ np.uint64(table[row, column])) * np.uint64(0x9E3779B97F4A7C15)
+        key = key ^ np.uint64(table[row, column])
+        # A product spreads bits upwards only, so that the high bits are first mixed into the low.
+        key = (key ^ (key >> np.uint64(32))) * np.uint64(0x9E3779B97F4A7C15)
         key = key ^ (key >> np.uint64(29))
     return np.int64(key & np.uint64(len(slots) - 1))

@@ -285,3 +285,10 @@ def test_damage_ends_in_a_drawing_or_a_refusal_the_same_for_both_readers(data: b
         assert str(ours) == str(reference)
     else:
         assert difference(ours, reference) == ""
+
+
+def test_more_layers_than_fifteen_bits_keep_their_edges() -> None:
+    count = (1 << 15) + 100
+    drawing = read(dxf(*(line(n, 0, n, 1, (8, f"L{n}")) for n in range(count))), "mm")
+    assert drawing.layers == tuple(f"L{n}" for n in range(count))
+    assert drawing.layer.tolist() == list(range(count))

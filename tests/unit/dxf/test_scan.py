@@ -98,8 +98,15 @@ def test_file_that_is_not_plain_is_left_to_ezdxf(data: bytes) -> None:
     assert scan(data) is None
 
 
-def test_hundred_thousand_names_are_too_many() -> None:
-    assert scan(dxf(*(line(0, 0, 1, 1, (8, f"L{n}")) for n in range(25_000)))) is None
+def test_more_names_than_bytes_allow_are_left_to_ezdxf() -> None:
+    assert scan(dxf(*(f"0\nTEXT\n8\n{n}\n" for n in range(100_000)))) is None
+
+
+def test_each_of_many_names_has_its_own_number() -> None:
+    count = 1 << 16
+    found = _scan(dxf(*(line(n, 0, n, 1, (8, f"L{n}")) for n in range(count))))
+    names = [found.names[number] for number in found.entity[:, f.LAYER].tolist()]
+    assert names == [b"L%d" % number for number in range(count)]
 
 
 def test_silent_values_are_not_numbers() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from knifetip.geometry.unique_rows import unique_rows
+from knifetip.geometry.unique_rows import _slot, unique_rows
 
 
 @pytest.mark.parametrize("kinds", [1, 3, 700, 40_000])
@@ -27,3 +27,12 @@ def test_a_table_gives_the_same_result_as_its_columns() -> None:
 
 def test_no_rows_give_no_distinct_rows() -> None:
     assert [len(column) for column in unique_rows(np.zeros(0, np.int64))] == [0, 0]
+
+
+@pytest.mark.parametrize("shift", [0, 20, 32, 45])
+def test_numbers_that_differ_in_a_few_bits_have_different_slots(shift: int) -> None:
+    table = (np.arange(1 << 16, dtype=np.int64) << shift).reshape(-1, 1)
+    slots = np.full(1 << 18, -1, np.int32)
+    used = {_slot(table, row, slots) for row in range(len(table))}
+    # Random slots would be 88 % different.
+    assert len(used) > 0.8 * len(table)

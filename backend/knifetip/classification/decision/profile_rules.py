@@ -163,7 +163,7 @@ def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
     return RuleMatches(line_type, matched_rule, confidence, tuple(conditions))
 
 
-@lru_cache(maxsize=1 << 16)
+@lru_cache(maxsize=1 << 17)
 def fold_name(name: str) -> str:
     """Return a name in the form in which names are compared.
 

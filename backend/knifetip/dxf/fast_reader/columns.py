@@ -139,11 +139,11 @@ def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
 
 @kernel
 def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
-    """Return the rows, style keys and line widths, (d,) each, of the d entities with segments.
+    """Return the rows, style keys and line widths of the d entities with segments.
 
-    A style key is an integer of 64 bits that is equal for entities whose styles have equal layers,
-    colours and linetypes.  It contains layer and linetype (15 bits each), colour (9 bits) and true
-    colour (25 bits).
+    The shapes are (d,), (d, 2) and (d,).  The two integers of a style key are equal for entities
+    whose styles have equal layers, colours and linetypes.  They contain layer and linetype (32 bits
+    each), and colour and true colour (25 bits).
 
     Parameters
     ----------
@@ -155,15 +155,17 @@ def style_keys(entity: I32_2A, rows: I64_1, count: I64_1) -> Any:
         Number of segments of each of the e entities in ``entity``.
     """
     with_segments = np.empty(len(rows), np.int64)
-    key = np.empty(len(rows), np.int64)
+    key = np.empty((len(rows), 2), np.int64)
     line_width = np.empty(len(rows), np.int32)
     number = 0
     for row in rows:
         if count[row] > 0:
             with_segments[number] = row
-            names = np.int64(entity[row, f.LAYER]) << 49 ^ np.int64(entity[row, f.LINETYPE]) << 34
+            key[number, 0] = np.int64(entity[row, f.LAYER]) << 32 ^ np.int64(
+                entity[row, f.LINETYPE]
+            )
             colour = np.int64(entity[row, f.COLOUR]) << 25
-            key[number] = names ^ colour ^ np.int64(entity[row, f.TRUE_COLOUR] + 1)
+            key[number, 1] = colour ^ np.int64(entity[row, f.TRUE_COLOUR] + 1)
             line_width[number] = entity[row, f.LINE_WIDTH]
             number += 1
     return with_segments[:number], key[:number], line_width[:number]

@@ -12,9 +12,6 @@ from knifetip.dxf.fast_reader import state as s
 from knifetip.dxf.value_types import DECIMAL, HEX, INTEGER
 from knifetip.kernels import U8_1, OutI32_1, OutI64_1, OutI64_2, inline_kernel
 
-#: Largest number of names in a file, and size of the hash table of names.
-MOST_NAMES: Final = 20_000
-_SLOTS: Final = 1 << 16
 #: Largest number of probes; a file with more collisions is an attack.
 _MOST_STEPS: Final = 64
 #: Returned by ``whole_at`` for a value that is no integer.
@@ -29,16 +26,17 @@ def name_at(
 
     A name that is not in the table is added.  Returns -1 if the name begins or ends with a blank,
     or if the table is full.  ``spans`` contains the positions of the names in the file, ``slots``
-    is the hash table of names, and ``state`` contains the number of names.
+    is the hash table of names, whose length is a power of two, and ``state`` contains the number of
+    names.
     """
     if high > low and (data[low] <= 32 or data[high - 1] <= 32):
         return -1
-    slot = np.int64(hash_bytes(data, low, high) & np.uint64(_SLOTS - 1))
+    slot = np.int64(hash_bytes(data, low, high) & np.uint64(len(slots) - 1))
     for _ in range(_MOST_STEPS):
         stored = slots[slot]
         if stored < 0:
             number = state[s.NAMES]
-            if number == MOST_NAMES:
+            if number == len(spans):
                 return -1
             spans[number, 0], spans[number, 1] = low, high
             slots[slot] = number
@@ -49,7 +47,7 @@ def name_at(
             data, first, data, low, high - low
         ):
             return stored
-        slot = (slot + 1) & (_SLOTS - 1)
+        slot = (slot + 1) & (len(slots) - 1)
     return -1
 
 

@@ -19,13 +19,15 @@ from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader import group_codes as g
 from knifetip.dxf.fast_reader import keywords as w
 from knifetip.dxf.fast_reader import state as s
-from knifetip.dxf.fast_reader.group_values import MOST_NAMES
 from knifetip.dxf.fast_reader.tagging import scan_tags
 from knifetip.dxf.scan_tables import ScanTables
 from knifetip.geometry.columns import F64, I32, I64
 from knifetip.geometry.parallel import core_count, parallel_map
 from knifetip.kernels import I32_1, OutF64_2F, OutI32_2F, kernel
 
+#: A part of a file may have one name for so many bytes, and at least so many names.
+_BYTES_PER_NAME: Final = 24
+_FEWEST_NAMES: Final = 20_000
 #: Largest number of decimals that are left to ``float``.
 _MOST_LEFT: Final = 100_000
 #: Least average size of an entity or a vertex (bytes).
@@ -157,15 +159,17 @@ def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
     value = np.empty((capacity, f.VALUES), order="F")
     vertex, other_handles = np.empty((point[-1], 3)), np.empty(point[-1], np.int64)
     block, base = np.empty((points[0] // 4, 5), np.int32), np.empty((points[0] // 4, 2))
-    layer = np.empty((MOST_NAMES, f.LAYER_WIDTH), np.int32)
-    spans = [np.empty((MOST_NAMES, 2), np.int64) for _ in parts]
+    names = [(end - begin) // _BYTES_PER_NAME + _FEWEST_NAMES for begin, end in parts]
+    layer = np.empty((names[0], f.LAYER_WIDTH), np.int32)
+    spans = [np.empty((count, 2), np.int64) for count in names]
     unsure = [np.empty((_MOST_LEFT, 5), np.int64) for _ in parts]
     text = np.frombuffer(data, np.uint8)
 
     def scan_part(part: int) -> bool:
         # Only the first part has blocks and layers.
         size = None if part == 0 else 0
-        slots = np.full(1 << 16, -1, np.int32)
+        # At most half of the slots are used, so that few names share one.
+        slots = np.full(1 << (2 * names[part] - 1).bit_length(), -1, np.int32)
         tables = ScanTables(
             entity,
             value,
