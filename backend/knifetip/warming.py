@@ -31,6 +31,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.geometry.chain",
         "knifetip.geometry.curve",
         "knifetip.geometry.spatial_index",
+        "knifetip.geometry.spline",
         "knifetip.geometry.unique_rows",
         "knifetip.geometry.union_find",
         "knifetip.geometry.vertices",

@@ -6,6 +6,7 @@ Source: de Boor's recurrence, "A Practical Guide to Splines" (1978).
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -13,6 +14,59 @@ from knifetip.errors import GeometryError
 from knifetip.geometry.columns import F64
 from knifetip.geometry.curve import Segments, fit
 from knifetip.geometry.tolerance import CURVE
+from knifetip.kernels import F64_1, F64_2, kernel
+
+
+@kernel
+def de_boor(t: F64_1, rows: F64_2, knots: F64_1, degree: int) -> Any:
+    """Return points of a polynomial B-spline by de Boor's recurrence, (m, c).
+
+    Parameters
+    ----------
+    t : (m,)
+        The parameters.
+    rows : (k, c)
+        Control points in c dimensions.
+    knots : (k + degree + 1,)
+        Knots, never decreasing; some knot with an index from ``degree`` to k - 1 is less than the
+        next one.
+    degree
+        Degree of the polynomials.
+    """
+    count, size = rows.shape
+    # A span of no length has no points; use the last span before it that has a length.
+    filled = np.empty(count, np.int64)
+    last = -1
+    for span in range(degree, count):
+        if knots[span] < knots[span + 1]:
+            last = span
+        filled[span] = last
+    points = np.empty((len(t), size))
+    d = np.empty((degree + 1, size))
+    for row in range(len(t)):
+        low, high = 0, len(knots)
+        while low < high:
+            middle = (low + high) // 2
+            if t[row] < knots[middle]:
+                high = middle
+            else:
+                low = middle + 1
+        span = filled[min(max(low - 1, degree), count - 1)]
+        if span < 0:
+            span = last
+        for j in range(degree + 1):
+            for column in range(size):
+                d[j, column] = rows[span - degree + j, column]
+        for level in range(1, degree + 1):
+            for j in range(degree, level - 1, -1):
+                begin = knots[span - degree + j]
+                wide = knots[span + 1 + j - level] - begin
+                fraction = (t[row] - begin) / wide if wide > 0.0 else 0.0
+                for column in range(size):
+                    d[j, column] = (1.0 - fraction) * d[j - 1, column] + fraction * d[j, column]
+        for column in range(size):
+            points[row, column] = d[degree, column]
+    return points
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -50,43 +104,13 @@ class Spline:
         inside = self.knots[self.degree : len(self.control) + 1]
         return np.unique(inside)
 
-    def _de_boor(self, t: F64, rows: F64, knots: F64, degree: int) -> F64:
-        """Return points of a polynomial B-spline by de Boor's recurrence, (m, c).
-
-        Parameters
-        ----------
-        t : (m,)
-            The parameters.
-        rows : (k, c)
-            Control points in c dimensions.
-        knots : (k + degree + 1,)
-            Knots, never decreasing.
-        degree
-            Degree of the polynomials.
-        """
-        count = len(rows)
-        span = np.clip(np.searchsorted(knots, t, side="right") - 1, degree, count - 1)
-        # A span of no length has no points; use the last span before it that has a length.
-        filled = np.flatnonzero(knots[degree:count] < knots[degree + 1 : count + 1]) + degree
-        span = filled[np.searchsorted(filled, span, side="right") - 1]
-        d = rows[span[:, None] - degree + np.arange(degree + 1)]
-        for level in range(1, degree + 1):
-            for j in range(degree, level - 1, -1):
-                low = knots[span - degree + j]
-                high = knots[span + 1 + j - level]
-                wide = high - low
-                fraction = np.where(wide > 0.0, (t - low) / np.where(wide > 0.0, wide, 1.0), 0.0)
-                d[:, j] = (1.0 - fraction)[:, None] * d[:, j - 1] + fraction[:, None] * d[:, j]
-        result: F64 = d[:, degree]
-        return result
-
     def _homogeneous(self) -> F64:
         """Return the k control points as homogeneous coordinates, (k, 3): x w, y w, weight w."""
         return np.hstack([self.control * self.weights[:, None], self.weights[:, None]])
 
     def point(self, t: F64) -> F64:
         """Return the points of the spline at parameters t (m,), (m, 2) mm."""
-        value = self._de_boor(t, self._homogeneous(), self.knots, self.degree)
+        value = de_boor(t, self._homogeneous(), self.knots, self.degree)
         result: F64 = value[:, :2] / value[:, 2:]
         return result
 
@@ -97,10 +121,10 @@ class Spline:
         """
         p = self.degree
         rows = self._homogeneous()
-        value = self._de_boor(t, rows, self.knots, p)
+        value = de_boor(t, rows, self.knots, p)
         wide = self.knots[p + 1 : len(rows) + p] - self.knots[1 : len(rows)]
         slope = p * np.diff(rows, axis=0) / np.where(wide > 0.0, wide, 1.0)[:, None]
-        rate = self._de_boor(t, slope, self.knots[1:-1], p - 1)
+        rate = de_boor(t, slope, self.knots[1:-1], p - 1)
         # (A / w)′ = (A′ - (A / w) w′) / w, and w > 0 changes no direction.
         result: F64 = rate[:, :2] - value[:, :2] / value[:, 2:] * rate[:, 2:]
         return result
