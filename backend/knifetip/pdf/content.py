@@ -17,7 +17,7 @@ from typing import Any, Final
 
 #: Deepest nesting of arrays and dictionaries; operators need at most three.
 _MAX_DEPTH: Final = 32
-#: Largest number of operands of one operator.
+#: Number of the last operands of an operator that are always kept.
 _OPERANDS: Final = 10_000
 
 _TOKEN: Final = re.compile(
@@ -106,7 +106,8 @@ def parse_operations(data: bytes) -> Iterator[tuple[str, list[Any]]]:
         elif kind == 7:
             digits = _NOT_HEX.sub(b"", match[7])
             operands.append(bytes.fromhex((digits + b"0" * (len(digits) % 2)).decode()))
-        if len(operands) > _OPERANDS:
+        # Half of them at once: each deletion moves those that remain.
+        if len(operands) >= 2 * _OPERANDS:
             del operands[:-_OPERANDS]
     if enclosing:
         raise TruncatedStream("pdf.open-array")

@@ -89,3 +89,11 @@ def test_any_bytes_are_parsed_or_raise_truncated_stream(data: bytes) -> None:
 def test_written_numbers_are_parsed(numbers: list[float]) -> None:
     written = " ".join(f"{value:.4f}" for value in numbers)
     assert parse(f"{written} x".encode()) == [("x", numbers)]
+
+
+def test_of_very_many_operands_the_last_ones_are_kept() -> None:
+    content = b" ".join(b"%d" % number for number in range(50_003)) + b" S"
+    ((operator, operands),) = parse_operations(content)
+    assert operator == "S"
+    assert 10_000 <= len(operands) < 20_000
+    assert operands == [float(number) for number in range(50_003 - len(operands), 50_003)]
