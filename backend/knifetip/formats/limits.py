@@ -23,6 +23,7 @@ class Limits:
     entities: int = 500_000  #: entities in the file, including those in blocks
     expanded: int = 1_000_000  #: entities after block references are expanded
     insert_depth: int = 16  #: depth of nested blocks
+    operators: int = 4_000_000  #: drawing commands of a PDF page, with all copies of its forms
     segments: int = 1_000_000  #: lines and arcs of the drawing
     seconds: float = 120.0  #: time for expanding blocks and fitting curves (s)
 

@@ -100,6 +100,7 @@ class PageContext:
     unknown: set[str]  #: unknown operators
     form: Callable[[StreamObject, State, StreamContext], None]  #: interprets a form
     clip_edges: int = 0  #: number of edges of all clip paths
+    operators: int = 0  #: number of operators of the streams that were interpreted
 
     def clip(self, clip: Clip, region: Region) -> Clip:
         """Return the part of a clip in a region; a region that shows the whole page is ignored."""
@@ -136,9 +137,19 @@ class Stream:
         self._clip_rule = ""  # the operator W or W* that makes the current path a clip path
 
     def interpret(self, data: bytes) -> None:
-        """Interpret all operators of the content stream ``data``."""
-        path = self._page.drawn.path
+        """Interpret all operators of the content stream ``data``.
+
+        Raises
+        ------
+        DrawingTooLarge
+            The content streams of the page have too many operators.
+        """
+        page, path = self._page, self._page.drawn.path
+        limit = page.file.limits.operators
         for operator, operands in parse_operations(data):
+            page.operators += 1
+            if page.operators > limit:
+                raise DrawingTooLarge("reading.too-many-elements", limit=limit, format="PDF")
             if operator in BUILDERS:
                 path.add(operator, operands)
             elif operator in _PAINTS:

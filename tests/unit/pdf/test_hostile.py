@@ -363,3 +363,16 @@ def test_forms_that_expand_to_billions_of_lines_are_refused_without_reading_them
     monkeypatch.setattr("knifetip.pdf.stream.Stream.interpret", interpret)
     with pytest.raises(DrawingTooLarge):
         read(laughs(10, 10))
+
+
+@pytest.mark.parametrize(
+    "data",
+    [pdf("1 w " * 36 + LINE), drawn_forms("/F0 Do " * 6 + LINE, "1 w " * 5)],
+    ids=["page", "forms"],
+)
+def test_the_operators_of_a_page_are_limited(data: bytes) -> None:
+    assert len(read(data, limits=Limits(operators=39))) == 1
+    with pytest.raises(DrawingTooLarge) as caught:
+        read(data, limits=Limits(operators=38))
+    assert caught.value.message.code == "reading.too-many-elements"
+    assert caught.value.message.arguments["limit"] == 38
