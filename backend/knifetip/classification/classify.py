@@ -19,10 +19,12 @@ from knifetip.classification.decision.connectivity import find_separating_cuts
 from knifetip.classification.decision.conventions import FOLD_TYPES, find_fitting_conventions
 from knifetip.classification.decision.decision import Decision
 from knifetip.classification.decision.open_corners import find_open_corner_folds
+from knifetip.classification.decision.outline_parts import PART_OF_OUTLINE, find_outline_parts
 from knifetip.classification.decision.profile_rules import (
     LAYER,
     RuleMatches,
     StyleTable,
+    display_name,
     match_rules,
     tabulate_styles,
 )
@@ -85,6 +87,7 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     evidence = StyleEvidence.create(styles, rules, matches, totals, fitting)
     edges = _decide_edges(evidence, totals.decision_keys(styles.row, features))
     _restore_folds_on_cuts(edges, evidence, features)
+    _restore_outline_parts(edges, evidence, features, lengths)
     _withdraw_contradicted(edges, drawing.ends, features, lengths)
     _withdraw_open_corner_folds(edges, evidence, features)
     return Dieline(
@@ -205,6 +208,23 @@ def _restore_folds_on_cuts(
         message = Message("classification.on-cut", rule=rule)
         edges.line_type[row] = edges.guess[row]
         edges.confidence[row] = matches.confidence[style]
+        edges.reason[row] = edges.reasons.row_of(message, ())
+
+
+def _restore_outline_parts(
+    edges: _EdgeDecisions, evidence: StyleEvidence, features: ShapeFeatures, lengths: F64
+) -> None:
+    """Give unclassified edges of a cut outline the other line type that their layers name.
+
+    Writes line types, confidences and reasons to ``edges``.  ``evidence`` is the evidence about
+    all styles; ``features`` and ``lengths`` (n,) are shape features and lengths of the n edges.
+    """
+    parts = find_outline_parts(evidence, features, edges.line_type, lengths)
+    for row in np.flatnonzero(parts != LineType.UNCLASSIFIED).tolist():
+        kind, style = LineType(int(parts[row])), evidence.styles.row[row]
+        layer = display_name(evidence.styles.layer[style])
+        message = Message("classification.part-of-outline", layer=layer, type=kind.word)
+        edges.line_type[row], edges.confidence[row] = kind, PART_OF_OUTLINE
         edges.reason[row] = edges.reasons.row_of(message, ())
 
 

@@ -10201,6 +10201,13 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "classification.part-of-outline";
+            arguments: {
+                layer: string;
+                type: string;
+            };
+        } | {
+            /** @constant */
             code: "classification.role-against";
             arguments: {
                 role: components["schemas"]["Message"];

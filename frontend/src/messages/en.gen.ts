@@ -379,6 +379,10 @@ export const TEXTS = {
     "text": "most edges with this layer, colour and line style are each the only connection between a panel and the rest of the blank",
     "hint": ""
   },
+  "classification.part-of-outline": {
+    "text": "the name of the layer \"{layer}\" means the line type {type}, and most of the outline lies on layers whose names mean cuts",
+    "hint": ""
+  },
   "classification.role-against": {
     "text": "{role}{against}",
     "hint": ""

@@ -164,6 +164,12 @@ MESSAGES: Final[Entries] = {
         "most edges with this layer, colour and line style are each the only connection between "
         "a panel and the rest of the blank",
     ),
+    "classification.part-of-outline": entry(
+        'the name of the layer "{layer}" means the line type {type}, and most of the outline lies '
+        "on layers whose names mean cuts",
+        layer="text",
+        type="text",
+    ),
     "classification.role-against": entry("{role}{against}", role="message", against="message?"),
     "classification.rule": entry("profile {profile}: {rule}", profile="text", rule="message"),
     "classification.shape": entry("{parts:, }", parts="messages"),
