@@ -180,6 +180,13 @@ def test_a_width_for_each_part_multiplies_no_questions() -> None:
     assert "wide" not in question.text
 
 
+def test_a_width_for_each_blank_does_not_tell_line_types_apart() -> None:
+    """The outline of the second blank is a cut like that of the first."""
+    second = [*box(400, 0, 500, 100), (430, 0, 430, 100), (470, 0, 470, 100)]
+    drawn = sheet((OUTLINE, BLACK, WIDE), (second, BLACK, THIN))
+    assert words(classified(drawn))[:8] == ["cut"] * 8
+
+
 @pytest.mark.parametrize(
     ("width", "words_of_it"),
     [(-1, "lines of the default width"), (0, "thinnest lines"), (13, "lines 0.13 mm wide")],
