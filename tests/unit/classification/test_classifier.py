@@ -13,6 +13,7 @@ from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from tests.support.cartons.random_drawings import random_drawing
 from tests.support.classification import box, classified, drawing_of, style, text, words
+from tests.support.drawings import Style
 
 Line = tuple[float, float, float, float]
 
@@ -177,6 +178,63 @@ def test_the_main_folds_are_asked_if_another_style_has_folds_too() -> None:
         (BLANK, style(colour=30)), (FOLDS, style(colour=40)), (perforated, style(colour=50))
     )
     assert words(classified(both))[4:] == ["unclassified"] * 3
+
+
+DASHED = "DASHED"
+ACROSS_A_PANEL: list[Line] = [(200, 150, 300, 150)]
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        style(colour=4, linetype=DASHED),
+        style(colour=1, linetype="HIDDEN"),
+        style("P2", colour=1, linetype=DASHED),
+    ],
+    ids=["colour", "dashes", "layer"],
+)
+@pytest.mark.parametrize("more", [[], [(220, 50, 260, 50)]], ids=["dividers", "free line"])
+def test_dashes_of_a_second_look_are_asked_beside_the_main_folds(
+    other: Style, more: list[Line]
+) -> None:
+    """The perforation is dashed like the folds, but differs in one attribute."""
+    dieline = classified(
+        drawing_of(
+            (BLANK, style(colour=5)),
+            (FOLDS, style(colour=1, linetype=DASHED)),
+            (ACROSS_A_PANEL + more, other),
+        )
+    )
+    assert words(dieline)[:6] == ["cut"] * 4 + ["crease"] * 2
+    assert set(words(dieline)[6:]) == {"unclassified"}
+    assert dieline.confidence[6] < 0.75
+
+
+def test_dashed_folds_on_a_layer_for_each_panel_are_creased() -> None:
+    dieline = classified(
+        drawing_of(
+            (BLANK, style(colour=5)),
+            (FOLDS[:1], style("front", colour=1, linetype=DASHED)),
+            (FOLDS[1:], style("back", colour=1, linetype=DASHED)),
+        )
+    )
+    assert words(dieline)[4:] == ["crease"] * 2
+
+
+def test_a_line_across_a_panel_beside_folds_in_another_style_is_asked() -> None:
+    """The shape makes it a fold: it begins and ends at folds."""
+    corners = [(0.0, 0.0), (400.0, 0.0), (400.0, 100.0)]
+    for x in (300.0, 200.0, 100.0, 0.0):
+        corners += [(x + 95, 100.0), (x + 90, 150.0), (x + 10, 150.0), (x + 5, 100.0), (x, 100.0)]
+    ends = zip(corners, [*corners[1:], corners[0]], strict=True)
+    outline: list[Line] = [(*start, *end) for start, end in ends]
+    folds: list[Line] = [(x, 0, x, 100) for x in (100, 200, 300)]
+    folds += [(x + 5, 100, x + 95, 100) for x in (0, 100, 200, 300)]
+    tear: list[Line] = [(100, 50, 200, 50), (220, 50, 260, 50)]
+    dieline = classified(
+        drawing_of((outline, style(colour=30)), (folds, style(colour=40)), (tear, style(colour=50)))
+    )
+    assert words(dieline) == ["cut"] * len(outline) + ["crease"] * 7 + ["unclassified"] * 2
 
 
 def test_rules_without_contradiction_keep_their_words_and_confidence() -> None:

@@ -29,6 +29,8 @@ _DIVIDING: Final = (*FOLD_TYPES, LineType.HALF_CUT)
 _PARTIAL: Final = (LineType.PERFORATION, LineType.HALF_CUT)
 #: Folds in other styles count if they are longer than this fraction of the main folds.
 _OTHER_FOLDS: Final = 0.05
+#: With folds in another style that are longer than this multiple, dashes are hardly creases.
+_MAIN_FOLDS: Final = 1.5
 #: Message about a name, by whether it is that of a layer and whether it suggests the guess.
 _NAMES: Final = {
     (True, True): "classification.layer-name",
@@ -195,7 +197,7 @@ def _guess_by_shape(
     if role == Role.DIVIDER:
         if folds_elsewhere:
             return LineType.CUT, 0.85, [Message("classification.like-outline-not-folds")]
-        return _guess_divider(evidence, style, must_fold, bool(outlines))
+        return _guess_divider(evidence, style, must_fold)
     if role in (Role.SLIT, Role.FREE):
         if folds_elsewhere:
             return LineType.CUT, 0.85, _LIKE_OUTLINE
@@ -215,13 +217,12 @@ def _guess_by_shape(
 
 
 def _guess_divider(
-    evidence: StyleEvidence, style: int, must_fold: bool, outlines: bool
+    evidence: StyleEvidence, style: int, must_fold: bool
 ) -> tuple[LineType, float, Sequence[Message]]:
     """Return the line type that shape suggests for dividers, its confidence, and the reasons.
 
     Dividers are the edges between two panels.  ``style`` is the style of the dividers, and
-    ``must_fold`` is whether a panel is attached by them alone.  ``outlines`` is whether edges
-    of this style make up at least 30 % of the length of all outlines.
+    ``must_fold`` is whether a panel is attached by them alone.
     """
     own = evidence.length[style, Role.DIVIDER]
     if evidence.only_divides[style]:
@@ -242,7 +243,9 @@ def _guess_divider(
         if not two_styles:
             reasons.append(Message("classification.only-fold-style"))
             return LineType.CREASE, 0.85, reasons
-        return LineType.CREASE, 0.75 if dashed else 0.7, reasons
-    if must_fold and not (outlines and evidence.other_folds[style]):
+        likely = dashed and evidence.other_folds[style] <= _MAIN_FOLDS * own
+        return LineType.CREASE, 0.75 if likely else 0.7, reasons
+    # A perforation from fold to fold has the shape of a fold.
+    if must_fold and not evidence.other_folds[style]:
         return LineType.CREASE, 0.85, [Message("classification.panel-hangs")]
     return LineType.CREASE, 0.55, ()

@@ -3,6 +3,9 @@
 Red is a cut in one company and a crease in another.  The shape shows which convention a drawing
 uses: outlines must be cuts, and lines between panels must be creases.  A convention does not fit if
 it makes a part of an outline a crease or leaves the outline open.
+
+A convention may know dashes only: "dashed lines are creases".  Where dashed lines have several
+looks, it refers to the most frequent one; the others may be perforations.
 """
 
 from __future__ import annotations
@@ -13,10 +16,16 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.classification.decision.profile_rules import StyleTable, match_rules
+from knifetip.classification.decision.profile_rules import (
+    RuleMatches,
+    StyleTable,
+    fold_name,
+    match_rules,
+)
 from knifetip.classification.decision.style_totals import StyleTotals
 from knifetip.classification.shape.roles import Role
-from knifetip.geometry.columns import U8, Bool
+from knifetip.geometry.columns import F64, I32, U8, Bool
+from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRules
@@ -29,6 +38,8 @@ _MOST_STYLES: Final = 2000
 _MIN_CUT: Final = 0.97
 #: Least fraction of the dividers, by length and by number, that a fitting convention creases.
 _MIN_CREASED: Final = 0.6
+#: Least fraction of the dividers' length in looks that one rule on dashes folds, for the main look.
+_MAIN_LOOK: Final = 0.6
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -62,7 +73,8 @@ def find_fitting_conventions(
         return []
     found: list[tuple[float, FittingConvention]] = []
     for convention in conventions:
-        line_type = match_rules(styles, convention).line_type
+        matches = match_rules(styles, convention)
+        line_type = _only_main_dashes(styles, matches, convention, divider)
         cut = line_type == LineType.CUT
         fold = np.isin(line_type, FOLD_TYPES)
         creased = float(divider[line_type == LineType.CREASE].sum() / divider.sum())
@@ -83,3 +95,48 @@ def find_fitting_conventions(
         found.append((score, FittingConvention(convention.name, line_type, message)))
     found.sort(key=lambda scored: -scored[0])
     return [fit for _, fit in found]
+
+
+def _only_main_dashes(
+    styles: StyleTable, matches: RuleMatches, convention: LineRules, divider: F64
+) -> U8:
+    """Return the line types that a convention gives to c styles, (c,), without doubtful dashes.
+
+    A rule on dash patterns alone folds dashed lines of any colour.  If one look of these lines has
+    most of their dividers, the rule counts for this look only.  A look is a layer, colour and dash
+    pattern.  If none has most, the layers may be parts of the carton, and a look is a colour and
+    dash pattern.  If none of these has most, the rule counts for no dashed line.
+
+    Parameters
+    ----------
+    styles, matches
+        The styles of the drawing, and the rule of the convention that matches each of them.
+    convention
+        The convention.
+    divider : (c,)
+        Length of the dividers of each style.
+    """
+    line_type = matches.line_type
+    by_dashes = np.array(
+        [bool(rule.linetype) and not (rule.colour or rule.true_colour) for rule in convention.rules]
+        # The last entry is that of styles without a rule.
+        + [False]
+    )
+    folded = by_dashes[matches.rule] & np.isin(line_type, FOLD_TYPES)
+    if np.count_nonzero(folded) < 2:
+        return line_type
+    colour = (styles.colour, styles.true_colour, _numbers(styles.linetype))
+    main = np.zeros(len(styles), np.bool_)
+    for columns in ((_numbers(styles.layer), *colour), colour):
+        _, look = unique_rows(*columns)
+        length = np.bincount(look, np.where(folded, divider, 0.0))
+        main = (length >= _MAIN_LOOK * length.sum())[look]
+        if main.any():
+            break
+    return np.where(folded & ~main, LineType.UNCLASSIFIED, line_type).astype(np.uint8)
+
+
+def _numbers(names: Sequence[str]) -> I32:
+    """Return for each of c names a number that is equal for equal names, (c,)."""
+    number: dict[str, int] = {}
+    return np.array([number.setdefault(fold_name(name), len(number)) for name in names], np.int32)
