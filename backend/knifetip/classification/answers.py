@@ -13,13 +13,13 @@ import numpy as np
 
 from knifetip.classification.line_widths import distinguishing_widths
 from knifetip.classification.numbered_layers import find_numbered_layers
-from knifetip.classification.vocabulary import is_meaningless
 from knifetip.geometry.columns import I64, U8
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import NO_OVERRIDE
+from knifetip.vocabulary import is_meaningless
 
 #: Reason for the line type of an edge that follows from answers.
 FOLLOWS: Final = Message("classification.follows")

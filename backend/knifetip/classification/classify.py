@@ -39,7 +39,6 @@ from knifetip.classification.decision.style_totals import (
 from knifetip.classification.decision.symmetry import find_asymmetric_edges
 from knifetip.classification.shape.features import ShapeFeatures, extract_shape_features
 from knifetip.classification.shape.roles import Role
-from knifetip.classification.vocabulary import name_meaning
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.parallel import parallel_pair
 from knifetip.geometry.unique_rows import unique_rows
@@ -48,6 +47,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.profile import LineRules
+from knifetip.vocabulary import name_meaning
 
 
 def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules] = ()) -> Dieline:

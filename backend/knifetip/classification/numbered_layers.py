@@ -11,7 +11,7 @@ from collections import defaultdict
 from collections.abc import Hashable, Iterable
 from typing import Final
 
-from knifetip.classification.vocabulary import name_meaning
+from knifetip.vocabulary import name_meaning
 
 _NUMBER: Final = re.compile(r"\d+")
 #: Fewest layers of a series whose colours or line styles differ within its layers.

@@ -10,13 +10,13 @@ import numpy as np
 from knifetip.classification.decision.profile_rules import display_name, fold_name
 from knifetip.classification.line_widths import distinguishing_widths
 from knifetip.classification.numbered_layers import find_numbered_layers
-from knifetip.classification.vocabulary import is_centre_linetype, is_dashed_linetype, name_meaning
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import NO_LINE_WIDTH, Drawing, extents
 from knifetip.model.question import Question
+from knifetip.vocabulary import is_centre_linetype, is_dashed_linetype, name_meaning
 
 #: Least confidence of a guess that is called the most likely line type.
 _LIKELY: Final = 0.75

@@ -22,12 +22,12 @@ from knifetip.classification.decision.profile_rules import (
     match_rules,
     tabulate_styles,
 )
-from knifetip.classification.vocabulary import is_meaningless
 from knifetip.geometry.columns import I64, U8, Bool
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.profile import LineRule, LineRules, ProposedRule
+from knifetip.vocabulary import is_meaningless
 
 _TRAITS: Final = ("layer", "colour", "linetype", "entity", "block")
 _PREFERRED: Final[tuple[tuple[str, ...], ...]] = (

@@ -27,6 +27,20 @@ def test_a_slit_between_flaps_attached_by_creases_is_cut() -> None:
     assert words(classified(sheet)) == ["cut"] * 6 + ["crease"]
 
 
+def test_a_lock_whose_slits_begin_at_a_crease_is_cut() -> None:
+    """The lock is attached to the flap by the middle of a crease that is one line."""
+    lock = [(120, 150, 120, 130), (120, 130, 180, 130), (180, 130, 180, 150)]
+    folds = [(0, 150, 300, 150), (0, 80, 300, 80)]
+    sheet = drawing_of((BOX + lock, style("CUT")), (folds, style("CREASE")))
+    assert words(classified(sheet)) == ["cut"] * 7 + ["crease"] * 2
+    # The same with an edge that does not belong to the carton, after which edges are numbered.
+    label = [(-50, 0, -40, 0)]
+    sheet = drawing_of(
+        (label, style("DIMENSION")), (BOX + lock, style("CUT")), (folds, style("CREASE"))
+    )
+    assert words(classified(sheet)) == ["ignored"] + ["cut"] * 7 + ["crease"] * 2
+
+
 def test_a_hole_on_a_crease_is_cut() -> None:
     hole = [(140, 90, 160, 90), (160, 90, 160, 110), (160, 110, 140, 110), (140, 110, 140, 90)]
     folds = [(150, 0, 150, 90), (150, 110, 150, 200)]

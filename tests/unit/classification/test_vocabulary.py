@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from knifetip.classification.vocabulary import is_meaningless, name_meaning
 from knifetip.model.dieline import LineType
+from knifetip.vocabulary import is_meaningless, name_meaning
 from tests.support.cartons.random_drawings import LANGUAGES
 
 KINDS = (

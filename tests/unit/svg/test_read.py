@@ -359,6 +359,41 @@ def test_an_element_outside_groups_has_the_layer_of_its_own_name(names: str, lay
     assert only(f'<path {names} d="M0 0h10"/>').layers == (layer,)
 
 
+@pytest.mark.parametrize(
+    ("groups", "names", "layer"),
+    [
+        # The nearest name with a meaning, of the element or of a group.
+        ('<g id="template">', 'class="die-score" id="score-3"', "die-score"),
+        ('<g id="template">', 'class="cls-1" id="score-3"', "score"),
+        ('<g id="template">', 'id="front-3"', "template"),
+        ('<g id="template" class="cls-2 fold-lines">', 'id="front-3"', "fold-lines"),
+        ('<g id="CUT"><g id="left-panel">', 'id="front-3"', "CUT"),
+        ('<g id="CUT"><g class="creases">', 'id="front-3"', "creases"),
+        ('<g id="CUT">', 'class="crease"', "crease"),
+        # One layer for one meaning.
+        ('<g id="CUT">', 'class="trim"', "CUT"),
+        ('<g id="CUT"><g id="slits">', 'id="cut-7"', "CUT"),
+        # Data attributes.
+        ('<g id="template">', 'data-type="perforation"', "perforation"),
+        ('<g id="template">', 'data-crease="true"', "crease"),
+        ('<g id="template">', 'data-crease="false"', "template"),
+        ('<g id="template">', f'data-hint="Fold here{" please" * 6}"', "template"),
+        # Classes come before ids; several meanings are kept, and mean none.
+        ('<g id="template">', 'class="fold" id="cut-3"', "fold"),
+        ('<g id="template">', 'class="cut fold"', "cut fold"),
+        ('<g id="CUT">', 'class="border"', "CUT border"),
+        ('<g id="dimensions">', 'class="cut"', "cut"),
+        # The name of a marked layer has priority if it has a meaning.
+        ('<g inkscape:groupmode="layer" inkscape:label="Cut">', 'class="fold"', "Cut"),
+        ('<g inkscape:groupmode="layer" inkscape:label="Layer 1">', 'class="fold"', "fold"),
+        ('<g inkscape:groupmode="layer" inkscape:label="Box"><g id="x">', 'id="front"', "Box"),
+    ],
+)
+def test_the_layer_is_the_nearest_name_with_a_meaning(groups: str, names: str, layer: str) -> None:
+    close = "</g>" * groups.count("<g")
+    assert only(f'{groups}<path {names} d="M0 0h10"/>{close}').layers == (layer,)
+
+
 # ── Import report ────────────────────────────────────────────────────────────────────────────────
 
 

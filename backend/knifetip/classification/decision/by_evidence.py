@@ -19,9 +19,9 @@ from knifetip.classification.decision.role_types import (
 )
 from knifetip.classification.decision.style_evidence import StyleEvidence
 from knifetip.classification.shape.roles import HOLES, NOT_CARTON, Role
-from knifetip.classification.vocabulary import is_dashed_linetype
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
+from knifetip.vocabulary import is_dashed_linetype
 
 #: Line types of lines between panels.
 _DIVIDING: Final = (*FOLD_TYPES, LineType.HALF_CUT)

@@ -40,7 +40,12 @@ def find_separating_cuts(features: ShapeFeatures, line_type: U8) -> Bool:
     if not cut.any():
         return np.zeros(len(line_type), np.bool_)
     faces = len(features.face_area)
-    uncut_sides = features.faces[divider & ~cut]
+    # A slit may begin at a fold, which then attaches panels on both sides of the slit.
+    edge, sides = features.further_faces[:, 0], features.further_faces[:, 1:]
+    inside = (features.face_area[sides] > 0.0).all(axis=1)
+    uncut_sides = np.concatenate(
+        [features.faces[divider & ~cut], sides[inside & (divider & ~cut)[edge]]]
+    )
     piece = label_connected_faces(faces, uncut_sides)
     rim = np.zeros(faces, np.bool_)
     rim[features.faces[features.role == Role.OUTLINE].ravel()] = True

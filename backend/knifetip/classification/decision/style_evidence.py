@@ -17,12 +17,12 @@ from knifetip.classification.decision.style_totals import StyleTotals
 from knifetip.classification.line_widths import distinguishing_widths
 from knifetip.classification.numbered_layers import find_numbered_layers
 from knifetip.classification.shape.roles import HOLES, NOT_CARTON, Role
-from knifetip.classification.vocabulary import NameMeaning, is_dashed_linetype, name_meaning
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRules
+from knifetip.vocabulary import NameMeaning, is_dashed_linetype, name_meaning
 
 #: A style is the main fold style if it has more than this fraction of the length of all dividers …
 _MAIN_FOLD_FRACTION: Final = 0.6

@@ -68,6 +68,8 @@ class ShapeFeatures:
     coincident: I32  #: (n,) edge that covers the whole length of each edge, -1 for none
     component: I32  #: (n,) connected component of the graph, -1 for none
     faces: I32  #: (n, 2) faces on the left and on the right of the longest piece of each edge
+    #: (k, 3) an edge, and the faces beside another piece of it than the longest, where they differ
+    further_faces: I32
     face_area: F64  #: (f,) signed area of each face, ≤ 0 for the outer face of a component
     sides: I32  #: (n, 2) as ``faces``, with the face round its component for an outer face, or -1
     part: I32  #: (n,) outermost component that the edge belongs to or lies in, -1 for none
@@ -92,6 +94,11 @@ class ShapeFeatures:
             if field.name == "face_area":
                 columns[field.name] = column
                 continue
+            if field.name == "further_faces":
+                columns[field.name] = np.column_stack([rows[column[:, 0]], column[:, 1:]]).astype(
+                    np.int32
+                )
+                continue
             filled = np.zeros((count, *column.shape[1:]), column.dtype)
             if field.name in ("component", "coincident", "sides", "part"):
                 filled[:] = -1
@@ -112,7 +119,7 @@ class ShapeFeatures:
         """
         columns: dict[str, Any] = {field.name: getattr(self, field.name) for field in fields(self)}
         for name, column in columns.items():
-            if name not in ("face_area", "coincident", "must_fold", "dashed"):
+            if name not in ("face_area", "further_faces", "coincident", "must_fold", "dashed"):
                 columns[name] = column.copy()
                 columns[name][rows] = column[host]
         return ShapeFeatures(**columns)
@@ -179,6 +186,7 @@ def _no_features(count: int) -> ShapeFeatures:
         np.full(count, -1, np.int32),
         np.full(count, -1, np.int32),
         np.zeros((count, 2), np.int32),
+        np.empty((0, 3), np.int32),
         np.zeros(1),
         np.full((count, 2), -1, np.int32),
         np.full(count, -1, np.int32),
@@ -271,10 +279,32 @@ class _Extraction(NamedTuple):
             coincident_edges(graph, length),
             edges.component,
             edges.faces,
+            _further_faces(graph, faces, edges.faces),
             faces.area,
             sides,
             np.append(_outermost_components(faces, kinds.inside), np.int32(-1))[edges.component],
         )
+
+
+def _further_faces(graph: PlanarGraph, faces: Faces, longest: I32) -> I32:
+    """Return edges and the faces beside their pieces, where these are not the faces ``longest``.
+
+    Parameters
+    ----------
+    graph, faces
+        Planar graph of n edges, and its faces.
+    longest : (n, 2)
+        Faces on both sides of the longest piece of each edge.
+
+    Returns
+    -------
+    (k, 3) int32
+        Index of the edge, face on the left, and face on the right.
+    """
+    edge, left, right = graph.edge, faces.left, faces.right
+    differ = (left != longest[edge, 0]) | (right != longest[edge, 1])
+    rows = np.flatnonzero((edge >= 0) & differ)
+    return np.column_stack([edge[rows], left[rows], right[rows]]).astype(np.int32)
 
 
 def _bounded_faces(faces: Faces) -> I32:

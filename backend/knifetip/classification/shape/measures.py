@@ -8,7 +8,6 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from knifetip.classification.shape.lettering import find_letters
-from knifetip.classification.vocabulary import name_meaning
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.parallel import chunks, parallel_map
 from knifetip.geometry.tolerance import GAP
@@ -17,6 +16,7 @@ from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Annotation
 from knifetip.topology.faces import Faces
 from knifetip.topology.planar_graph import PlanarGraph
+from knifetip.vocabulary import name_meaning
 
 #: Greatest number of letters in the name of a line type in a legend.
 _MAX_NAME: Final = 30
