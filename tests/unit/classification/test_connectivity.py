@@ -28,9 +28,9 @@ def test_a_slit_between_flaps_attached_by_creases_is_cut() -> None:
 
 
 def test_a_lock_whose_slits_begin_at_a_crease_is_cut() -> None:
-    """The lock is attached to the flap by the middle of a crease that is one line."""
-    lock = [(120, 150, 120, 130), (120, 130, 180, 130), (180, 130, 180, 150)]
-    folds = [(0, 150, 300, 150), (0, 80, 300, 80)]
+    """The middle of the crease, its longest piece, attaches the lock; its ends attach the panel."""
+    lock = [(60, 180, 60, 165), (60, 165, 240, 165), (240, 165, 240, 180)]
+    folds = [(0, 180, 300, 180), (0, 80, 300, 80)]
     sheet = drawing_of((BOX + lock, style("CUT")), (folds, style("CREASE")))
     assert words(classified(sheet)) == ["cut"] * 7 + ["crease"] * 2
     # The same with an edge that does not belong to the carton, after which edges are numbered.
