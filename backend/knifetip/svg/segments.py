@@ -23,6 +23,7 @@ from knifetip.geometry.columns import F64, Bool
 from knifetip.messages import Message
 from knifetip.model.drawing import LocationBoxes
 from knifetip.svg.drawn_paths import DrawnPaths, OmittedShape
+from knifetip.svg.filled_outlines import FilledPaths, close_subpaths, find_filled_outlines
 from knifetip.svg.page import Page
 from knifetip.svg.path_data import ScannedPaths, scan_paths
 
@@ -72,7 +73,9 @@ def segment_columns(
         matrix[kept],
         [drawn_paths.clip[path] for path in np.flatnonzero(kept).tolist()] if is_clipped else (),
     )
-    return columns(report, table.select(kept), placed, page.scale, limits, "SVG"), styles
+    is_area = np.array([stroke is None for stroke in drawn_paths.stroke], np.bool_)[kept]
+    segments = close_subpaths(table.select(kept), is_area)
+    return columns(report, segments, placed, page.scale, limits, "SVG"), styles
 
 
 def _line_widths(drawn_paths: DrawnPaths, matrix: F64, page: Page) -> F64:
@@ -152,20 +155,29 @@ def _report_invisible_paths(
     report_page_border(report, row, border)
     on_page = unbroken & ~border.outside
     is_area = white | np.array([stroke is None for stroke in drawn_paths.stroke], bool)
-    filled = np.array([fill is not None for fill in drawn_paths.fill], bool)
-    has_lines = bool((on_page & ~is_area).any())
+    fills = drawn_paths.fill
+    filled = np.array([fill is not None for fill in fills], bool)
+    coloured = filled & np.array([fill is not None and not is_white(fill) for fill in fills], bool)
+    is_line = on_page & ~is_area
+    if is_line.any():
+        kept = find_filled_outlines(
+            FilledPaths(table, matrix, box, is_line, on_page & is_area & coloured)
+        )
+        note = Message("import.area-outline-round-lines")
+    else:
+        kept = on_page & is_area & filled
+        note = Message("import.area-outline")
     for path in np.flatnonzero(on_page & is_area).tolist():
         one = int(row[path])
-        fill = drawn_paths.fill[path]
-        if not filled[path]:
+        if kept[path]:
+            report.notes.setdefault(one, []).append(note)
+        elif not filled[path]:
             report.dropped[one] = Message("import.white-line")
-        elif not has_lines:
-            report.notes.setdefault(one, []).append(Message("import.area-outline"))
-        elif fill is not None and is_white(fill):
+        elif not coloured[path]:
             report.dropped[one] = Message("import.white-area")
         else:
             report.dropped[one] = Message("import.filled-area-beside-strokes")
-    visible: Bool = on_page & ~(is_area & (has_lines | ~filled))
+    visible: Bool = is_line | kept
     return visible
 
 

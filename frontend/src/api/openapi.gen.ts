@@ -12920,6 +12920,10 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "import.area-outline-round-lines";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "import.array";
             arguments: {
                 columns: number;

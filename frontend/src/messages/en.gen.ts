@@ -2159,6 +2159,10 @@ export const TEXTS = {
     "text": "the object is the outline of a filled area, which was imported because the page has no lines",
     "hint": ""
   },
+  "import.area-outline-round-lines": {
+    "text": "the object is the outline of a filled area, which was imported because lines lie on the area and no line closes their outline",
+    "hint": ""
+  },
   "import.array": {
     "text": "the object inserts the block as a grid of copies ({columns} columns × {rows} rows)",
     "hint": ""
@@ -2308,7 +2312,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.filled-area-beside-strokes": {
-    "text": "the object is a filled area without an outline; the outlines of filled areas are cut only in drawings that have no lines",
+    "text": "the object is a filled area without an outline; the outlines of filled areas are cut only in drawings that have no lines, or if lines lie on the area and no line closes their outline",
     "hint": ""
   },
   "import.filled-area-on-page": {

@@ -441,7 +441,8 @@ def test_fills_are_lines_only_in_drawings_without_strokes() -> None:
     assert (
         reasons(beside)["area"]
         == "the object is a filled area without an outline; the outlines of filled areas are cut "
-        "only in drawings that have no lines"
+        "only in drawings that have no lines, or if lines lie on the area and no line closes their "
+        "outline"
     )
 
 

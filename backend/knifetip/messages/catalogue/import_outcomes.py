@@ -28,6 +28,10 @@ MESSAGES: Final[Entries] = {
         "the object is the outline of a filled area, which was imported because the page has "
         "no lines",
     ),
+    "import.area-outline-round-lines": entry(
+        "the object is the outline of a filled area, which was imported because lines lie on the "
+        "area and no line closes their outline",
+    ),
     "import.array": entry(
         "the object inserts the block as a grid of copies ({columns} columns × {rows} rows)",
         columns="count",
@@ -190,7 +194,8 @@ MESSAGES: Final[Entries] = {
     ),
     "import.filled-area-beside-strokes": entry(
         "the object is a filled area without an outline; the outlines of filled areas are cut only "
-        "in drawings that have no lines",
+        "in drawings that have no lines, or if lines lie on the area and no line closes their "
+        "outline",
     ),
     "import.filled-area-on-page": entry(
         "the object is a filled area without an outline; the outlines of filled areas are cut only "
