@@ -29,6 +29,7 @@ from knifetip.classification.shape.edge_sums import (
 )
 from knifetip.classification.shape.measures import ComponentBoxes
 from knifetip.classification.shape.micro_loops import contract_micro_loops
+from knifetip.classification.shape.missing_pieces import find_missing_pieces
 from knifetip.classification.shape.part_kinds import PartKinds
 from knifetip.classification.shape.piece_roles import piece_roles
 from knifetip.classification.shape.required_folds import find_required_folds
@@ -110,6 +111,18 @@ class ShapeFeatures:
                 column = np.where(column < 0, -1, rows[column])
             filled[rows] = column
             columns[field.name] = filled
+        return ShapeFeatures(**columns)
+
+    def first(self, count: int) -> ShapeFeatures:
+        """Return the features of the first ``count`` edges, examined together with the others."""
+        columns: dict[str, Any] = {field.name: getattr(self, field.name) for field in fields(self)}
+        for name, column in columns.items():
+            if name == "further_faces":
+                columns[name] = column[column[:, 0] < count]
+            elif name != "face_area":
+                columns[name] = column[:count]
+        covered = columns["coincident"]
+        columns["coincident"] = np.where(covered < count, covered, -1).astype(np.int32)
         return ShapeFeatures(**columns)
 
     def like(self, rows: I64, host: I64) -> ShapeFeatures:
@@ -225,13 +238,35 @@ class _Extraction(NamedTuple):
             return _no_features(count)
         arrow = find_arrow_edges(graph, count, self.unit)
         if not arrow.any():
-            return self._features_in(graph)
+            return self._features_of_closed(graph)
         rows = np.flatnonzero(~arrow)
         rest = self._replace(ends=self.ends[rows], bulge=self.bulge[rows])
         graph = rest._graph()
         if graph is None:
             return _no_features(len(rows)).spread(count, rows, Role.ARROW)
-        return rest._features_in(graph).spread(count, rows, Role.ARROW)
+        return rest._features_of_closed(graph).spread(count, rows, Role.ARROW)
+
+    def _features_of_closed(self, graph: PlanarGraph) -> ShapeFeatures:
+        """Return the features of all edges, examined with pieces that are missing in outlines.
+
+        Pieces are added only if they close all open outlines and lie on outlines themselves.
+        """
+        features, count = self._features_in(graph), len(self.bulge)
+        if Role.OPEN not in features.role:
+            return features
+        pieces = find_missing_pieces(graph, self.ends, self.bulge)
+        while len(pieces):
+            ends = np.concatenate([self.ends, pieces])
+            closed = self._replace(ends=ends, bulge=np.append(self.bulge, np.zeros(len(pieces))))
+            closed_graph = closed._graph()
+            if closed_graph is None:
+                break
+            with_pieces = closed._features_in(closed_graph)
+            closes = with_pieces.role[count:] == Role.OUTLINE
+            if closes.all():
+                return features if Role.OPEN in with_pieces.role else with_pieces.first(count)
+            pieces = pieces[closes]
+        return features
 
     def _graph(self) -> PlanarGraph | None:
         """Return the planar graph of the edges.
