@@ -70,7 +70,7 @@ def layer_of_group(node: Node, inherited: Layer) -> Layer:
         return Layer(name or original_name(attributes.get("id", "")) or inherited.name, True)
     if inherited.decides:
         return inherited
-    if meaningful := _meaningful_name(node):
+    if meaningful := _meaningful_name(node, None):
         same = _meaning(meaningful) == _meaning(inherited.name)
         return inherited if same else Layer(meaningful, False)
     if inherited.marked or _meaning(inherited.name) is not None:
@@ -88,8 +88,11 @@ def layer_of_element(node: Node, inherited: Layer) -> str:
     """
     attributes = node.attributes
     has_names = bool(attributes.keys() - _GEOMETRY_ATTRIBUTES)
-    if has_names and not inherited.decides and (name := _meaningful_name(node)):
-        return _combined_name(name, inherited.name)
+    if has_names and not inherited.decides:
+        # Generators name lines of a carton after tools: an id does not leave out a line.
+        name = _meaningful_name(node, None, LineType.IGNORED)
+        if name:
+            return _combined_name(name, inherited.name)
     if inherited.name:
         return inherited.name
     if not has_names:
@@ -136,11 +139,12 @@ def _own_names(node: Node) -> tuple[str, str]:
     return _TRAILING_NUMBER.sub("", names[0]), _TRAILING_NUMBER.sub("", names[1])
 
 
-def _meaningful_name(node: Node) -> str:
+def _meaningful_name(node: Node, *without: LineType | None) -> str:
     """Return the name of an element that suggests a line type, an empty string for none.
 
     Classes and data attributes have priority over label and id, which may only count the element.
     If classes and data attributes suggest several line types, all their names are returned.
+    A label or id with one of the meanings ``without`` does not count.
     """
     attributes = node.attributes
     names = attributes.get("class", "").split()
@@ -150,7 +154,7 @@ def _meaningful_name(node: Node) -> str:
     found = {name: kind for name in names if (kind := _meaning(name)) is not None}
     if found:
         return " ".join(found) if len(set(found.values())) > 1 else next(iter(found))
-    return next((name for name in _own_names(node) if _meaning(name) is not None), "")
+    return next((name for name in _own_names(node) if _meaning(name) not in without), "")
 
 
 def _character(code: int) -> str:

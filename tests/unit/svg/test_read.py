@@ -383,6 +383,10 @@ def test_an_element_outside_groups_has_the_layer_of_its_own_name(names: str, lay
         ('<g id="template">', 'class="cut fold"', "cut fold"),
         ('<g id="CUT">', 'class="border"', "CUT border"),
         ('<g id="dimensions">', 'class="cut"', "cut"),
+        # The id of an element does not leave out its line, unlike the id of a group.
+        ('<g id="box">', 'id="flap_engrave"', "box"),
+        ('<g id="box"><g id="dimensions">', 'id="front"', "dimensions"),
+        ('<g id="CUT"><g id="dimensions">', 'id="front"', "dimensions"),
         # The name of a marked layer has priority if it has a meaning.
         ('<g inkscape:groupmode="layer" inkscape:label="Cut">', 'class="fold"', "Cut"),
         ('<g inkscape:groupmode="layer" inkscape:label="Layer 1">', 'class="fold"', "fold"),
