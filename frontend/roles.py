@@ -16,15 +16,15 @@ from knifetip.api.routing import scoped_operations
 from knifetip.jobs.accounts.scopes import least_role
 
 TARGET = Path(__file__).resolve().parent / "src" / "api" / "roles.gen.ts"
-HEADER = (
-    "/** Scopes of which each request needs one. Written by frontend/roles.py: do not edit. */\n"
-)
+HEADER = "/** Scopes of which each request needs one. Written by frontend/roles.py: do not edit. */\n"
 
 
 def roles() -> str:
     """Return the TypeScript source of the scopes of all requests that a person may send."""
     lines = []
-    for one in sorted(scoped_operations(create_app().routes), key=lambda one: (one.method, one.path)):
+    for one in sorted(
+        scoped_operations(create_app().routes), key=lambda one: (one.method, one.path)
+    ):
         if any(least_role(scope) for scope in one.needed):
             scopes = ", ".join(json.dumps(scope.value) for scope in one.needed)
             lines.append(f'  "{one.method} {versioned_path(one.path)}": [{scopes}],')

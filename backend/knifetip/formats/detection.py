@@ -41,9 +41,7 @@ _FOREIGN_PATTERNS: Final = (
     (re.compile(rb"%!PS-Adobe[^\r\n]*EPSF"), "file.eps"),
     (re.compile(rb"%!PS.*?%%Creator: *Adobe Illustrator", re.DOTALL), "file.illustrator"),
     (re.compile(rb"%!PS"), "file.postscript"),
-    # Escape sequences of plotters, or the first instructions of a plot.
-    (re.compile(rb"\x1b(?:[E.]|%-?\d*[AB])"), "file.hpgl"),
-    (re.compile(rb"(?:IN|DF|BP)\s*[;\d]|(?:SP|PU|PA|PD)\s*[-\d., ]*;", re.IGNORECASE), "file.hpgl"),
+    (re.compile(rb"\x1b[E%]"), "file.printer"),
 )
 
 #: The root element of an XML file, and what may precede it.
@@ -55,6 +53,16 @@ _CF2: Final = re.compile(
     rb"[LA]\s*,\s*[\d.]+\s*,\s*\d+\s*,\s*\d+\s*,\s*[-+\d.])",
     re.IGNORECASE,
 )
+#: The first instructions of a plot, perhaps after a command to the interface of the plotter.  Text
+#: may begin with the letters of one instruction, but not with those of three.
+_PLOT: Final = re.compile(
+    rb"\x1b\.|[;:\s]*(?:(?:IN|DF|BP|PG)\s*[;\d]|(?:SP|PU|PA|PD|PR|LT|RO|PS|IP)\s*[-\d., ]*;|"
+    rb'CO\s*"|(?:(?:IN|DF|SP|PU|PA|PD|PR|LT|VS|FS|SC|IP|RO)[-\d.,\s]*){3})',
+    re.IGNORECASE,
+)
+#: Commands of printers that begin a plot.
+_PRINTED: Final = re.compile(rb"\x1b(?:%-12345X|E|%-?\d*[AB])")
+_PRINTED_PLOT: Final = re.compile(rb"\x1b%-?\d*B|ENTER\s+LANGUAGE\s*=\s*HPGL", re.IGNORECASE)
 #: Other file formats by the root element of their XML.
 _FOREIGN_ROOTS: Final = {
     "html": "file.html",
@@ -106,6 +114,13 @@ def is_pdf(file: Beginning) -> bool:
 def is_cf2(file: Beginning) -> bool:
     """Return whether a file is a CF2 file."""
     return _CF2.match(file.head) is not None
+
+
+def is_plot(file: Beginning) -> bool:
+    """Return whether a file is a plotter file (HPGL), which may contain commands of a printer."""
+    if _PRINTED.match(file.head):
+        return _PRINTED_PLOT.search(file.data[:_ROOT_WITHIN]) is not None
+    return _PLOT.match(file.head) is not None
 
 
 def foreign_kind(file: Beginning) -> Message | None:

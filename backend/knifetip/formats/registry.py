@@ -39,6 +39,7 @@ FORMATS: Final = (
     Format("cf2", "CF2", (".cf2", ".cff2"), "text/plain", "knifetip.cf2.read", detection.is_cf2),
     Format("svg", "SVG", (".svg", ".svgz"), _BYTES, "knifetip.svg.read", detection.is_svg),
     Format("pdf", "PDF", (".pdf", ".ai"), _BYTES, "knifetip.pdf.read", detection.is_pdf),
+    Format("plt", "HPGL", (".plt", ".hpgl"), _BYTES, "knifetip.hpgl.read", detection.is_plot),
 )
 #: Format of files with unknown content; its reader reports what is wrong.
 _FALLBACK: Final = next(one for one in FORMATS if one.matches is None)

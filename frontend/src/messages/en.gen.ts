@@ -1479,10 +1479,6 @@ export const TEXTS = {
     "text": "a gzip archive",
     "hint": ""
   },
-  "file.hpgl": {
-    "text": "a plotter file (HPGL)",
-    "hint": "In the program that drew it, export the drawing as DXF, PDF or SVG instead of plotting it to a file."
-  },
   "file.html": {
     "text": "an HTML page",
     "hint": ""
@@ -1514,6 +1510,10 @@ export const TEXTS = {
   "file.postscript": {
     "text": "a PostScript file",
     "hint": "In Illustrator, open the file and choose File > Save As > PDF. In other programs, export the drawing as PDF, SVG or DXF."
+  },
+  "file.printer": {
+    "text": "a file for a printer (PCL or PJL)",
+    "hint": "In the program that drew it, export the drawing as DXF, PDF or SVG instead of printing it to a file."
   },
   "file.rar": {
     "text": "a RAR archive",
@@ -2451,6 +2451,10 @@ export const TEXTS = {
     "text": "the ellipse has no length, because its start parameter and its end parameter are both {parameter:g}",
     "hint": ""
   },
+  "import.no-pen": {
+    "text": "the object is drawn without a pen (pen 0), so it is not visible",
+    "hint": ""
+  },
   "import.no-points": {
     "text": "the object has no points",
     "hint": ""
@@ -2523,6 +2527,10 @@ export const TEXTS = {
     "text": "The PDF has {others:# other page|# other pages} besides the first page, and only the first page is read. Page {most} has the most lines of the other pages ({lines:,}).",
     "hint": "If the drawing is on another page, export this page as a separate file."
   },
+  "import.other-sheet": {
+    "text": "the object is on sheet {sheet} of the plot, but only the first sheet is read",
+    "hint": "If the object must be cut, export its sheet as a separate file."
+  },
   "import.outside-page": {
     "text": "the object lies outside the visible area of the page",
     "hint": ""
@@ -2581,6 +2589,10 @@ export const TEXTS = {
   },
   "import.places-subroutine": {
     "text": "the object inserts the subroutine {name}",
+    "hint": ""
+  },
+  "import.plotter-marks": {
+    "text": "the instruction draws symbols, ticks or characters of its own, which are not cut",
     "hint": ""
   },
   "import.point": {
@@ -2663,9 +2675,17 @@ export const TEXTS = {
     "text": "the object is not parallel to the XY plane: its height z varies from {low:g} to {high:g} file units",
     "hint": ""
   },
+  "import.unknown-instruction": {
+    "text": "the object is an instruction that HPGL does not define",
+    "hint": "Compare the drawing with the original, or export it as DXF, PDF or SVG."
+  },
   "import.unknown-operator": {
     "text": "the PDF page uses the operator {operator!r}, which is not supported",
     "hint": ""
+  },
+  "import.unknown-position": {
+    "text": "the object begins at a position that depends on the plotter, such as the end of a text",
+    "hint": "Export the drawing as DXF, PDF or SVG if the object must be cut."
   },
   "import.unknown-record": {
     "text": "the object is a CF2 record of a type that is not supported",
@@ -3938,6 +3958,42 @@ export const TEXTS = {
   "pdf.too-many-states": {
     "text": "The PDF saves more than {limit:,} graphics states (operator q) without restoring them.",
     "hint": "Export the drawing again from the program that drew it."
+  },
+  "plt.bad-number": {
+    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the values of the instruction {name} are not all numbers ({text!r}).",
+    "hint": "Export the drawing again as HPGL, with a point as the decimal separator of numbers."
+  },
+  "plt.bad-polyline": {
+    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the encoded polyline (PE) cannot be decoded.",
+    "hint": "Export the drawing again as HPGL. If the file was sent as text, send it as binary data."
+  },
+  "plt.bad-scale": {
+    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} states a scale of 0, or a type of scale that HPGL does not define.",
+    "hint": "Export the drawing again as HPGL."
+  },
+  "plt.cut-short": {
+    "text": "The plotter file (HPGL) is incomplete: the instruction {name} at byte {position:,} has no end. Objects of the drawing may be missing.",
+    "hint": "Send the complete file, or export the drawing again as HPGL."
+  },
+  "plt.damaged": {
+    "text": "The plotter file (HPGL) is damaged at byte {position:,}: {text!r} is not an instruction.",
+    "hint": "Export the drawing again as HPGL. If the file was sent as text, send it as binary data."
+  },
+  "plt.empty": {
+    "text": "The plotter file (HPGL) contains no drawing: none of its instructions draws a line.",
+    "hint": "Send the complete file, or export the drawing again as HPGL."
+  },
+  "plt.several-scales": {
+    "text": "The plotter file (HPGL) draws lines at several scales, and at least one of them depends on the plotter and its paper (SC without IP).",
+    "hint": "Export the drawing again as HPGL in plotter units of 1/40 mm, or send it as DXF."
+  },
+  "plt.wrong-count": {
+    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} has {count:# value|# values} instead of {expected}.",
+    "hint": "Export the drawing again as HPGL."
+  },
+  "plt.x-without-y": {
+    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} has {count:# value|# values}, so the last point has no y coordinate.",
+    "hint": "Export the drawing again as HPGL."
   },
   "process.name-taken": {
     "text": "Another process with the name {name} already uses this database.",
@@ -5221,6 +5277,14 @@ export const TEXTS = {
   },
   "unit.pdf-scaled": {
     "text": "the PDF states its coordinates in units of {scale:g} points (UserUnit); one point is 1/72 inch",
+    "hint": ""
+  },
+  "unit.plotter": {
+    "text": "the plotter file (HPGL) states its coordinates in units of 1/40 mm, or states their scale",
+    "hint": ""
+  },
+  "unit.plotter-page": {
+    "text": "the plotter file (HPGL) states the scale of its coordinates relative to the paper of the plotter (SC without IP), and the size of the paper is not known",
     "hint": ""
   },
   "unit.read-against-evidence": {

@@ -9,12 +9,13 @@ import pytest
 from knifetip.errors import NotADrawing
 from knifetip.formats import format_of
 from knifetip.pipeline import read
-from tests.support.writers import cf2_text, pdf_text, svg_text
+from tests.support.writers import cf2_text, hpgl_text, pdf_text, svg_text
 from tests.support.writers.dxf_text import dxf, line
 
 SVG = svg_text.carton()
 CF2 = cf2_text.carton()
 PDF = pdf_text.carton()
+PLT = hpgl_text.carton()
 DXF = dxf(line(0, 0, 1, 1))
 
 
@@ -39,6 +40,15 @@ DXF = dxf(line(0, 0, 1, 1))
         (gzip.compress(SVG, mtime=0), "svg"),
         (PDF, "pdf"),
         (b"%PDF-1.5 of Illustrator", "pdf"),
+        (PLT, "plt"),
+        (b"\r\n" + PLT.lower(), "plt"),
+        (b"\x1b%-1BBP;IN;", "plt"),
+        (b"\x1b.(;.I81;;17:.N;19:IN;SP1;", "plt"),
+        (b"\x1bE\x1b&l0O\x1b%0BIN;", "plt"),
+        (b"\x1b%-12345X@PJL ENTER LANGUAGE=HPGL2\r\nIN;", "plt"),
+        (b"PU100,200;PD300,200;", "plt"),
+        (b"SP1 PU100,200 PD300,200", "plt"),
+        (b'CO"carton";IN;', "plt"),
         (b"Dear Sir or Madam", "dxf"),
         ("0\nSECTION\n2\nHEADER\n".encode("utf-16-le"), "dxf"),
         (b"AutoCAD Binary DXF\r\n\x1a\x00\x00\x00SECTION\x00", "dxf"),
@@ -57,9 +67,8 @@ def test_a_file_goes_to_its_reader(data: bytes, kind: str) -> None:
         (b"%!PS-Adobe-3.0\n%%Creator: Adobe Illustrator(R) 8\n", "an old Illustrator file"),
         (b"RIFF\x00\x20\x00\x00CDRDvrsn", "a CorelDRAW drawing"),
         (b"RIFF\x00\x20\x00\x00WEBPVP8 ", "a picture or a video"),
-        (b"IN;SP1;PU0,0;PD8000,0;", "a plotter file"),
-        (b"\x1b%-1BBP;IN;", "a plotter file"),
-        (b"PU100,200;PD300,200;", "a plotter file"),
+        (b"\x1bE\x1b&l0O\x1b*t300R", "a file for a printer"),
+        (b"\x1b%-12345X@PJL ENTER LANGUAGE=POSTSCRIPT\r\n", "a file for a printer"),
         (b"<?xml version='1.0'?><LightBurnProject/>", "a LightBurn project"),
         (b"\x01\x02ARD\x00\x00\x07", "a binary file"),
         (b"\x89PNG\r\n", "a PNG picture"),
@@ -76,7 +85,7 @@ def test_another_format_is_refused_with_its_name_and_a_hint(data: bytes, what: s
         format_of(data)
     assert what in caught.value.text
     assert "DXF" in caught.value.hint
-    assert "CF2, SVG or PDF" in caught.value.hint
+    assert "CF2, SVG, PDF or HPGL" in caught.value.hint
 
 
 @pytest.mark.parametrize(
@@ -85,7 +94,7 @@ def test_another_format_is_refused_with_its_name_and_a_hint(data: bytes, what: s
         (b"AC1032", "In AutoCAD or another CAD program, choose File > Save As"),
         (b"RIFF\x00\x20\x00\x00CDR9", "In CorelDRAW, choose File > Export"),
         (b"<LightBurnProject/>", "In LightBurn, choose File > Export"),
-        (b"IN;SP1;", "export the drawing as DXF, PDF or SVG instead of plotting it"),
+        (b"\x1bE\x1b&l0O", "export the drawing as DXF, PDF or SVG instead of printing it"),
         (b"ISO-10303-21;", "make a flat drawing"),
         (b"\x89PNG\r\n", "A picture has no lines"),
     ],
@@ -96,16 +105,18 @@ def test_the_hint_names_the_program_and_what_to_export(data: bytes, how: str) ->
     assert how in caught.value.hint
 
 
-@pytest.mark.parametrize("text", ["INSERT\n", "PART 12\n", "0\nSECTION\n", "INVOICE 7;\n"])
+@pytest.mark.parametrize(
+    "text", ["INSERT\n", "PART 12\n", "0\nSECTION\n", "INVOICE 7;\n", "SPEED 3\n", "PAGE 2;\n"]
+)
 def test_text_is_no_plotter_file(text: str) -> None:
     assert format_of(text.encode()).name == "dxf"
 
 
-@pytest.mark.parametrize("data", [DXF, CF2, SVG, gzip.compress(SVG, mtime=0), PDF])
+@pytest.mark.parametrize("data", [DXF, CF2, SVG, gzip.compress(SVG, mtime=0), PDF, PLT])
 def test_the_pipeline_reads_all_formats(data: bytes) -> None:
     assert len(read(data)) > 0
 
 
-@pytest.mark.parametrize("data", [CF2, SVG, PDF])
+@pytest.mark.parametrize("data", [CF2, SVG, PDF, PLT])
 def test_the_unit_of_the_user_overrides_that_of_the_file(data: bytes) -> None:
     assert (read(data, "in").unit, read(data, "in").evidence.code) == ("in", "unit.given")

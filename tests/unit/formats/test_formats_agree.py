@@ -1,4 +1,4 @@
-"""The same carton as DXF, CF2, SVG and PDF has the same edges and line types."""
+"""The same carton as DXF, CF2, SVG, PDF and HPGL has the same edges and line types."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from knifetip.dxf.samples import samples
 from knifetip.geometry import arc
 from knifetip.library import load
 from knifetip.model.drawing import Drawing
-from tests.support.writers import cf2_text, pdf_text, svg_text
+from tests.support.writers import cf2_text, hpgl_text, pdf_text, svg_text
 
 SAMPLES = samples()
 
@@ -113,6 +113,15 @@ def test_a_sample_is_the_same_as_pdf(name: str) -> None:
     for kind in range(8):
         mine, theirs = (one.lengths[np.array(types(one)) == kind].sum() for one in (again, drawing))
         assert_allclose(mine, theirs, atol=1e-3)
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_a_sample_is_the_same_as_hpgl(name: str) -> None:
+    drawing = pipeline.read(SAMPLES[name])
+    again = pipeline.read(hpgl_text.plot_of(drawing))
+    assert_allclose(again.ends, drawing.ends, atol=1e-6)
+    assert_allclose(again.bulge, drawing.bulge, atol=1e-6)
+    assert [again.layers[one] for one in again.layer] == [f"pen {one + 1}" for one in drawing.layer]
 
 
 @given(st.floats(-180.0, 180.0), st.booleans(), st.floats(0.05, 20.0))

@@ -327,6 +327,9 @@ MESSAGES: Final[Entries] = {
         "{parameter:g}",
         parameter="number",
     ),
+    "import.no-pen": entry(
+        "the object is drawn without a pen (pen 0), so it is not visible",
+    ),
     "import.no-points": entry("the object has no points"),
     "import.no-scale": entry(
         "the object has no size, because it is scaled by {x:g} in X and {y:g} in Y",
@@ -397,6 +400,11 @@ MESSAGES: Final[Entries] = {
         most="count",
         lines="count",
     ),
+    "import.other-sheet": entry(
+        "the object is on sheet {sheet} of the plot, but only the first sheet is read",
+        "If the object must be cut, export its sheet as a separate file.",
+        sheet="count",
+    ),
     "import.outside-page": entry("the object lies outside the visible area of the page"),
     "import.page-ends-early": entry(
         "the path has neither a stroke nor a fill, because the page ends before the path ends",
@@ -451,6 +459,9 @@ MESSAGES: Final[Entries] = {
     "import.places-subroutine": entry(
         "the object inserts the subroutine {name}",
         name="text",
+    ),
+    "import.plotter-marks": entry(
+        "the instruction draws symbols, ticks or characters of its own, which are not cut",
     ),
     "import.point": entry("the object is a point, which has no length"),
     "import.proxy": entry(
@@ -530,9 +541,17 @@ MESSAGES: Final[Entries] = {
         low="number",
         high="number",
     ),
+    "import.unknown-instruction": entry(
+        "the object is an instruction that HPGL does not define",
+        "Compare the drawing with the original, or export it as DXF, PDF or SVG.",
+    ),
     "import.unknown-operator": entry(
         "the PDF page uses the operator {operator!r}, which is not supported",
         operator="text",
+    ),
+    "import.unknown-position": entry(
+        "the object begins at a position that depends on the plotter, such as the end of a text",
+        "Export the drawing as DXF, PDF or SVG if the object must be cut.",
     ),
     "import.unknown-record": entry(
         "the object is a CF2 record of a type that is not supported",

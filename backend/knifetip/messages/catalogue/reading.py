@@ -120,11 +120,6 @@ MESSAGES: Final[Entries] = {
     "file.gif": entry("a GIF picture", _PICTURE),
     "file.gzip": entry("a gzip archive"),
     "file.html": entry("an HTML page"),
-    "file.hpgl": entry(
-        "a plotter file (HPGL)",
-        "In the program that drew it, export the drawing as DXF, PDF or SVG instead of plotting it "
-        "to a file.",
-    ),
     "file.illustrator": entry(
         "an old Illustrator file without PDF content",
         "In Illustrator, choose File > Save As with the option 'Create PDF Compatible File', or "
@@ -139,6 +134,11 @@ MESSAGES: Final[Entries] = {
     "file.old-dwg": entry("an old DWG drawing", _DWG),
     "file.png": entry("a PNG picture", _PICTURE),
     "file.postscript": entry("a PostScript file", _POSTSCRIPT),
+    "file.printer": entry(
+        "a file for a printer (PCL or PJL)",
+        "In the program that drew it, export the drawing as DXF, PDF or SVG instead of printing it "
+        "to a file.",
+    ),
     "file.rar": entry("a RAR archive"),
     "file.riff": entry(
         "a picture or a video (RIFF)",
@@ -259,6 +259,66 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "cf2.subroutine": entry("the subroutine {name}", name="text"),
+    "plt.bad-number": entry(
+        "The plotter file (HPGL) is damaged at byte {position:,}: the values of the instruction "
+        "{name} are not all numbers ({text!r}).",
+        "Export the drawing again as HPGL, with a point as the decimal separator of numbers.",
+        position="count",
+        name="text",
+        text="text",
+    ),
+    "plt.bad-polyline": entry(
+        "The plotter file (HPGL) is damaged at byte {position:,}: the encoded polyline (PE) cannot "
+        "be decoded.",
+        "Export the drawing again as HPGL. If the file was sent as text, send it as binary data.",
+        position="count",
+    ),
+    "plt.bad-scale": entry(
+        "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} states a "
+        "scale of 0, or a type of scale that HPGL does not define.",
+        "Export the drawing again as HPGL.",
+        position="count",
+        name="text",
+    ),
+    "plt.cut-short": entry(
+        "The plotter file (HPGL) is incomplete: the instruction {name} at byte {position:,} has no "
+        "end. Objects of the drawing may be missing.",
+        "Send the complete file, or export the drawing again as HPGL.",
+        position="count",
+        name="text",
+    ),
+    "plt.damaged": entry(
+        "The plotter file (HPGL) is damaged at byte {position:,}: {text!r} is not an instruction.",
+        "Export the drawing again as HPGL. If the file was sent as text, send it as binary data.",
+        position="count",
+        text="text",
+    ),
+    "plt.empty": entry(
+        "The plotter file (HPGL) contains no drawing: none of its instructions draws a line.",
+        "Send the complete file, or export the drawing again as HPGL.",
+    ),
+    "plt.several-scales": entry(
+        "The plotter file (HPGL) draws lines at several scales, and at least one of them depends "
+        "on the plotter and its paper (SC without IP).",
+        "Export the drawing again as HPGL in plotter units of 1/40 mm, or send it as DXF.",
+    ),
+    "plt.wrong-count": entry(
+        "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} has "
+        "{count:# value|# values} instead of {expected}.",
+        "Export the drawing again as HPGL.",
+        position="count",
+        name="text",
+        count="count",
+        expected="text",
+    ),
+    "plt.x-without-y": entry(
+        "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} has "
+        "{count:# value|# values}, so the last point has no y coordinate.",
+        "Export the drawing again as HPGL.",
+        position="count",
+        name="text",
+        count="count",
+    ),
     "svg.cut-short": entry(
         "The SVG file is incomplete: it ends at line {line}, after {count:# element|# "
         "elements}. Objects of the drawing may be missing.",

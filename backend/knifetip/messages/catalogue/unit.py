@@ -198,6 +198,13 @@ MESSAGES: Final[Entries] = {
         "1/72 inch",
         scale="number",
     ),
+    "unit.plotter": entry(
+        "the plotter file (HPGL) states its coordinates in units of 1/40 mm, or states their scale",
+    ),
+    "unit.plotter-page": entry(
+        "the plotter file (HPGL) states the scale of its coordinates relative to the paper of the "
+        "plotter (SC without IP), and the size of the paper is not known",
+    ),
     "unit.read-against-evidence": entry(
         "The unit of the drawing is most likely {best:unit} ({best_width:mm} × "
         "{best_height:mm} mm), but the drawing was imported with the unit {unit:unit} "

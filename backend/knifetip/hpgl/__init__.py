@@ -1,0 +1,1 @@
+"""Import of plotter files (HPGL and HP-GL/2)."""
