@@ -17,7 +17,7 @@ from knifetip.formats.limits import REACH
 from knifetip.jobs import tasks
 from knifetip.model.interpretation import Interpretation
 from knifetip.presentation.columns import unpack_columns
-from tests.support.writers import cf2_text, hpgl_text, svg_text
+from tests.support.writers import cf2_text, hpgl_text, lightburn_text, svg_text
 from tests.support.writers import dxf_text as dxf
 
 _NUMBER = re.compile(rb"-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
@@ -72,6 +72,7 @@ FILES = {
     "svg": svg_text.carton(),
     "cf2": cf2_text.carton(),
     "plt": hpgl_text.carton(),
+    "lightburn": lightburn_text.carton(),
 }
 
 

@@ -67,7 +67,6 @@ _PRINTED_PLOT: Final = re.compile(rb"\x1b%-?\d*B|ENTER\s+LANGUAGE\s*=\s*HPGL", r
 _FOREIGN_ROOTS: Final = {
     "html": "file.html",
     "body": "file.html",
-    "lightburnproject": "file.lightburn",
 }
 #: Text in UTF-16 without a byte order mark.
 _WIDE_TEXT: Final = re.compile(rb"(?:[\t\r\n -~]\x00){8}|(?:\x00[\t\r\n -~]){8}")
@@ -121,6 +120,11 @@ def is_plot(file: Beginning) -> bool:
     if _PRINTED.match(file.head):
         return _PRINTED_PLOT.search(file.data[:_ROOT_WITHIN]) is not None
     return _PLOT.match(file.head) is not None
+
+
+def is_lightburn(file: Beginning) -> bool:
+    """Return whether a file is a project of LightBurn."""
+    return file.head.startswith(b"<") and _root_element(file.data).lower() == "lightburnproject"
 
 
 def foreign_kind(file: Beginning) -> Message | None:

@@ -40,6 +40,14 @@ FORMATS: Final = (
     Format("svg", "SVG", (".svg", ".svgz"), _BYTES, "knifetip.svg.read", detection.is_svg),
     Format("pdf", "PDF", (".pdf", ".ai"), _BYTES, "knifetip.pdf.read", detection.is_pdf),
     Format("plt", "HPGL", (".plt", ".hpgl"), _BYTES, "knifetip.hpgl.read", detection.is_plot),
+    Format(
+        "lightburn",
+        "LightBurn",
+        (".lbrn2", ".lbrn"),
+        _BYTES,
+        "knifetip.lightburn.read",
+        detection.is_lightburn,
+    ),
 )
 #: Format of files with unknown content; its reader reports what is wrong.
 _FALLBACK: Final = next(one for one in FORMATS if one.matches is None)

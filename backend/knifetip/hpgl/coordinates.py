@@ -27,7 +27,6 @@ PLOTTER_UNIT: Final = 0.025
 _BOTH_AXES: Final = 0
 _SAME_SCALE: Final = 1
 _BY_FACTOR: Final = 2
-_NUMBERS_OF_SC: Final = "0, 4, 5 or 7"
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,12 +98,12 @@ class Coordinates:
             return self._scale(one)
         if one.name == "RO":
             if len(one.values) > 1:
-                raise count_is_wrong(one, "0 or 1")
+                raise count_is_wrong(one, 0, 1)
             degrees = one.values[0] if one.values else 0.0
             return replace(self, quarters=round(degrees / 90.0) % 4)
         values = one.values
         if len(values) not in (0, 2, 4):
-            raise count_is_wrong(one, "0, 2 or 4")
+            raise count_is_wrong(one, 0, 2, 4)
         if one.name == "IR" or not values:
             return replace(self, first=None, second=None)
         first = values[0], values[1]
@@ -126,7 +125,7 @@ class Coordinates:
         if not values:
             return replace(self, scaling=())
         if len(values) not in (4, 5, 7):
-            raise count_is_wrong(one, _NUMBERS_OF_SC)
+            raise count_is_wrong(one, 0, 4, 5, 7)
         kind = values[4] if len(values) > 4 else _BOTH_AXES
         if kind == _BY_FACTOR:
             is_valid = values[1] != 0.0 and values[3] != 0.0
@@ -159,7 +158,7 @@ def window(one: Instruction, matrix: Matrix) -> Clip:
     if not one.values:
         return UNCLIPPED
     if len(one.values) != 4:
-        raise count_is_wrong(one, "0 or 4")
+        raise count_is_wrong(one, 0, 4)
     x, y, u, v = one.values
     (x, y), (u, v) = transform(matrix, (x, y)), transform(matrix, (u, v))
     return UNCLIPPED.intersect_box((min(x, u), min(y, v), max(x, u), max(y, v)))

@@ -211,15 +211,15 @@ def _not_numbers(text: bytes, name: str, position: int) -> NotADrawing:
     return NotADrawing("plt.bad-number", position=position, name=name, text=shown)
 
 
-def count_is_wrong(one: Instruction, expected: str) -> NotADrawing:
+def count_is_wrong(one: Instruction, *expected: int) -> NotADrawing:
     """Return the error for an instruction with a wrong number of values.
 
-    ``expected`` states the right numbers of values, such as "3 or 4".
+    ``expected`` contains the right numbers of values, or the smallest of them.
     """
     return NotADrawing(
         "plt.wrong-count",
         position=one.position,
         name=one.name,
         count=len(one.values),
-        expected=expected,
+        expected=[str(count) for count in expected],
     )

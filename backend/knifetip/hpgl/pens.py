@@ -75,13 +75,13 @@ class Pens:
         values = one.values
         if one.name == "SP":
             if len(values) > 1:
-                raise count_is_wrong(one, "0 or 1")
+                raise count_is_wrong(one, 0, 1)
             self.selected = int(abs(values[0])) if values else 0
         elif one.name == "LT":
             self._change_linetype(values)
         elif one.name == "PW":
             if len(values) > 2:
-                raise count_is_wrong(one, "0, 1 or 2")
+                raise count_is_wrong(one, 0, 1, 2)
             width = abs(values[0]) if values and not self._is_width_relative else -1.0
             if len(values) == 2:
                 self._width[int(abs(values[1]))] = width
@@ -94,7 +94,7 @@ class Pens:
             self._every_width = -1.0
         elif one.name == "CR":
             if len(values) not in (0, 6):
-                raise count_is_wrong(one, "0 or 6")
+                raise count_is_wrong(one, 0, 6)
             self._range = (*values,) if values else _RANGE  # type: ignore[assignment]
         else:
             self._change_colour(one)
@@ -110,7 +110,7 @@ class Pens:
     def _change_colour(self, one: Instruction) -> None:
         values = one.values
         if len(values) not in (0, 1, 4):
-            raise count_is_wrong(one, "0, 1 or 4")
+            raise count_is_wrong(one, 0, 1, 4)
         if not values:
             self._colours.clear()
             return

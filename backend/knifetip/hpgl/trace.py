@@ -266,7 +266,7 @@ class _Plotter:
     def draw_arc(self, one: Instruction) -> None:
         """Execute AA or AR."""
         if len(one.values) not in (3, 4):
-            raise count_is_wrong(one, "3 or 4")
+            raise count_is_wrong(one, 3, 4)
         x, y, degrees = one.values[:3]
         centre = (x, y) if one.name == "AA" else (self._at[0] + x, self._at[1] + y)
         shape = PlottedShape()
@@ -277,7 +277,7 @@ class _Plotter:
     def draw_arc_through(self, one: Instruction) -> None:
         """Execute AT or RT."""
         if len(one.values) not in (4, 5):
-            raise count_is_wrong(one, "4 or 5")
+            raise count_is_wrong(one, 4, 5)
         x, y = self._at if one.name == "RT" else (0.0, 0.0)
         inner = x + one.values[0], y + one.values[1]
         end = x + one.values[2], y + one.values[3]
@@ -289,7 +289,7 @@ class _Plotter:
     def draw_curves(self, one: Instruction) -> None:
         """Execute BZ or BR."""
         if not one.values or len(one.values) % 6:
-            raise count_is_wrong(one, "a multiple of 6")
+            raise count_is_wrong(one, 6, 12, 18)
         shape = PlottedShape()
         for k in range(0, len(one.values), 6):
             x, y = self._at if one.name == "BR" else (0.0, 0.0)
@@ -302,7 +302,7 @@ class _Plotter:
     def draw_circle(self, one: Instruction) -> None:
         """Execute CI."""
         if len(one.values) not in (1, 2):
-            raise count_is_wrong(one, "1 or 2")
+            raise count_is_wrong(one, 1, 2)
         shape = PlottedShape()
         x, y = self._at
         shape.add_arc(self._at, (x + abs(one.values[0]), y), 360.0)
@@ -311,7 +311,7 @@ class _Plotter:
     def draw_rectangle(self, one: Instruction) -> None:
         """Execute EA, ER, RA or RR."""
         if len(one.values) != 2:
-            raise count_is_wrong(one, "2")
+            raise count_is_wrong(one, 2)
         x, y = self._at if one.name in ("ER", "RR") else (0.0, 0.0)
         shape = PlottedShape()
         shape.add_rectangle(self._at, (x + one.values[0], y + one.values[1]))
@@ -320,7 +320,7 @@ class _Plotter:
     def draw_wedge(self, one: Instruction) -> None:
         """Execute EW or WG."""
         if len(one.values) not in (3, 4):
-            raise count_is_wrong(one, "3 or 4")
+            raise count_is_wrong(one, 3, 4)
         shape = PlottedShape()
         shape.add_wedge(self._at, *one.values[:3])
         self._polygon_drawn(one, shape)

@@ -1495,10 +1495,6 @@ export const TEXTS = {
     "text": "a JSON file",
     "hint": ""
   },
-  "file.lightburn": {
-    "text": "a LightBurn project",
-    "hint": "In LightBurn, choose File > Export, and SVG or DXF as the type."
-  },
   "file.old-dwg": {
     "text": "an old DWG drawing",
     "hint": "In AutoCAD or another CAD program, choose File > Save As, and DXF as the type."
@@ -2187,6 +2183,10 @@ export const TEXTS = {
     "text": "the points of the object cannot be read: {points!r}",
     "hint": ""
   },
+  "import.bad-primitive": {
+    "text": "the path of the object joins vertices that it does not have, or in an unknown way ({kind!r} from {first} to {second})",
+    "hint": "Correct the object in the program that drew it, and export the drawing again."
+  },
   "import.bad-radius": {
     "text": "the radius of the object is {radius:g}, but must be greater than 0",
     "hint": ""
@@ -2406,6 +2406,10 @@ export const TEXTS = {
   "import.light": {
     "text": "the object is a light, which is not cut",
     "hint": ""
+  },
+  "import.lightburn-shape": {
+    "text": "the object is a LightBurn shape of the type {kind}, which cannot be read",
+    "hint": "In LightBurn, select the object, choose Edit > Convert to Path, and save the project again."
   },
   "import.line-not-numbers": {
     "text": "the values in line {line} of the file are not all numbers: {values:, }",
@@ -3255,6 +3259,18 @@ export const TEXTS = {
     "text": "The machine file of {machine} does not state turn_clearance, so the least lift is not known.",
     "hint": "Choose the lift to the clearance of the machine, or set turn_clearance in the machine file, for example to 0.5 mm for board that lies flat."
   },
+  "lightburn.damaged-at": {
+    "text": "The LightBurn project is damaged at line {line}, column {column}: {reason}.",
+    "hint": "Save the project again in LightBurn."
+  },
+  "lightburn.doctype": {
+    "text": "The LightBurn project has a DOCTYPE, which LightBurn does not write.",
+    "hint": "Save the project again in LightBurn."
+  },
+  "lightburn.empty": {
+    "text": "The LightBurn project contains no shape.",
+    "hint": "Send the complete file, or save the project again in LightBurn."
+  },
   "limit.disk-full": {
     "text": "The disk of the server is full, so nothing was stored.",
     "hint": "Delete files on the server or enlarge its disk, then send the request again. /readyz shows how much is free."
@@ -3988,7 +4004,7 @@ export const TEXTS = {
     "hint": "Export the drawing again as HPGL in plotter units of 1/40 mm, or send it as DXF."
   },
   "plt.wrong-count": {
-    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} has {count:# value|# values} instead of {expected}.",
+    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} has {count:# value|# values} instead of {expected:or}.",
     "hint": "Export the drawing again as HPGL."
   },
   "plt.x-without-y": {
@@ -5221,6 +5237,10 @@ export const TEXTS = {
   },
   "unit.inconclusive": {
     "text": "{stated}, and the geometry of the drawing does not give enough evidence for {unit:unit}",
+    "hint": ""
+  },
+  "unit.lightburn": {
+    "text": "LightBurn projects state all lengths in millimetres",
     "hint": ""
   },
   "unit.multiples": {

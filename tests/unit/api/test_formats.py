@@ -11,7 +11,7 @@ import httpx
 import pytest
 
 from knifetip.cli import main
-from tests.support.writers import cf2_text, hpgl_text, pdf_text, svg_text
+from tests.support.writers import cf2_text, hpgl_text, lightburn_text, pdf_text, svg_text
 
 pytestmark = pytest.mark.xdist_group("server")
 
@@ -21,6 +21,7 @@ FILES = {
     "carton.cf2": (cf2_text.carton(), "text/plain; charset=utf-8"),
     "carton.ai": (pdf_text.carton(), "application/octet-stream"),
     "carton.plt": (hpgl_text.carton(), "application/octet-stream"),
+    "carton.lbrn2": (lightburn_text.carton(), "application/octet-stream"),
     # The file name does not determine the format.
     "carton.dxf": (cf2_text.carton(), "text/plain; charset=utf-8"),
 }

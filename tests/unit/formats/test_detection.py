@@ -9,13 +9,14 @@ import pytest
 from knifetip.errors import NotADrawing
 from knifetip.formats import format_of
 from knifetip.pipeline import read
-from tests.support.writers import cf2_text, hpgl_text, pdf_text, svg_text
+from tests.support.writers import cf2_text, hpgl_text, lightburn_text, pdf_text, svg_text
 from tests.support.writers.dxf_text import dxf, line
 
 SVG = svg_text.carton()
 CF2 = cf2_text.carton()
 PDF = pdf_text.carton()
 PLT = hpgl_text.carton()
+LBRN = lightburn_text.carton()
 DXF = dxf(line(0, 0, 1, 1))
 
 
@@ -40,6 +41,8 @@ DXF = dxf(line(0, 0, 1, 1))
         (gzip.compress(SVG, mtime=0), "svg"),
         (PDF, "pdf"),
         (b"%PDF-1.5 of Illustrator", "pdf"),
+        (LBRN, "lightburn"),
+        (b"\xef\xbb\xbf<LightBurnProject/>", "lightburn"),
         (PLT, "plt"),
         (b"\r\n" + PLT.lower(), "plt"),
         (b"\x1b%-1BBP;IN;", "plt"),
@@ -69,7 +72,6 @@ def test_a_file_goes_to_its_reader(data: bytes, kind: str) -> None:
         (b"RIFF\x00\x20\x00\x00WEBPVP8 ", "a picture or a video"),
         (b"\x1bE\x1b&l0O\x1b*t300R", "a file for a printer"),
         (b"\x1b%-12345X@PJL ENTER LANGUAGE=POSTSCRIPT\r\n", "a file for a printer"),
-        (b"<?xml version='1.0'?><LightBurnProject/>", "a LightBurn project"),
         (b"\x01\x02ARD\x00\x00\x07", "a binary file"),
         (b"\x89PNG\r\n", "a PNG picture"),
         (b"PK\x03\x04", "a ZIP archive"),
@@ -85,7 +87,7 @@ def test_another_format_is_refused_with_its_name_and_a_hint(data: bytes, what: s
         format_of(data)
     assert what in caught.value.text
     assert "DXF" in caught.value.hint
-    assert "CF2, SVG, PDF or HPGL" in caught.value.hint
+    assert "CF2, SVG, PDF, HPGL or LightBurn" in caught.value.hint
 
 
 @pytest.mark.parametrize(
@@ -93,7 +95,6 @@ def test_another_format_is_refused_with_its_name_and_a_hint(data: bytes, what: s
     [
         (b"AC1032", "In AutoCAD or another CAD program, choose File > Save As"),
         (b"RIFF\x00\x20\x00\x00CDR9", "In CorelDRAW, choose File > Export"),
-        (b"<LightBurnProject/>", "In LightBurn, choose File > Export"),
         (b"\x1bE\x1b&l0O", "export the drawing as DXF, PDF or SVG instead of printing it"),
         (b"ISO-10303-21;", "make a flat drawing"),
         (b"\x89PNG\r\n", "A picture has no lines"),
@@ -112,11 +113,11 @@ def test_text_is_no_plotter_file(text: str) -> None:
     assert format_of(text.encode()).name == "dxf"
 
 
-@pytest.mark.parametrize("data", [DXF, CF2, SVG, gzip.compress(SVG, mtime=0), PDF, PLT])
+@pytest.mark.parametrize("data", [DXF, CF2, SVG, gzip.compress(SVG, mtime=0), PDF, PLT, LBRN])
 def test_the_pipeline_reads_all_formats(data: bytes) -> None:
     assert len(read(data)) > 0
 
 
-@pytest.mark.parametrize("data", [CF2, SVG, PDF, PLT])
+@pytest.mark.parametrize("data", [CF2, SVG, PDF, PLT, LBRN])
 def test_the_unit_of_the_user_overrides_that_of_the_file(data: bytes) -> None:
     assert (read(data, "in").unit, read(data, "in").evidence.code) == ("in", "unit.given")

@@ -1,4 +1,4 @@
-"""The same carton as DXF, CF2, SVG, PDF and HPGL has the same edges and line types."""
+"""The same carton as DXF, CF2, SVG, PDF, HPGL and LightBurn has the same edges and line types."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from knifetip.dxf.samples import samples
 from knifetip.geometry import arc
 from knifetip.library import load
 from knifetip.model.drawing import Drawing
-from tests.support.writers import cf2_text, hpgl_text, pdf_text, svg_text
+from tests.support.writers import cf2_text, hpgl_text, lightburn_text, pdf_text, svg_text
 
 SAMPLES = samples()
 
@@ -80,6 +80,44 @@ def as_pdf(drawing: Drawing) -> bytes:
     return pdf_text.pdf(scale, *parts, size=size, layers=drawing.layers, flate=True)
 
 
+def as_lightburn(drawing: Drawing) -> bytes:
+    """Return a drawing as a LightBurn project, each arc as a part of an ellipse or curve."""
+    middle = arc.centre(drawing.ends[:, 0], drawing.ends[:, 1], drawing.bulge)
+    shapes = [lightburn_text.layer(number, name) for number, name in enumerate(drawing.layers)]
+    for (a, b), bulge, (x, y), layer in zip(
+        drawing.ends.tolist(),
+        drawing.bulge.tolist(),
+        middle.tolist(),
+        drawing.layer.tolist(),
+        strict=True,
+    ):
+        if bulge == 0.0:
+            shapes.append(lightburn_text.polyline(a, b, layer=layer))
+            continue
+        # Eight Bézier curves with exact ends, whose control points lie on the tangents.
+        radius, first = math.dist(a, (x, y)), math.atan2(a[1] - y, a[0] - x)
+        step = 4.0 * math.atan(bulge) / 8.0
+        handle = 4.0 / 3.0 * math.tan(step / 4.0) * radius
+        vertices = []
+        for k in range(9):
+            angle = first + k * step
+            u, v = (
+                a
+                if k == 0
+                else b
+                if k == 8
+                else (
+                    x + radius * math.cos(angle),
+                    y + radius * math.sin(angle),
+                )
+            )
+            right, up = -handle * math.sin(angle), handle * math.cos(angle)
+            vertices.append(f"V{u} {v}c0x{u + right}c0y{v + up}c1x{u - right}c1y{v - up}")
+        curves = "".join(f"B{k} {k + 1}" for k in range(8))
+        shapes.append(lightburn_text.path("".join(vertices), curves, CutIndex=layer))
+    return lightburn_text.project(*shapes)
+
+
 def types(drawing: Drawing) -> list[int]:
     kinds: list[int] = pipeline.classify(drawing, load.profile("default")).line_type.tolist()
     return kinds
@@ -107,6 +145,18 @@ def test_a_sample_is_the_same_as_cf2(name: str) -> None:
 def test_a_sample_is_the_same_as_pdf(name: str) -> None:
     drawing = pipeline.read(SAMPLES[name])
     again = pipeline.read(as_pdf(drawing))
+    straight, same = drawing.bulge == 0.0, again.bulge == 0.0
+    assert_allclose(again.ends[same], drawing.ends[straight], atol=1e-6)
+    assert_allclose(again.bounds, drawing.bounds, atol=1e-3)
+    for kind in range(8):
+        mine, theirs = (one.lengths[np.array(types(one)) == kind].sum() for one in (again, drawing))
+        assert_allclose(mine, theirs, atol=1e-3)
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_a_sample_is_the_same_as_a_lightburn_project(name: str) -> None:
+    drawing = pipeline.read(SAMPLES[name])
+    again = pipeline.read(as_lightburn(drawing))
     straight, same = drawing.bulge == 0.0, again.bulge == 0.0
     assert_allclose(again.ends[same], drawing.ends[straight], atol=1e-6)
     assert_allclose(again.bounds, drawing.bounds, atol=1e-3)

@@ -68,6 +68,14 @@ MESSAGES: Final[Entries] = {
         "the points of the object cannot be read: {points!r}",
         points="text",
     ),
+    "import.bad-primitive": entry(
+        "the path of the object joins vertices that it does not have, or in an unknown way "
+        "({kind!r} from {first} to {second})",
+        "Correct the object in the program that drew it, and export the drawing again.",
+        kind="text",
+        first="count",
+        second="count",
+    ),
     "import.bad-radius": entry(
         "the radius of the object is {radius:g}, but must be greater than 0",
         radius="number",
@@ -285,6 +293,12 @@ MESSAGES: Final[Entries] = {
     ),
     "import.light": entry(
         "the object is a light, which is not cut",
+    ),
+    "import.lightburn-shape": entry(
+        "the object is a LightBurn shape of the type {kind}, which cannot be read",
+        "In LightBurn, select the object, choose Edit > Convert to Path, and save the project "
+        "again.",
+        kind="text",
     ),
     "import.line-not-numbers": entry(
         "the values in line {line} of the file are not all numbers: {values:, }",

@@ -127,10 +127,6 @@ MESSAGES: Final[Entries] = {
     ),
     "file.jpeg": entry("a JPEG picture", _PICTURE),
     "file.json": entry("a JSON file"),
-    "file.lightburn": entry(
-        "a LightBurn project",
-        "In LightBurn, choose File > Export, and SVG or DXF as the type.",
-    ),
     "file.old-dwg": entry("an old DWG drawing", _DWG),
     "file.png": entry("a PNG picture", _PICTURE),
     "file.postscript": entry("a PostScript file", _POSTSCRIPT),
@@ -259,6 +255,21 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "cf2.subroutine": entry("the subroutine {name}", name="text"),
+    "lightburn.damaged-at": entry(
+        "The LightBurn project is damaged at line {line}, column {column}: {reason}.",
+        "Save the project again in LightBurn.",
+        line="count",
+        column="count",
+        reason="text",
+    ),
+    "lightburn.doctype": entry(
+        "The LightBurn project has a DOCTYPE, which LightBurn does not write.",
+        "Save the project again in LightBurn.",
+    ),
+    "lightburn.empty": entry(
+        "The LightBurn project contains no shape.",
+        "Send the complete file, or save the project again in LightBurn.",
+    ),
     "plt.bad-number": entry(
         "The plotter file (HPGL) is damaged at byte {position:,}: the values of the instruction "
         "{name} are not all numbers ({text!r}).",
@@ -304,12 +315,12 @@ MESSAGES: Final[Entries] = {
     ),
     "plt.wrong-count": entry(
         "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} has "
-        "{count:# value|# values} instead of {expected}.",
+        "{count:# value|# values} instead of {expected:or}.",
         "Export the drawing again as HPGL.",
         position="count",
         name="text",
         count="count",
-        expected="text",
+        expected="texts",
     ),
     "plt.x-without-y": entry(
         "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} has "

@@ -125,6 +125,9 @@ MESSAGES: Final[Entries] = {
         stated="message",
         unit="text",
     ),
+    "unit.lightburn": entry(
+        "LightBurn projects state all lengths in millimetres",
+    ),
     "unit.multiples": entry(
         "if the unit is {unit:unit}, {count} of {all} different edge lengths ({percent:.0f} % "
         "of the total length) {count:is a multiple|are multiples} of {grid}",

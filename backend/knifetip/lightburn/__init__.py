@@ -1,0 +1,1 @@
+"""Import of project files of LightBurn (.lbrn2 and .lbrn)."""
