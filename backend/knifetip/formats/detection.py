@@ -31,18 +31,49 @@ _FOREIGN: Final = (
     (b"ISO-10303-21", "file.step"),
     (b"solid ", "file.stl"),
     (b"{", "file.json"),
+    (b"8BPS", "file.photoshop"),
+    (b"3D Geometry File Format", "file.rhino"),
+    (b"\xffKA", "file.affinity"),  # without the null byte before it
+    (b"\x06\x06\xed\xf5\xd8\x1d\x46\xe5", "file.indesign"),
+    (b"\xd7\xcd\xc6\x9a", "file.metafile"),
+    (b"(DWF V", "file.dwf"),
+    (b"silhouette05", "file.silhouette"),
+    ("\u0effSketchUp".encode(), "file.sketchup"),
 )
 
 #: Other file formats by patterns at their beginning; the first one that matches names the format.
 _FOREIGN_PATTERNS: Final = (
-    (re.compile(rb"RIFF.{4}CDR", re.DOTALL), "file.cdr"),
+    (re.compile(rb"RIFF.{4}C(?:DR|MX)", re.DOTALL), "file.cdr"),
     (re.compile(rb"PK\x03\x04.{26}mimetypeapplication/x-vnd\.corel", re.DOTALL), "file.cdr"),
-    (re.compile(rb"PK\x03\x04"), "file.zip"),
     (re.compile(rb"%!PS-Adobe[^\r\n]*EPSF"), "file.eps"),
     (re.compile(rb"%!PS.*?%%Creator: *Adobe Illustrator", re.DOTALL), "file.illustrator"),
     (re.compile(rb"%!PS"), "file.postscript"),
     (re.compile(rb"\x1b[E%]"), "file.printer"),
+    (re.compile(rb"DDES\s*\d?\s*[\r\n]", re.IGNORECASE), "file.ddes"),
+    (re.compile(rb";\s*:"), "file.dmpl"),
+    (re.compile(rb"\x01\x00\x00\x00.{36} EMF", re.DOTALL), "file.metafile"),
+    (re.compile(rb".{72}S {0,6}0{0,6}1[\r\n]"), "file.iges"),
+    # Comments and a program number may precede the first instruction of a machine.
+    (re.compile(rb"(?:[%\s]|[;(][^\r\n]*[\r\n]|[O:]\d+\s)*(?:N\d+ *)?G\d{1,2}\b"), "file.gcode"),
+    # A binary file; the name of the program alone may be a comment in a DXF.
+    (
+        re.compile(rb"(?!AutoCAD Binary DXF)(?=[^\x00]*\x00).*?ArtiosCAD", re.DOTALL),
+        "file.ard",
+    ),
 )
+
+_ZIP: Final = b"PK\x03\x04"
+#: Kinds of ZIP archives by a part of the names in them, which are at the beginning and at the end.
+_ZIPPED: Final = (
+    (b"content/riffData.cdr", "file.cdr"),
+    (b".fdseq", "file.xps"),
+    (b"dwf/documents/", "file.dwf"),
+    (b"3D/3dmodel.model", "file.3mf"),
+    (b"word/document.xml", "file.office"),
+    (b"ppt/presentation.xml", "file.office"),
+    (b"xl/workbook.xml", "file.office"),
+)
+_ZIP_END: Final = 1 << 16
 
 #: The root element of an XML file, and what may precede it.
 _ROOT: Final = re.compile(rb"<(?![?!])\s*([^\s>/]+)")
@@ -141,6 +172,9 @@ def foreign_kind(file: Beginning) -> Message | None:
     for pattern, code in _FOREIGN_PATTERNS:
         if pattern.match(file.head):
             return Message(code)
+    if file.head.startswith(_ZIP):
+        names = file.head + file.data[-_ZIP_END:]
+        return Message(next((code for part, code in _ZIPPED if part in names), "file.zip"))
     for start, code in _FOREIGN:
         if file.head.startswith(start):
             return Message(code)

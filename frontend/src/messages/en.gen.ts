@@ -1443,9 +1443,21 @@ export const TEXTS = {
     "text": "{path}: the top of the zone {zone} is {top:g} mm above the mat and the clearance is {clearance:g} mm, but tools travel at travel_z = {travel_z:g} mm; raise travel_z",
     "hint": ""
   },
+  "file.3mf": {
+    "text": "a 3MF model",
+    "hint": "In the CAD program, make a flat drawing of the carton, and export it as DXF."
+  },
   "file.7z": {
     "text": "a 7z archive",
     "hint": ""
+  },
+  "file.affinity": {
+    "text": "an Affinity document",
+    "hint": "In Affinity, choose File > Export, and SVG or PDF as the type."
+  },
+  "file.ard": {
+    "text": "an ArtiosCAD design (ARD)",
+    "hint": "In ArtiosCAD, choose File > Outputs, and CFF2 or DXF as the type."
   },
   "file.binary": {
     "text": "a binary file of an unknown format",
@@ -1463,6 +1475,18 @@ export const TEXTS = {
     "text": "an old Office file, or a CAD file in the same container format",
     "hint": "In the program that drew it, export the drawing as DXF."
   },
+  "file.ddes": {
+    "text": "a DDES file (DDES2 or DDES3, ANSI IT8.6)",
+    "hint": "In ArtiosCAD, choose File > Outputs, and CFF2 or DXF as the type. In another CAD program, export the drawing as CF2 or DXF."
+  },
+  "file.dmpl": {
+    "text": "a plotter file in the language DM/PL",
+    "hint": "In the program that drew it, choose a plotter with HPGL, or export the drawing as DXF, PDF or SVG."
+  },
+  "file.dwf": {
+    "text": "a DWF drawing, which is only for display",
+    "hint": "In the CAD program that wrote it, save the drawing as DXF."
+  },
   "file.dwg": {
     "text": "a DWG drawing",
     "hint": "In AutoCAD or another CAD program, choose File > Save As, and DXF as the type."
@@ -1470,6 +1494,10 @@ export const TEXTS = {
   "file.eps": {
     "text": "an EPS file",
     "hint": "In Illustrator, open the file and choose File > Save As > PDF. In other programs, export the drawing as PDF, SVG or DXF."
+  },
+  "file.gcode": {
+    "text": "a program for a machine (G-code)",
+    "hint": "Send the drawing from which the program was made."
   },
   "file.gif": {
     "text": "a GIF picture",
@@ -1483,9 +1511,17 @@ export const TEXTS = {
     "text": "an HTML page",
     "hint": ""
   },
+  "file.iges": {
+    "text": "an IGES file",
+    "hint": "In the CAD program, make a flat drawing of the carton, and export it as DXF."
+  },
   "file.illustrator": {
     "text": "an old Illustrator file without PDF content",
     "hint": "In Illustrator, choose File > Save As with the option 'Create PDF Compatible File', or export the drawing as PDF, SVG or DXF."
+  },
+  "file.indesign": {
+    "text": "an InDesign document",
+    "hint": "In InDesign, choose File > Export, and Adobe PDF (Print) as the type."
   },
   "file.jpeg": {
     "text": "a JPEG picture",
@@ -1495,9 +1531,21 @@ export const TEXTS = {
     "text": "a JSON file",
     "hint": ""
   },
+  "file.metafile": {
+    "text": "a Windows metafile (EMF or WMF)",
+    "hint": "In the program that drew it, export the drawing as SVG, PDF or DXF."
+  },
+  "file.office": {
+    "text": "an Office document",
+    "hint": "Send the drawing in it as a separate file. A drawing that was made in the Office program can be saved as PDF."
+  },
   "file.old-dwg": {
     "text": "an old DWG drawing",
     "hint": "In AutoCAD or another CAD program, choose File > Save As, and DXF as the type."
+  },
+  "file.photoshop": {
+    "text": "a Photoshop picture",
+    "hint": "A picture has no lines that can be cut. In the program that drew it, export the drawing as DXF, SVG or PDF."
   },
   "file.png": {
     "text": "a PNG picture",
@@ -1515,9 +1563,21 @@ export const TEXTS = {
     "text": "a RAR archive",
     "hint": ""
   },
+  "file.rhino": {
+    "text": "a Rhino model",
+    "hint": "In Rhino, select the flat curves, and choose File > Export Selected, and DXF as the type."
+  },
   "file.riff": {
     "text": "a picture or a video (RIFF)",
     "hint": "A picture has no lines that can be cut. In the program that drew it, export the drawing as DXF, SVG or PDF."
+  },
+  "file.silhouette": {
+    "text": "a project of Silhouette Studio",
+    "hint": "In Silhouette Studio Business Edition, choose File > Save As, and SVG or PDF as the type."
+  },
+  "file.sketchup": {
+    "text": "a SketchUp model",
+    "hint": "In SketchUp, choose File > Export > 2D Graphic, and DXF or PDF as the type."
   },
   "file.step": {
     "text": "a STEP file",
@@ -1535,8 +1595,12 @@ export const TEXTS = {
     "text": "an XML file of the type {element!r}",
     "hint": ""
   },
+  "file.xps": {
+    "text": "an XPS document",
+    "hint": "In the program that drew it, export the drawing as PDF, SVG or DXF, or print it to a PDF."
+  },
   "file.zip": {
-    "text": "a ZIP archive, or an Office or 3MF file",
+    "text": "a ZIP archive",
     "hint": "Unpack the archive, and send the drawing in it."
   },
   "finding.at-edge": {

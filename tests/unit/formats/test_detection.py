@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gzip
+import io
+import zipfile
 
 import pytest
 
@@ -11,6 +13,16 @@ from knifetip.formats import format_of
 from knifetip.pipeline import read
 from tests.support.writers import cf2_text, hpgl_text, lightburn_text, pdf_text, svg_text
 from tests.support.writers.dxf_text import dxf, line
+
+
+def zipped(*names: str) -> bytes:
+    """Return a ZIP archive with files of these names."""
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w") as written:
+        for name in names:
+            written.writestr(name, b"<a/>" * 2000)
+    return archive.getvalue()
+
 
 SVG = svg_text.carton()
 CF2 = cf2_text.carton()
@@ -28,6 +40,8 @@ DXF = dxf(line(0, 0, 1, 1))
         (DXF.decode().encode("utf-16"), "dxf"),
         (b"AutoCAD Binary DXF\r\n\x1a\x00", "dxf"),
         (b"999\nwritten by hand\n" + DXF, "dxf"),
+        (b"999\nArtiosCAD 22.03\n" + DXF, "dxf"),
+        (b"AutoCAD Binary DXF\r\n\x1a\x00\xe7\x03ArtiosCAD\x00", "dxf"),
         (CF2, "cf2"),
         (CF2.lower(), "cf2"),
         (CF2.decode().encode("utf-16"), "cf2"),
@@ -73,6 +87,30 @@ def test_a_file_goes_to_its_reader(data: bytes, kind: str) -> None:
         (b"\x1bE\x1b&l0O\x1b*t300R", "a file for a printer"),
         (b"\x1b%-12345X@PJL ENTER LANGUAGE=POSTSCRIPT\r\n", "a file for a printer"),
         (b"\x01\x02ARD\x00\x00\x07", "a binary file"),
+        (b"ArtiosCAD\x00\x01\x00\xff", "an ArtiosCAD design"),
+        (b"\x07\x00\x00Esko ArtiosCAD 22.03", "an ArtiosCAD design"),
+        (b"DDES2\r\nN\r\n*\r\nLINE 0 0 1 0 100 0.028 0 0\r\n", "a DDES file"),
+        (b"DDES 3\nUM\n", "a DDES file"),
+        (b"RIFF\x00\x20\x00\x00CMX1disp", "a CorelDRAW drawing"),
+        (zipped("content/riffData.cdr", "metadata/metadata.xml"), "a CorelDRAW drawing"),
+        (zipped("[Content_Types].xml", "FixedDocumentSequence.fdseq"), "an XPS document"),
+        (zipped("[Content_Types].xml", "dwf/documents/1/x"), "a DWF drawing"),
+        (zipped("3D/3dmodel.model"), "a 3MF model"),
+        (zipped("[Content_Types].xml", "word/document.xml"), "an Office document"),
+        (zipped("carton.dxf"), "a ZIP archive"),
+        (b"(DWF V06.00)PK", "a DWF drawing"),
+        (b"\x01\x00\x00\x00" + bytes(36) + b" EMF\x00", "a Windows metafile"),
+        (b"\xd7\xcd\xc6\x9a\x00\x00", "a Windows metafile"),
+        (b"\x00\xffKA\x0a\x00", "an Affinity document"),
+        (b"\x06\x06\xed\xf5\xd8\x1dF\xe5\xbd1", "an InDesign document"),
+        (b"8BPS\x00\x01", "a Photoshop picture"),
+        (b"3D Geometry File Format       70", "a Rhino model"),
+        (b"\xff\xfe\xff\x0e" + "SketchUp Model".encode("utf-16-le"), "a SketchUp model"),
+        (b"silhouette05\x00", "a project of Silhouette Studio"),
+        (b"START RECORD".ljust(72) + b"S      1\r\n", "an IGES file"),
+        (b";:H A L0 ECN U0,0 D100,0 ", "a plotter file in the language DM/PL"),
+        (b"%\nO1234\n(carton)\nN10 G21 G90\n", "a program for a machine"),
+        (b"; header\nG90\nG0 X0\n", "a program for a machine"),
         (b"\x89PNG\r\n", "a PNG picture"),
         (b"PK\x03\x04", "a ZIP archive"),
         (b"AC1032", "a DWG drawing"),
@@ -97,6 +135,8 @@ def test_another_format_is_refused_with_its_name_and_a_hint(data: bytes, what: s
         (b"RIFF\x00\x20\x00\x00CDR9", "In CorelDRAW, choose File > Export"),
         (b"\x1bE\x1b&l0O", "export the drawing as DXF, PDF or SVG instead of printing it"),
         (b"ISO-10303-21;", "make a flat drawing"),
+        (b"DDES2\n", "In ArtiosCAD, choose File > Outputs, and CFF2 or DXF as the type"),
+        (b"\x00\xffKA", "In Affinity, choose File > Export"),
         (b"\x89PNG\r\n", "A picture has no lines"),
     ],
 )

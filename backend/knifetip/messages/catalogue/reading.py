@@ -14,6 +14,8 @@ _POSTSCRIPT: Final = (
     "In Illustrator, open the file and choose File > Save As > PDF. In other programs, export the "
     "drawing as PDF, SVG or DXF."
 )
+_SOLID: Final = "In the CAD program, make a flat drawing of the carton, and export it as DXF."
+_ARTIOSCAD: Final = "In ArtiosCAD, choose File > Outputs, and CFF2 or DXF as the type."
 _DWG: Final = "In AutoCAD or another CAD program, choose File > Save As, and DXF as the type."
 
 MESSAGES: Final[Entries] = {
@@ -100,7 +102,13 @@ MESSAGES: Final[Entries] = {
         what="message",
         formats="texts",
     ),
+    "file.3mf": entry("a 3MF model", _SOLID),
     "file.7z": entry("a 7z archive"),
+    "file.affinity": entry(
+        "an Affinity document",
+        "In Affinity, choose File > Export, and SVG or PDF as the type.",
+    ),
+    "file.ard": entry("an ArtiosCAD design (ARD)", _ARTIOSCAD),
     "file.binary": entry(
         "a binary file of an unknown format",
         "In the program that drew it, export the drawing as DXF. In ArtiosCAD (.ard), choose File "
@@ -115,19 +123,51 @@ MESSAGES: Final[Entries] = {
         "an old Office file, or a CAD file in the same container format",
         "In the program that drew it, export the drawing as DXF.",
     ),
+    "file.ddes": entry(
+        "a DDES file (DDES2 or DDES3, ANSI IT8.6)",
+        _ARTIOSCAD + " In another CAD program, export the drawing as CF2 or DXF.",
+    ),
+    "file.dmpl": entry(
+        "a plotter file in the language DM/PL",
+        "In the program that drew it, choose a plotter with HPGL, or export the drawing as DXF, "
+        "PDF or SVG.",
+    ),
+    "file.dwf": entry(
+        "a DWF drawing, which is only for display",
+        "In the CAD program that wrote it, save the drawing as DXF.",
+    ),
     "file.dwg": entry("a DWG drawing", _DWG),
     "file.eps": entry("an EPS file", _POSTSCRIPT),
+    "file.gcode": entry(
+        "a program for a machine (G-code)",
+        "Send the drawing from which the program was made.",
+    ),
     "file.gif": entry("a GIF picture", _PICTURE),
     "file.gzip": entry("a gzip archive"),
     "file.html": entry("an HTML page"),
+    "file.iges": entry("an IGES file", _SOLID),
     "file.illustrator": entry(
         "an old Illustrator file without PDF content",
         "In Illustrator, choose File > Save As with the option 'Create PDF Compatible File', or "
         "export the drawing as PDF, SVG or DXF.",
     ),
+    "file.indesign": entry(
+        "an InDesign document",
+        "In InDesign, choose File > Export, and Adobe PDF (Print) as the type.",
+    ),
     "file.jpeg": entry("a JPEG picture", _PICTURE),
     "file.json": entry("a JSON file"),
+    "file.metafile": entry(
+        "a Windows metafile (EMF or WMF)",
+        "In the program that drew it, export the drawing as SVG, PDF or DXF.",
+    ),
+    "file.office": entry(
+        "an Office document",
+        "Send the drawing in it as a separate file. A drawing that was made in the Office program "
+        "can be saved as PDF.",
+    ),
     "file.old-dwg": entry("an old DWG drawing", _DWG),
+    "file.photoshop": entry("a Photoshop picture", _PICTURE),
     "file.png": entry("a PNG picture", _PICTURE),
     "file.postscript": entry("a PostScript file", _POSTSCRIPT),
     "file.printer": entry(
@@ -136,25 +176,41 @@ MESSAGES: Final[Entries] = {
         "to a file.",
     ),
     "file.rar": entry("a RAR archive"),
+    "file.rhino": entry(
+        "a Rhino model",
+        "In Rhino, select the flat curves, and choose File > Export Selected, and DXF as the type.",
+    ),
     "file.riff": entry(
         "a picture or a video (RIFF)",
         _PICTURE,
     ),
+    "file.silhouette": entry(
+        "a project of Silhouette Studio",
+        "In Silhouette Studio Business Edition, choose File > Save As, and SVG or PDF as the type.",
+    ),
+    "file.sketchup": entry(
+        "a SketchUp model",
+        "In SketchUp, choose File > Export > 2D Graphic, and DXF or PDF as the type.",
+    ),
     "file.step": entry(
         "a STEP file",
-        "In the CAD program, make a flat drawing of the carton, and export it as DXF.",
+        _SOLID,
     ),
     "file.stl": entry(
         "an STL model",
-        "In the CAD program, make a flat drawing of the carton, and export it as DXF.",
+        _SOLID,
     ),
     "file.tiff": entry("a TIFF picture", _PICTURE),
+    "file.xps": entry(
+        "an XPS document",
+        "In the program that drew it, export the drawing as PDF, SVG or DXF, or print it to a PDF.",
+    ),
     "file.xml": entry(
         "an XML file of the type {element!r}",
         element="text",
     ),
     "file.zip": entry(
-        "a ZIP archive, or an Office or 3MF file",
+        "a ZIP archive",
         "Unpack the archive, and send the drawing in it.",
     ),
     "dxf.at-line": entry(
