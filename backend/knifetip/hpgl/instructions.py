@@ -36,8 +36,9 @@ _NEXT: Final = re.compile(
 )
 _NUMBER: Final = re.compile(rb"[-+]?(?:\d+\.?\d*|\.\d+)")
 _SEPARATOR: Final = re.compile(rb"(?:,|" + _BLANK + rb")*")
-#: Two commas without a number between them, or a comma before the first or after the last number.
-_MISSING: Final = re.compile(rb"(?:^|,)" + _BLANK + rb"*," + rb"|," + _BLANK + rb"*$")
+#: Two commas without a number between them, or a comma before the first number.  A comma after the
+#: last number is only a separator; plotters accept it, and instruments write "PA,PU".
+_MISSING: Final = re.compile(rb"," + _BLANK + rb"*,|^" + _BLANK + rb"*," + _BLANK + rb"*[-+.\d]")
 _ANY_BLANK: Final = re.compile(_BLANK + rb"+")
 _TO_BLANKS: Final = bytes.maketrans(bytes(range(0x1B)) + b"\x1c\x1d\x1e\x1f,", b" " * (0x1B + 5))
 
@@ -176,8 +177,7 @@ def _numbers(text: bytes, name: str, position: int, limits: Limits) -> list[floa
         values = list(map(float, stripped.split()))
     except ValueError:
         values = _signed_numbers(text, name, position)
-    is_complete = _MISSING.search(text) is None
-    if not is_complete or not all(-_GREATEST <= value <= _GREATEST for value in values):
+    if (values and max(max(values), -min(values)) > _GREATEST) or _MISSING.search(text):
         raise _not_numbers(text, name, position)
     return values
 

@@ -14,12 +14,22 @@ class Polygon:
     def __init__(self) -> None:
         self.shape = PlottedShape()
         self.is_open = False  #: whether the plotter is in polygon mode
+        self.is_lost = False  #: whether its position depends on the plotter
         self.starts = False  #: whether the next point begins a part
         self._first: Point = (0.0, 0.0)
 
-    def open_at(self, point: Point) -> None:
-        """Begin polygon mode; ``point`` is the first point of the first part."""
+    def open_at(self, point: Point, *, is_lost: bool) -> None:
+        """Begin polygon mode.
+
+        Parameters
+        ----------
+        point
+            First point of the first part.
+        is_lost
+            Whether this point depends on the plotter.
+        """
         self.is_open = True
+        self.is_lost = is_lost
         self.begin(point)
 
     def begin(self, point: Point) -> None:

@@ -107,6 +107,8 @@ def trace(data: bytes, limits: Limits) -> Plot:
     deadline = time.monotonic() + limits.seconds
     last: Instruction | None = None
     for number, one in enumerate(parse_instructions(data, limits), 1):
+        if number > limits.expanded:
+            raise DrawingTooLarge("reading.too-many-elements", limit=limits.expanded, format="HPGL")
         if number % _BLOCK == 0 and time.monotonic() > deadline:
             raise DrawingTooLarge("reading.too-slow", format="HPGL", seconds=limits.seconds)
         plotter.execute(number, one)
@@ -178,7 +180,10 @@ class _Plotter:
 
     def change_coordinates(self, one: Instruction) -> None:
         """Execute IP, IR, RO or SC."""
-        self._change_coordinates(self._coordinates.change(one))
+        changed = self._coordinates.change(one)
+        if changed.quarters != self._coordinates.quarters and self._has_lines:
+            self._row(one, Message("import.turned-page"))
+        self._change_coordinates(changed)
 
     def _change_coordinates(self, changed: Coordinates) -> None:
         """Change the coordinate system; the pen stays where it is."""
@@ -222,17 +227,16 @@ class _Plotter:
 
     def _draw(self, one: Instruction, points: list[float]) -> None:
         """Move the pen to points, whose x and y are one after the other."""
-        shape = PlottedShape()
         if self._polygon.starts:
             # The first point after PM1 begins a part of the polygon.
             self._polygon.begin((points[0], points[1]))
             self._at, points = (points[0], points[1]), points[2:]
-        if points and self._is_down:
-            shape.polylines.append([*self._at, *points])
-        self._emit(one, shape)
-        if points:
-            self._at = points[-2], points[-1]
-            self._is_lost = self._is_lost and self._is_relative
+        if not points:
+            return
+        if self._is_down:
+            self._emit(one, PlottedShape(polylines=[[*self._at, *points]]))
+        self._at = points[-2], points[-1]
+        self._is_lost = self._is_lost and self._is_relative
 
     def draw_encoded(self, one: Instruction) -> None:
         """Execute PE; each pen that it selects has a row in the report."""
@@ -328,6 +332,7 @@ class _Plotter:
     def _polygon_drawn(self, one: Instruction, shape: PlottedShape) -> None:
         """Draw a shape that replaces the polygon, with its edges or filled."""
         self._polygon = Polygon()
+        self._polygon.is_lost = self._is_lost
         self._polygon.shape.add(shape)
         self._draw_polygon(one)
 
@@ -336,13 +341,15 @@ class _Plotter:
         mode = one.values[0] if one.values else 0.0
         if mode == 0.0:
             self._polygon = Polygon()
-            self._polygon.open_at(self._at)
+            self._polygon.open_at(self._at, is_lost=self._is_lost)
         elif self._polygon.is_open:
             self._at = self._polygon.close_part(self._at)
             if mode == 1.0:
                 self._polygon.starts = True
             else:
+                # Plotters differ in where the pen is after the last point of a polygon.
                 self._polygon.is_open = False
+                self._is_lost = True
 
     def draw_polygon(self, one: Instruction) -> None:
         """Execute EP or FP."""
@@ -352,9 +359,9 @@ class _Plotter:
         if one.name in _FILLS:
             self._row(one, Message("import.filled-area"))
         else:
-            self._emit(one, self._polygon.shape)
+            self._emit(one, self._polygon.shape, is_lost=self._polygon.is_lost)
 
-    def _emit(self, one: Instruction, shape: PlottedShape) -> None:
+    def _emit(self, one: Instruction, shape: PlottedShape, *, is_lost: bool | None = None) -> None:
         """Add a shape to the plot, or to the polygon in polygon mode.
 
         Parameters
@@ -363,6 +370,8 @@ class _Plotter:
             Instruction that draws the shape.
         shape
             The shape, which may be empty.
+        is_lost
+            Whether its position depends on the plotter; None if that of the pen counts.
         """
         if not (shape.polylines or shape.arcs or shape.curves):
             return
@@ -374,12 +383,17 @@ class _Plotter:
             dropped = Message("import.other-sheet", sheet=self._sheet)
         elif self._pens.selected == 0:
             dropped = Message("import.no-pen")
-        elif self._is_lost:
+        elif self._is_lost if is_lost is None else is_lost:
             dropped = Message("import.unknown-position")
         row = self._row(one, dropped)
         if dropped is None:
             self._check_scale()
             self.plot.paths.add(row, self._style, self._matrix, shape, self._clip)
+
+    @property
+    def _has_lines(self) -> bool:
+        """Whether a line was drawn."""
+        return self._has_stated or self._unstated is not None
 
     def _check_scale(self) -> None:
         """Raise NotADrawing if lines have several scales, one of which depends on the plotter."""

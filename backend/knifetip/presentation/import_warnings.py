@@ -119,6 +119,7 @@ CHANGED: Final = frozenset(
 OF_FILE: Final = frozenset(
     {
         "import.no-end-mark",
+        "import.turned-page",
         "unit.cf2-scale-invalid",
         "unit.cf2-scale-undecided",
     }

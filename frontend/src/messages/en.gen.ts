@@ -2731,6 +2731,10 @@ export const TEXTS = {
     "text": "the curve has {points:,} fit points, but the limit is {limit:,}",
     "hint": ""
   },
+  "import.turned-page": {
+    "text": "the lines after this instruction are turned about the origin of the plotter, but some plotters turn the paper, so that these lines may be in another place",
+    "hint": "Compare the drawing with the original, or export it as DXF, PDF or SVG."
+  },
   "import.uncentred-arc": {
     "text": "the centre of the arc is {first:g} file units away from the start of the arc, but {second:g} file units away from the end of the arc",
     "hint": ""

@@ -68,6 +68,7 @@ def test_coordinates_are_fortieths_of_a_millimetre() -> None:
         "PU +40.0 , 80.\r\n PD120,+80;",
         "PU40+80;PD120+80;",
         "PA;PU40,80;PD\n120,80\n;;;",
+        "PA,PU40,80,PD120,80,PU",
         "\x1b.I81;;17:\x1b.N;19:PU40,80;\x1b.(PD120,80;\x1b.)",
         'CO"PD1,1;";PU40,80;PD120,80;MG"PD";',
         "NP8;VS20;FS3,1;PU40,80;PD120,80;",
@@ -274,6 +275,20 @@ def test_the_edges_of_a_polygon_are_drawn_and_its_parts_are_closed() -> None:
     assert "filled area" in reasons(filled)["FP (filled polygon)"]
 
 
+def test_the_pen_is_at_no_known_place_after_a_polygon() -> None:
+    drawing = plot("PU0,0;PM0;PD400,0,400,400;PM2;EP;PR;PD40,0;PA;PU0,-40;PD40,-40;")
+    edges, relative, absolute = drawing.import_report.length.tolist()
+    assert (edges, relative, absolute) == (pytest.approx(20 + 10 * math.sqrt(2)), 0, 1)
+    assert "depends on the plotter" in report_reasons(drawing)[1]
+
+
+def test_a_rotation_between_lines_is_reported() -> None:
+    drawing = plot(f"RO90;{LINE}RO;PU0,80;PD40,80;RO;SP0;")
+    assert_allclose(drawing.ends, [[[0, 0], [0, 1]], [[0, 2], [1, 2]]], atol=1e-12)
+    assert list(drawing.import_report.kind) == ["PD (pen down)", "RO", "PD (pen down)"]
+    assert "turn the paper" in report_reasons(drawing)[1]
+
+
 def test_a_filled_rectangle_is_dropped_and_its_edges_can_be_drawn() -> None:
     drawing = plot("PU0,0;RA400,400;EP;")
     assert len(drawing) == 4
@@ -377,7 +392,8 @@ def test_a_file_that_ends_inside_a_number_is_reported() -> None:
     [
         ("PU0,0;PD40;", "plt.x-without-y", 14),
         ("PU0,0;PD40,,0;", "plt.bad-number", 14),
-        ("PU0,0;PD40,0,;", "plt.bad-number", 14),
+        ("PU0,0;PD,40,0;", "plt.bad-number", 14),
+        ("PU0,0;PD40,;", "plt.x-without-y", 14),
         ("PU0,0;PD1.2.3,0;", "plt.bad-number", 14),
         ("PU0,0;PD4-,0;", "plt.bad-number", 14),
         ("PU0,0;PD9999999999999999,0;", "plt.bad-number", 14),
@@ -434,6 +450,8 @@ def test_the_number_of_segments_is_limited(text: str) -> None:
 
 
 def test_the_number_of_objects_is_limited() -> None:
+    with pytest.raises(DrawingTooLarge, match="more than 90 elements"):
+        read(b"IN;SP1;" * 50, limits=Limits(expanded=90))
     with pytest.raises(DrawingTooLarge, match="more than 9 elements"):
         read(b"IN;SP1;" + b"PU0,0;PD9,9;" * 10, limits=Limits(entities=9))
 

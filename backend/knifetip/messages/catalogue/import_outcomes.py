@@ -540,6 +540,11 @@ MESSAGES: Final[Entries] = {
         points="count",
         limit="count",
     ),
+    "import.turned-page": entry(
+        "the lines after this instruction are turned about the origin of the plotter, but some "
+        "plotters turn the paper, so that these lines may be in another place",
+        "Compare the drawing with the original, or export it as DXF, PDF or SVG.",
+    ),
     "import.uncentred-arc": entry(
         "the centre of the arc is {first:g} file units away from the start of the arc, but "
         "{second:g} file units away from the end of the arc",
