@@ -71,6 +71,9 @@ def parse_project(data: bytes, limits: Limits) -> Project:
     parser.StartDoctypeDeclHandler = builder.doctype
     try:
         parser.Parse(data, True)
+    except (LookupError, ValueError) as error:
+        # An encoding that the XML declaration names and Python does not have.
+        raise NotADrawing("lightburn.damaged-at", line=1, column=0, reason=error) from None
     except expat.ExpatError as error:
         if error.code in _TRUNCATED:
             raise NotADrawing("reading.truncated", format="LightBurn") from None

@@ -84,6 +84,9 @@ def parse_document(data: bytes, limits: Limits) -> Node:
     parser.EntityDeclHandler = builder.entity
     try:
         parser.Parse(data, True)
+    except (LookupError, ValueError) as error:
+        # An encoding that the XML declaration names and Python does not have.
+        raise NotADrawing("svg.damaged-at", line=1, column=0, reason=error) from None
     except expat.ExpatError as error:
         reason = expat.ErrorString(error.code) or "damaged"
         if error.code in _TRUNCATED:

@@ -260,6 +260,8 @@ def test_a_damaged_shape_is_left_out_and_the_others_are_read(damaged: str, words
     [
         (carton()[:-30], "The LightBurn file is incomplete"),
         (carton().replace(b"<XForm>", b"<XForm"), "The LightBurn project is damaged at line "),
+        (carton().replace(b"UTF-8", b"UTF-X"), "unknown encoding: UTF-X"),
+        (carton().replace(b"UTF-8", b"utf-7"), "multi-byte encodings are not supported"),
         (project(layer(1)), "contains no shape"),
         (
             b'<!DOCTYPE a [<!ENTITY b SYSTEM "file:///etc/passwd">]><LightBurnProject/>',

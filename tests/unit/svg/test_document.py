@@ -112,6 +112,12 @@ def test_a_truncated_file_is_refused(data: bytes) -> None:
     assert "incomplete" in refused(data)
 
 
+@pytest.mark.parametrize("encoding", ["UTF-X", "utf-7"])
+def test_an_encoding_that_cannot_be_read_is_refused(encoding: str) -> None:
+    data = f'<?xml version="1.0" encoding="{encoding}"?><svg xmlns="http://www.w3.org/2000/svg"/>'
+    assert "is damaged at line 1" in refused(data.encode())
+
+
 def test_a_file_truncated_anywhere_is_refused() -> None:
     whole = carton()
     for length in range(len(whole)):
