@@ -86,7 +86,9 @@ _FILE: dict[str, Any] = {
 def upload_drawing(
     service: ServiceDep,
     response: Response,
-    file: Annotated[UploadFile, File(description="Drawing in DXF, CF2, SVG or PDF")],
+    file: Annotated[
+        UploadFile, File(description="Drawing in DXF, CF2, SVG, PDF, HPGL or LightBurn")
+    ],
     unit: Annotated[
         Unit | SkipJsonSchema[None],
         Form(description="Unit of the drawing; the unit of the file if it is missing"),
@@ -110,9 +112,9 @@ def upload_drawing(
     ] = "",
     key: IdempotencyKey = None,
 ) -> DrawingOut:
-    """Upload a DXF, CF2, SVG or PDF file; the server reads it and classifies its edges.
+    """Upload a drawing; the server reads it and classifies its edges.
 
-    The format is detected from the content of the file.
+    The format is detected from the content of the file: DXF, CF2, SVG, PDF, HPGL or LightBurn.
     """
     customer_rules(service, profile)
     content = file.file.read(service.settings.upload + 1)

@@ -46,7 +46,7 @@ _BODY: Final[dict[str, Any]] = {
                         "file": {
                             "type": "string",
                             "format": "binary",
-                            "description": "Drawing in DXF, CF2, SVG or PDF",
+                            "description": "Drawing in DXF, CF2, SVG, PDF, HPGL or LightBurn",
                         },
                         "order": {
                             "type": "string",

@@ -23,9 +23,9 @@ export interface paths {
         put?: never;
         /**
          * Upload Drawing
-         * @description Upload a DXF, CF2, SVG or PDF file; the server reads it and classifies its edges.
+         * @description Upload a drawing; the server reads it and classifies its edges.
          *
-         *     The format is detected from the content of the file.
+         *     The format is detected from the content of the file: DXF, CF2, SVG, PDF, HPGL or LightBurn.
          *
          *     Needs the scope `designer` or `order`.
          */
@@ -3062,7 +3062,7 @@ export interface components {
             /**
              * File
              * Format: binary
-             * @description Drawing in DXF, CF2, SVG or PDF
+             * @description Drawing in DXF, CF2, SVG, PDF, HPGL or LightBurn
              */
             file: string;
             /**
@@ -6016,7 +6016,7 @@ export interface components {
             release: boolean;
             /** @description Shortfalls that the user accepts in advance, as those of an earlier job for the same drawing. Shortfalls that the program does not have are disregarded; all others refuse it. Null for none */
             exceptions?: components["schemas"]["ExceptionsIn"] | null;
-            /** @description The drawing in DXF, CF2, SVG or PDF; null if `drawing` is given, or if the file is a part of the form */
+            /** @description The drawing in DXF, CF2, SVG, PDF, HPGL or LightBurn; null if `drawing` is given, or if the file is a part of the form */
             file?: components["schemas"]["FileIn"] | null;
             /**
              * Drawing
@@ -12006,7 +12006,19 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "file.3mf";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "file.7z";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.affinity";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.ard";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -12026,11 +12038,27 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "file.ddes";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.dmpl";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.dwf";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "file.dwg";
             arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "file.eps";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.gcode";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -12042,15 +12070,19 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
-            code: "file.hpgl";
-            arguments: Record<string, never>;
-        } | {
-            /** @constant */
             code: "file.html";
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "file.iges";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "file.illustrator";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.indesign";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -12062,11 +12094,19 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
-            code: "file.lightburn";
+            code: "file.metafile";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.office";
             arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "file.old-dwg";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.photoshop";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -12078,11 +12118,27 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "file.printer";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "file.rar";
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "file.rhino";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "file.riff";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.silhouette";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "file.sketchup";
             arguments: Record<string, never>;
         } | {
             /** @constant */
@@ -12102,6 +12158,10 @@ export interface components {
             arguments: {
                 element: string;
             };
+        } | {
+            /** @constant */
+            code: "file.xps";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "file.zip";
@@ -12967,6 +13027,14 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "import.bad-primitive";
+            arguments: {
+                kind: string;
+                first: number;
+                second: number;
+            };
+        } | {
+            /** @constant */
             code: "import.bad-radius";
             arguments: {
                 radius: number;
@@ -13253,6 +13321,12 @@ export interface components {
             arguments: Record<string, never>;
         } | {
             /** @constant */
+            code: "import.lightburn-shape";
+            arguments: {
+                kind: string;
+            };
+        } | {
+            /** @constant */
             code: "import.line-not-numbers";
             arguments: {
                 line: number;
@@ -13308,6 +13382,10 @@ export interface components {
             arguments: {
                 parameter: number;
             };
+        } | {
+            /** @constant */
+            code: "import.no-pen";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "import.no-points";
@@ -13406,6 +13484,12 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "import.other-sheet";
+            arguments: {
+                sheet: number;
+            };
+        } | {
+            /** @constant */
             code: "import.outside-page";
             arguments: Record<string, never>;
         } | {
@@ -13483,6 +13567,10 @@ export interface components {
             arguments: {
                 name: string;
             };
+        } | {
+            /** @constant */
+            code: "import.plotter-marks";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "import.point";
@@ -13571,6 +13659,10 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "import.turned-page";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "import.uncentred-arc";
             arguments: {
                 first: number;
@@ -13589,10 +13681,18 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "import.unknown-instruction";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "import.unknown-operator";
             arguments: {
                 operator: string;
             };
+        } | {
+            /** @constant */
+            code: "import.unknown-position";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "import.unknown-record";
@@ -14519,6 +14619,22 @@ export interface components {
             arguments: {
                 machine: string;
             };
+        } | {
+            /** @constant */
+            code: "lightburn.damaged-at";
+            arguments: {
+                line: number;
+                column: number;
+                reason: string;
+            };
+        } | {
+            /** @constant */
+            code: "lightburn.doctype";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "lightburn.empty";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "limit.disk-full";
@@ -15601,6 +15717,66 @@ export interface components {
             code: "pdf.too-many-states";
             arguments: {
                 limit: number;
+            };
+        } | {
+            /** @constant */
+            code: "plt.bad-number";
+            arguments: {
+                position: number;
+                name: string;
+                text: string;
+            };
+        } | {
+            /** @constant */
+            code: "plt.bad-polyline";
+            arguments: {
+                position: number;
+            };
+        } | {
+            /** @constant */
+            code: "plt.bad-scale";
+            arguments: {
+                position: number;
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "plt.cut-short";
+            arguments: {
+                position: number;
+                name: string;
+            };
+        } | {
+            /** @constant */
+            code: "plt.damaged";
+            arguments: {
+                position: number;
+                text: string;
+            };
+        } | {
+            /** @constant */
+            code: "plt.empty";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "plt.several-scales";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "plt.wrong-count";
+            arguments: {
+                position: number;
+                name: string;
+                count: number;
+                expected: string[];
+            };
+        } | {
+            /** @constant */
+            code: "plt.x-without-y";
+            arguments: {
+                position: number;
+                name: string;
+                count: number;
             };
         } | {
             /** @constant */
@@ -17423,6 +17599,10 @@ export interface components {
             };
         } | {
             /** @constant */
+            code: "unit.lightburn";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
             code: "unit.multiples";
             arguments: {
                 unit: string;
@@ -17515,6 +17695,14 @@ export interface components {
             arguments: {
                 scale: number;
             };
+        } | {
+            /** @constant */
+            code: "unit.plotter";
+            arguments: Record<string, never>;
+        } | {
+            /** @constant */
+            code: "unit.plotter-page";
+            arguments: Record<string, never>;
         } | {
             /** @constant */
             code: "unit.read-against-evidence";
@@ -27178,7 +27366,7 @@ export interface operations {
                 "multipart/form-data": {
                     /**
                      * Format: binary
-                     * @description Drawing in DXF, CF2, SVG or PDF
+                     * @description Drawing in DXF, CF2, SVG, PDF, HPGL or LightBurn
                      */
                     file: string;
                     /** @description The order without its file: JSON of an `OrderIn` */

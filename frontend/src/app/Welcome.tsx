@@ -12,8 +12,9 @@ export function Welcome() {
         <Logo size={44} />
         <h1>Drop a dieline file here</h1>
         <p>
-          DXF, SVG, CF2, PDF or HPGL. knifetip recognises cuts, creases and grooves, calculates the tool
-          paths for your machine, and checks the program before the machine moves.
+          DXF, SVG, CF2, PDF, HPGL or LightBurn. knifetip recognises cuts, creases and grooves,
+          calculates the tool paths for your machine, and checks the program before the machine
+          moves.
         </p>
         <Permitted request="POST /api/v1/drawings">
           <ChooseFile large />

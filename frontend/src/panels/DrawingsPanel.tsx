@@ -39,7 +39,8 @@ export function DrawingsPanel() {
       {error && <p className={css.note}>{errorText(error)}</p>}
       {drawings?.length === 0 && (
         <p className={css.note} style={{ padding: "0 8px" }}>
-          There are no drawings yet. Drop a DXF, SVG, CF2, PDF or HPGL file on this page.
+          There are no drawings yet. Drop a drawing (DXF, SVG, CF2, PDF, HPGL or LightBurn) on this
+          page.
         </p>
       )}
       {drawings?.map((drawing) => (

@@ -56,8 +56,8 @@ class OrderIn(JobChoices):
 
     file: FileIn | None = Field(
         default=None,
-        description="The drawing in DXF, CF2, SVG or PDF; null if `drawing` is given, or if the "
-        "file is a part of the form",
+        description="The drawing in DXF, CF2, SVG, PDF, HPGL or LightBurn; null if `drawing` is "
+        "given, or if the file is a part of the form",
     )
     drawing: Name | None = Field(
         default=None, description="Id of a stored drawing; null if a file is given"
