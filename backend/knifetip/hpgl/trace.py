@@ -378,17 +378,30 @@ class _Plotter:
         if self._polygon.is_open:
             self._polygon.shape.add(shape)
             return
+        lost = self._is_lost if is_lost is None else is_lost
         dropped: Message | None = None
         if self._sheet > 1:
             dropped = Message("import.other-sheet", sheet=self._sheet)
         elif self._pens.selected == 0:
             dropped = Message("import.no-pen")
-        elif self._is_lost if is_lost is None else is_lost:
+        elif lost:
             dropped = Message("import.unknown-position")
         row = self._row(one, dropped)
         if dropped is None:
             self._check_scale()
             self.plot.paths.add(row, self._style, self._matrix, shape, self._clip)
+        elif not lost:
+            self._set_location(row, shape)
+
+    def _set_location(self, row: int, shape: PlottedShape) -> None:
+        """Record where a shape is that is left out: the box of the ends of its lines and arcs."""
+        points = [
+            end for line in shape.polylines for end in zip(line[::2], line[1::2], strict=True)
+        ]
+        for numbers in (*shape.arcs, *shape.curves):
+            points += [(numbers[0], numbers[1]), (numbers[2], numbers[3])]
+        across, up = zip(*(transform(self._matrix, point) for point in points), strict=True)
+        self.plot.report.set_location(row, (min(across), min(up), max(across), max(up)))
 
     @property
     def _has_lines(self) -> bool:

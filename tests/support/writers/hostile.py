@@ -12,6 +12,7 @@ from itertools import pairwise
 
 from tests.support.writers import cf2_text as cf2
 from tests.support.writers import dxf_text as dxf
+from tests.support.writers import lightburn_text as lbrn
 from tests.support.writers import svg_text as svg
 
 Maker = Callable[[], bytes]
@@ -159,6 +160,15 @@ REFUSED: Mapping[str, tuple[int, str, Maker]] = {
     "cf2: tower": (413, "nested more than 16 levels deep", call_tower),
     "cf2: cut short": (422, "CF2 file is incomplete", lambda: cf2.carton()[:200]),
     "cf2: 60 MB of records": (413, "elements", lambda: cf2.cf2(*["L,2,1,0,0,0,1,1"] * 3_700_000)),
+    "plt: cut short": (422, "has no end", lambda: b"IN;SP1;PU0,0;PD40,0;LBno end"),
+    "plt: not numbers": (422, "byte 14", lambda: b"IN;SP1;PU0,0;PD40,,0;"),
+    "plt: 60 MB of points": (413, "lines and curves", lambda: b"IN;SP1;PD" + b"1," * 30_000_000),
+    "lightburn: external entity": (
+        422,
+        "has a DOCTYPE",
+        lambda: b'<!DOCTYPE a [<!ENTITY b SYSTEM "/etc/passwd">]><LightBurnProject>&b;</a>',
+    ),
+    "lightburn: cut short": (422, "LightBurn file is incomplete", lambda: lbrn.carton()[:-20]),
     "cf2: decimal commas": (422, "commas", lambda: cf2.cf2(*["L,2,1,0,5,1,6,1,5,7,1,7,0,0"] * 9)),
 }
 
@@ -173,6 +183,16 @@ READ: Mapping[str, tuple[str, int, Maker]] = {
         "the limit is 1e+07",
         1,
         lambda: svg.svg('<path d="M0 0H1e308"/><circle r="1e999"/><path d="M0 0h9"/>'),
+    ),
+    "plt: too far": (
+        "the limit is 1e+07",
+        1,
+        lambda: b"IN;SP1;PU0,0;PD99999999999,0;PU0,0;PD40,0;",
+    ),
+    "lightburn: not numbers": (
+        "cannot be read",
+        1,
+        lambda: lbrn.project(lbrn.shape("Rect", W="nan", H=1), lbrn.polyline((0, 0), (9, 0))),
     ),
     "cf2: cyclic calls": ("inserts itself", 1, cyclic_calls),
     "cf2: not numbers": (

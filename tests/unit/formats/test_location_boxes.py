@@ -8,11 +8,14 @@ from numpy.testing import assert_allclose
 
 from knifetip.cf2.read import read as read_cf2
 from knifetip.drawing_builder.path_table import CUBIC, LINE, Table, boxes
+from knifetip.hpgl.read import read as read_hpgl
+from knifetip.lightburn.read import read as read_lightburn
 from knifetip.model.drawing import Drawing
 from knifetip.pdf.read import read as read_pdf
 from knifetip.svg.read import read as read_svg
 from tests.support.writers import cf2_text
 from tests.support.writers.cf2_text import cf2, sub
+from tests.support.writers.lightburn_text import polyline, project, shape
 from tests.support.writers.pdf_text import MM, pdf, stream
 from tests.support.writers.svg_text import svg
 
@@ -91,3 +94,21 @@ def test_boxes_contain_ends_and_curve_handles_but_no_line_handles() -> None:
     measured = boxes(table, matrix)
     assert measured[[0, 2]].tolist() == [[0, 0, 4, 0], [8, 0, 15, 4]]
     assert np.isnan(measured[1]).all()
+
+
+def test_boxes_of_plotter_instructions() -> None:
+    drawing = read_hpgl(
+        b"IN;SP1;PU0,0;PD40,0;SP0;PU80,80;PD160,120;SP1;PU400,0;LBLid\x03PR;PD40,0;"
+        b"PA;PG;PU40,40;CI40;"
+    )
+    assert boxes_by_handle(drawing) == {
+        "#7": [2, 2, 4, 3],
+        "#10": [10, 0, 10, 0],
+        "#16": pytest.approx([0, 1, 2, 1]),
+    }
+
+
+def test_boxes_of_lightburn_shapes() -> None:
+    words = shape("Text", matrix="1 0 0 1 20 30", Str="Lid")
+    drawing = read_lightburn(project(polyline((0, 0), (9, 0)), words))
+    assert boxes_by_handle(drawing) == {"#2": [20, 30, 20, 30]}
