@@ -127,6 +127,19 @@ def test_an_arc_through_three_points_has_exact_ends(name: str) -> None:
     assert_allclose(drawing.lengths.sum(), 10 * math.pi)
 
 
+def test_an_arc_through_a_point_to_the_right_is_clockwise() -> None:
+    drawing = plot("PU400,0;PD;AT0,-400,0,400;")
+    assert_allclose(drawing.bounds, [-10, -10, 10, 10], atol=1e-9)
+    assert_allclose(drawing.lengths.sum(), 15 * math.pi)
+    assert (drawing.bulge < 0.0).all()
+
+
+def test_equal_ends_of_an_arc_through_a_point_are_a_circle() -> None:
+    drawing = plot("PU400,0;PD;AT-400,0,400,0;PR0,40;")
+    assert_allclose(drawing.lengths.sum(), 20 * math.pi + 1)
+    assert drawing.ends[-1].tolist() == [[10, 0], [10, 1]]
+
+
 def test_three_points_on_a_line_are_a_line() -> None:
     assert_allclose(plot("PU0,0;PD;AT40,40,80,80;").lengths.sum(), 2 * math.sqrt(2))
 
@@ -360,6 +373,12 @@ def test_a_label_is_an_annotation_and_the_place_behind_it_is_not_known() -> None
         "the object was imported unchanged",
         "the object is a text, which is not cut",
     ]
+
+
+@pytest.mark.parametrize("mover", ["LBLid\x03", "CP3,0;"])
+def test_relative_moves_do_not_make_the_place_behind_a_label_known(mover: str) -> None:
+    drawing = plot(f"{mover}PR;PU40,0;PD40,0;CI40;PA;PU0,40;PD40,40;")
+    assert drawing.ends.tolist() == [[[0, 1], [1, 1]]]
 
 
 @pytest.mark.parametrize(

@@ -212,7 +212,10 @@ def test_filled_shapes_are_left_out_beside_lines_only() -> None:
 
 
 def test_texts_and_pictures_are_left_out() -> None:
-    outline = f"<BackupPath Type='Path'>{path('V0 0V1 1', 'L0 1')}</BackupPath>"
+    outline = (
+        '<BackupPath Type="Path" CutIndex="0"><XForm>1 0 0 1 99 99</XForm>'
+        "<VertList>V0 0V1 1</VertList><PrimList>L0 1</PrimList></BackupPath>"
+    )
     drawing = shapes(
         shape("Text", outline, "1 0 0 1 20 30", Str="Lid 50", H=7, CutIndex=0),
         shape("Bitmap", W=10, H=10, Data="iVBORw0KGgo="),
