@@ -80,8 +80,10 @@ def check_near_lines(context: CheckContext) -> None:
         return
     sides = _sides(edges, reach, context.board.caliper)
     near = sides.distance < limits[edges.line_type[sides.edge], edges.line_type[sides.other]]
-    chain, sizes = _chains(edges)
     rows = np.flatnonzero(near)
+    if not len(rows):
+        return
+    chain, sizes = _chains(edges)
     first, second = chain[sides.edge[rows]], chain[sides.other[rows]]
     pairs, index = np.unique(np.column_stack([first, second]), axis=0, return_inverse=True)
     index = index.ravel()
