@@ -17,6 +17,7 @@ import numpy as np
 from knifetip.errors import KnifetipError, UnitUnknown
 from knifetip.geometry.columns import U8
 from knifetip.jobs.compile_result import CompileResult
+from knifetip.jobs.cpu_limit import limit_cpu
 from knifetip.jobs.readings import (
     StoredDrawing,
     carry_over,
@@ -102,7 +103,23 @@ def read(
         same overrides.  Otherwise an edge gets an override only if all earlier edges with its
         handle had this override.  None if the file was not read before; the overrides are then
         ignored.
+
+    Raises
+    ------
+    DrawingTooLarge
+        The drawing exceeds a limit, or its reading used ``cpu_limit.READING`` seconds of processor
+        time.
     """
+    with limit_cpu():
+        return _read(progress, content, interpretation, handles)
+
+
+def _read(
+    progress: Progress,
+    content: bytes,
+    interpretation: Interpretation,
+    handles: Sequence[str] | None,
+) -> Reading:
     from knifetip import pipeline
 
     progress(Stage.READ, 0.0)
