@@ -58,7 +58,7 @@ class ConfirmIn(JsonBody):
         description="Ids of the checks that the operator has made at the machine: all `checks` of "
         "`GET /api/jobs/{id}/confirmation`. The request is refused if one is missing",
     )
-    changed: Annotated[list[Annotated[int, WHOLE]], Field(max_length=100)] = Field(
+    changed: Annotated[list[Count], Field(max_length=100)] = Field(
         default=[],
         description="Numbers of the stations into which the operator has put new tools; each "
         "change is recorded, and the used length of the tool is 0 again",

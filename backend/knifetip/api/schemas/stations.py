@@ -102,7 +102,7 @@ class _Activity(BaseModel):
         description="Position on the sheet: X, Y of the head axis, Z of the tip (mm), C (degrees); "
         "null if it is not known",
     )
-    station: Annotated[int, WHOLE] | None = Field(
+    station: Count | None = Field(
         description="Number of the station whose path is shown; null for none"
     )
 
@@ -311,11 +311,11 @@ class StationIn(JsonBody):
     operations: Annotated[list[Name], Field(max_length=32)] = Field(
         default=[], description="Operations that the controller can do"
     )
-    spindle: Annotated[int, WHOLE] | None = Field(
+    spindle: Count | None = Field(
         default=None,
         description="Number of the station whose spindle was switched on by hand; null for none",
     )
-    override: Annotated[int, WHOLE] | None = Field(
+    override: Count | None = Field(
         default=None, description="Feed override (%); null if the controller has none"
     )
     activity: ActivityIn | None = Field(
