@@ -43,7 +43,7 @@ def test_a_huge_number_is_refused(
 def test_edges_are_not_selected_by_a_huge_number(
     client: httpx.Client, override: dict[str, Any]
 ) -> None:
-    files = {"file": ("square.dxf", square(50.0))}
+    files = {"file": ("square.dxf", square())}
     drawing = client.post("/api/drawings", files=files, data={"unit": "mm"}).json()["id"]
     body = {"overrides": [{**override, "type": "cut"}]}
     answer = client.patch(f"/api/drawings/{drawing}/edges", json=body)

@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, Field, computed_field
 
-from knifetip.api.schemas.common import WHOLE, Count, JsonBody, Name, PageQuery, QuestionOut
+from knifetip.api.schemas.common import Count, JsonBody, Name, PageQuery, QuestionOut
 from knifetip.api.schemas.messages import MessageOut
 from knifetip.api.schemas.order_details import DetailsQuery, OrderDetailsOut, TimesQuery
 from knifetip.api.schemas.orders import Corners, Lift, Sheet
