@@ -188,7 +188,9 @@ async def stream(
             now = asyncio.get_running_loop().time()
             left = time_left.update(follower.seconds_done, status.state, now, status.override)
             yield _progress(follower, status, answered, lines, left)
-            await asyncio.sleep(interval)
+            # Not longer than the program: a gateway that is killed before it has recorded the end
+            # cannot know it.
+            await asyncio.wait({feeding}, timeout=interval)
     except ControllerError as found:
         error = found
         if controller.sent == base.sent:
