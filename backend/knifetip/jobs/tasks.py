@@ -9,15 +9,16 @@ from __future__ import annotations
 import hashlib
 import os
 from collections.abc import Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from knifetip.errors import KnifetipError, UnitUnknown
+from knifetip.formats.cpu_limit import limit_cpu
 from knifetip.geometry.columns import U8
 from knifetip.jobs.compile_result import CompileResult
-from knifetip.jobs.cpu_limit import limit_cpu
 from knifetip.jobs.readings import (
     StoredDrawing,
     carry_over,
@@ -55,7 +56,7 @@ from knifetip.presentation.verdict import (
     refused_handles,
     verdict_summary,
 )
-from knifetip.warming import Part, compile_module, missing_parts
+from knifetip.warming import Part, compile_module, is_compiled, missing_parts
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
@@ -110,7 +111,9 @@ def read(
         The drawing exceeds a limit, or its reading used ``cpu_limit.READING`` seconds of processor
         time.
     """
-    with limit_cpu():
+    # A new installation compiles the functions of the readers in its first reading.
+    limit = limit_cpu() if is_compiled("drawings") else nullcontext()
+    with limit:
         return _read(progress, content, interpretation, handles)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from knifetip import pipeline
 from knifetip.dxf.samples import samples
 from knifetip.errors import DrawingTooLarge
+from knifetip.formats.cpu_limit import limit_cpu
 from knifetip.jobs import readings, tasks
 from knifetip.jobs.readings import StoredDrawing, restore_or_read
 from knifetip.library import load
@@ -182,3 +184,22 @@ def test_a_drawing_that_cannot_be_cleaned_is_stored(monkeypatch: pytest.MonkeyPa
     assert len(unpack_columns(reading.edges)[1]["handles"]) > 0
     with pytest.raises(DrawingTooLarge):
         tasks.cleaning_report(no_progress, reading.edges)
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+def test_a_reading_has_a_limit_of_processor_time_once_its_functions_are_compiled(
+    monkeypatch: pytest.MonkeyPatch, compiled: bool
+) -> None:
+    def work(*_: object) -> None:
+        end = time.process_time() + 0.5
+        while time.process_time() < end:
+            pass
+
+    monkeypatch.setattr(tasks, "_read", work)
+    monkeypatch.setattr(tasks, "is_compiled", lambda _group: compiled)
+    monkeypatch.setattr(tasks, "limit_cpu", lambda: limit_cpu(0.1))
+    if compiled:
+        with pytest.raises(DrawingTooLarge):
+            tasks.read(no_progress, CONTENT, Interpretation())
+    else:
+        tasks.read(no_progress, CONTENT, Interpretation())

@@ -63,3 +63,10 @@ def test_a_module_is_compiled_with_progress_and_is_missing_no_more(tmp_path: Pat
 def test_a_group_that_does_not_exist_is_an_error() -> None:
     with pytest.raises(KeyError, match="gloves"):
         warming.missing_parts("gloves")
+
+
+def test_a_group_that_is_complete_is_not_searched_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(warming, "_COMPILED", set())
+    missing = [[warming.Part("drawings", "a module", 1)], []]
+    monkeypatch.setattr(warming, "missing_parts", lambda _group: missing.pop(0))
+    assert [warming.is_compiled("drawings") for _ in range(3)] == [False, True, True]

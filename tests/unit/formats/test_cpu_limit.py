@@ -8,8 +8,7 @@ from contextlib import suppress
 import pytest
 
 from knifetip.errors import DrawingTooLarge
-from knifetip.jobs import cpu_limit
-from knifetip.jobs.cpu_limit import limit_cpu
+from knifetip.formats.cpu_limit import limit_cpu
 
 
 def burn(seconds: float) -> None:
@@ -46,17 +45,3 @@ def test_nothing_is_raised_within_the_time_and_after_it() -> None:
 def test_waiting_uses_no_time() -> None:
     with limit_cpu(0.3):
         time.sleep(0.6)
-
-
-def test_a_reading_that_compiles_its_functions_is_not_limited(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    missing = [["a module"], []]
-    monkeypatch.setattr(cpu_limit, "missing_parts", lambda *_: missing.pop(0))
-    monkeypatch.setattr(cpu_limit, "_KERNELS", cpu_limit._Kernels())
-    with limit_cpu(0.1):
-        burn(0.4)
-    with pytest.raises(DrawingTooLarge), limit_cpu(0.1):
-        burn(30.0)
-    with pytest.raises(DrawingTooLarge), limit_cpu(0.1):
-        burn(30.0)  # not asked again
