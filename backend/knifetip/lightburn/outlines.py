@@ -266,7 +266,7 @@ def _control(x: str | None, y: str | None, vertex_x: float, vertex_y: float) -> 
 def _legacy_control(
     given: dict[str, str], name: str, vertex_x: float, vertex_y: float
 ) -> tuple[float, float]:
-    """Return the control point that an element V states, or the vertex itself."""
+    """Return the control point of a vertex; the vertex itself if the file has none."""
     if f"{name}x" not in given or f"{name}y" not in given:
         return vertex_x, vertex_y
     return _value(given, f"{name}x"), _value(given, f"{name}y")
