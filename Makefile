@@ -10,7 +10,7 @@ PORT   ?= 8080
 SPEED  ?= 4
 DATA   ?= .data/knifetip.sqlite
 
-.PHONY: help install dev page wheel image shop run test lint check bench system lock licences sbom audit \
+.PHONY: help install dev page wheel image shop run test lint check bench system lock licences tables sbom audit \
 	client clean
 
 help:
@@ -54,7 +54,7 @@ $(VENV)/.caches: $(VENV)/.runtime $(KERNELS)
 
 $(VENV)/.kernels: $(VENV)/.caches
 	@echo "Compiling what must be fast, this once: about one minute."
-	@$(BIN)/python -m knifetip.jobs.warm_up
+	@$(BIN)/python -m knifetip.service.processes.warm_up
 	@touch $@
 
 $(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.kernels
@@ -109,6 +109,9 @@ lock: dev
 licences: dev
 	$(BIN)/python backend/licences.py
 
+tables: dev
+	$(BIN)/python backend/field_tables.py
+
 sbom: dev
 	$(BIN)/python backend/supply_chain.py sbom
 
@@ -129,4 +132,4 @@ shop:
 	$(PYTHON) tests/container/shop.py
 
 clean:
-	rm -rf build $(VENV) frontend/node_modules backend/knifetip/api/page
+	rm -rf build $(VENV) frontend/node_modules backend/knifetip/service/page

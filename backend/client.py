@@ -60,7 +60,7 @@ def generate(python: Path, build: Path = BUILD) -> Path:
     build
         Folder for the package.
     """
-    from knifetip.api.app import create_app  # imported here: takes a second
+    from knifetip.server.app import create_app  # imported here: takes a second
 
     build.mkdir(parents=True, exist_ok=True)
     description, settings = build / "openapi.json", build / "settings.json"

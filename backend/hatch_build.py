@@ -13,7 +13,7 @@ from typing import Any
 
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-_PAGE = "knifetip/api/page/index.html"
+_PAGE = "knifetip/service/page/index.html"
 
 
 class PackageContent(BuildHookInterface):  # type: ignore[misc]  # not installed where types are checked

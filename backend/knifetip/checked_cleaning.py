@@ -15,10 +15,10 @@ from knifetip.cleaning.clean import Extent, clean
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline
 from knifetip.model.verdict import Finding
-from knifetip.verification.checks.cleaning_check import check_cleaning
+from knifetip.verification.checks.cleaning.check import check_cleaning
 
 #: The extents of cleaning after the full one, in the order in which they are tried.
-_SMALLER: Final = (Extent.UNTRIMMED, Extent.SEPARATE, Extent.NOTHING)
+_SMALLER: Final = (Extent.LOOPED, Extent.UNTRIMMED, Extent.SEPARATE, Extent.NOTHING)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

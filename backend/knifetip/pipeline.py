@@ -22,33 +22,38 @@ import numpy as np
 from knifetip.checked_cleaning import clean_checked
 from knifetip.classification import classify as classification
 from knifetip.classification.answers import follow_answers
+from knifetip.classification.customer_answers import answer_from_drawings
 from knifetip.classification.questions import list_questions
 from knifetip.compensation.compensate import compensate
 from knifetip.compensation.contour_starts import contour_starts
 from knifetip.error_places import located_errors
 from knifetip.errors import OpenQuestions, PlanError
-from knifetip.formats import read_file
+from knifetip.formats import open_file
 from knifetip.geometry.columns import U8
 from knifetip.languages.registry import with_language
 from knifetip.library import custom_profiles, load
 from knifetip.model.board import Board
-from knifetip.model.choices import Choices
+from knifetip.model.chosen_work import ChosenWork, chosen_work, work_on_cleaned
 from knifetip.model.cleaned import Cleaned
+from knifetip.model.customer_answers import learned_from_text
+from knifetip.model.cut_depths import with_depths
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.earlier_work import EarlierWork
 from knifetip.model.interpretation import Interpretation
+from knifetip.model.job_options import JobOptions, VerifiedOptions
 from knifetip.model.machine import Machine
 from knifetip.model.operation import Operation
 from knifetip.model.profile import LineRules
 from knifetip.model.program import Program
 from knifetip.model.question import Question
 from knifetip.model.rest import Rest
-from knifetip.model.sheet import Sheet
 from knifetip.model.stage import Progress, Stage, no_progress
 from knifetip.model.toolpath import Toolpath
 from knifetip.model.verdict import Verdict
 from knifetip.planning.boundary import BoardOutline
+from knifetip.planning.chosen_depths import check_depths
+from knifetip.planning.chosen_starts import ChosenStart, apply_starts, place_starts
 from knifetip.planning.cutters import with_best_cutter
 from knifetip.planning.nothing_to_make import check_has_work
 from knifetip.planning.placement import placement
@@ -70,7 +75,8 @@ from knifetip.units.question import unit_question
 __all__ = [
     "TOLERANCE",
     "Compiled",
-    "check_choices",
+    "apply_answers",
+    "check_options",
     "classify",
     "clean",
     "compensate",
@@ -90,7 +96,7 @@ __all__ = [
 #: Maximum distance of the tool's tip from the drawn line (mm).
 TOLERANCE = 0.01
 
-_NO_CHOICES = Choices()
+_DEFAULT_OPTIONS = JobOptions()
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -103,6 +109,14 @@ class Compiled:
     placement: tuple[float, float]  #: offset of the drawing on the sheet (mm)
     seconds: float  #: estimated machine time with accelerations (s)
     seconds_retracted: float  #: machine time if the tool retracted fully for every turn (s)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _CleanedChoices:
+    """A user's choices for cleaned edges, at their position on the table."""
+
+    starts: Sequence[ChosenStart]
+    work: ChosenWork
 
 
 def read(data: bytes, unit: str | None = None) -> Drawing:
@@ -122,10 +136,10 @@ def read(data: bytes, unit: str | None = None) -> Drawing:
     ReadError
         The file is not a drawing, damaged, or too large.
     """
-    drawing = read_file(data, unit or "")
-    if unit:
-        return drawing
-    return choose_unit(drawing, lambda likeliest: read_file(data, likeliest))
+    # A file that another program must convert is converted once.
+    file = open_file(data)
+    drawing = file.read(unit or "")
+    return drawing if unit else choose_unit(drawing, file.read)
 
 
 def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) -> Dieline:
@@ -141,18 +155,37 @@ def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) ->
         line types that follow from them.
     """
     dieline = classification.classify(drawing, rules, load.conventions())
-    if overrides is None:
-        return dieline
-    return follow_answers(drawing, classification.apply_overrides(dieline, overrides), overrides)
+    return _with_overrides(drawing, dieline, overrides)
 
 
 def interpret(drawing: Drawing, interpretation: Interpretation) -> Dieline:
     """Return the edges of a drawing with the line types that a profile and the user give them.
 
-    ``interpretation`` contains the name or content of the classification profile, and the line
-    types that the user has set for single edges.
+    ``interpretation`` contains the name or content of the classification profile, what earlier
+    drawings of the customer taught, and the line types that the user has set for single edges.
     """
-    return classify(drawing, rules_of(interpretation), interpretation.override_column)
+    return apply_answers(drawing, classify(drawing, rules_of(interpretation)), interpretation)
+
+
+def apply_answers(drawing: Drawing, dieline: Dieline, interpretation: Interpretation) -> Dieline:
+    """Return a classified dieline with the answers of earlier drawings and those of the user.
+
+    ``dieline`` contains the edges of ``drawing`` as ``classify`` returns them without overrides.
+    """
+    learned = learned_from_text(interpretation.learned)
+    known = answer_from_drawings(drawing, dieline, learned)
+    return _with_overrides(drawing, known, interpretation.override_column)
+
+
+def _with_overrides(drawing: Drawing, dieline: Dieline, overrides: U8 | None) -> Dieline:
+    """Return a dieline with the line types that the user gives, (n,), and what follows from them.
+
+    ``overrides`` is None if the user has set no line type.
+    """
+    if overrides is None:
+        return dieline
+    answered = classification.apply_overrides(dieline, overrides)
+    return follow_answers(drawing, dieline, answered, overrides)
 
 
 def rules_of(interpretation: Interpretation) -> LineRules:
@@ -195,7 +228,7 @@ def compile(
     machine: Machine,
     board: Board,
     *,
-    choices: Choices = _NO_CHOICES,
+    options: JobOptions = _DEFAULT_OPTIONS,
     dialect: str = "",
     notes: Sequence[str] = (),
     progress: Progress = no_progress,
@@ -210,8 +243,8 @@ def compile(
         The drawing, and its edges with their line types.
     machine, board
         The machine that runs the program, and the material.
-    choices
-        The user's choices: path of the cutter at outer corners, sheet, and height of turns.
+    options
+        The user's options for the job.
     dialect
         Name of a controller language; "" for the machine's own.
     notes
@@ -232,14 +265,23 @@ def compile(
     if open_questions:
         raise OpenQuestions([question.as_json() for question in open_questions])
     progress(Stage.CLEAN, 0.02)
+    with located_errors(drawing):
+        work = chosen_work(options, dieline)
+        dieline = with_depths(dieline, work, board.caliper)
+        check_depths(work, dieline, machine, board)
     checked = clean_checked(dieline)
     cleaned = checked.cleaned
     offset = placement(cleaned.dieline, machine)
+    with located_errors(drawing):
+        starts = place_starts(options.contour_starts, dieline, cleaned, offset)
+        chosen = _CleanedChoices(starts, work_on_cleaned(work, cleaned))
 
     def attempt(machine: Machine) -> Compiled:
+        # Cutters that the machine does not carry have no limits of the board yet.
+        machine = machine.for_board(board).at_feed(options.feed_factor)
         with located_errors(drawing, cleaned, offset):
-            toolpath = _toolpath(cleaned, offset, machine, board, choices, progress)
-        job = PlacedJob(checked, offset, machine, board, choices.sheet)
+            toolpath = _toolpath(cleaned, offset, machine, board, options, chosen, progress)
+        job = PlacedJob(checked, offset, machine, board, options, chosen=work)
         with located_errors(drawing):
             return _compiled(job, toolpath, notes, progress)
 
@@ -256,7 +298,7 @@ def compile_rest(
     board: Board,
     rest: Rest,
     *,
-    choices: Choices = _NO_CHOICES,
+    options: JobOptions = _DEFAULT_OPTIONS,
     notes: Sequence[str] = (),
     progress: Progress = no_progress,
 ) -> Compiled:
@@ -268,7 +310,7 @@ def compile_rest(
 
     Parameters
     ----------
-    drawing, dieline, machine, board, choices
+    drawing, dieline, machine, board, options
         The inputs from which the earlier program was compiled.
     rest
         The tracks that the program makes, and the earlier work.
@@ -285,13 +327,14 @@ def compile_rest(
         An air move to a track would leave the limits of an axis.
     """
     progress(Stage.CLEAN, 0.02)
-    machine = machine.for_board(board)
-    checked = clean_checked(dieline)
+    machine = machine.for_board(board).at_feed(options.feed_factor)
+    work = chosen_work(options, dieline)
+    checked = clean_checked(with_depths(dieline, work, board.caliper))
     offset = placement(checked.cleaned.dieline, machine)
     progress(Stage.SEQUENCE, 0.4)
     with located_errors(drawing):
         toolpath = keep_tracks(rest.toolpath, rest.tracks, machine, board.caliper)
-        job = PlacedJob(checked, offset, machine, board, choices.sheet, rest.earlier)
+        job = PlacedJob(checked, offset, machine, board, options, rest.earlier, work)
         return _compiled(job, toolpath, notes, progress)
 
 
@@ -327,7 +370,7 @@ def verify(
     machine: Machine,
     board: Board,
     *,
-    sheet: Sheet | None = None,
+    options: VerifiedOptions = _DEFAULT_OPTIONS,
     tolerance: float = TOLERANCE,
     earlier: Sequence[EarlierWork] = (),
 ) -> Verdict:
@@ -341,8 +384,8 @@ def verify(
         The edges of the drawing, before cleaning.
     placement : mm
         Shift (x, y) that moves the drawing to its position on the machine's table.
-    sheet
-        The sheet, if it was cut to size; None if there may be board everywhere on the table.
+    options
+        The options for which the program was compiled.
     tolerance : mm
         Maximum distance of the tool's tip from the drawn line.
     earlier
@@ -361,21 +404,17 @@ def verify(
     DrawingTooLarge
         Too many edges overlap.
     """
-    job = PlacedJob(clean_checked(dieline), placement, machine, board, sheet, earlier)
+    machine = machine.for_board(board).at_feed(options.feed_factor)
+    work = chosen_work(options, dieline)
+    checked = clean_checked(with_depths(dieline, work, board.caliper))
+    job = PlacedJob(checked, placement, machine, board, options, earlier, work)
     return prove(job, text, tolerance)
 
 
-def check_choices(choices: Choices, machine: Machine) -> None:
-    """Raise an error if a machine cannot satisfy the user's choices for a job.
-
-    Raises
-    ------
-    PlanError
-        A corner type is invalid, or the machine has no milling cutter or no least lift.
-    """
-    if choices.corners is not None:
-        check_corners(choices.corners, machine)
-    if choices.lift == "least" and machine.turn_clearance == 0.0:
+def check_options(options: JobOptions, machine: Machine) -> None:
+    """Raise ``PlanError`` if a machine cannot satisfy the user's options for a job."""
+    check_corners(options.corners, machine)
+    if options.lift == "least" and machine.turn_clearance == 0.0:
         raise PlanError("lift.not-stated", machine=machine.title)
 
 
@@ -384,7 +423,8 @@ def _toolpath(
     offset: tuple[float, float],
     machine: Machine,
     board: Board,
-    choices: Choices,
+    options: JobOptions,
+    chosen: _CleanedChoices,
     progress: Progress,
 ) -> Toolpath:
     """Return the tool path for cleaned edges.
@@ -392,34 +432,28 @@ def _toolpath(
     The column ``source`` of the tool path contains for each move the index in the drawing of the
     edge that the move makes, or -1 if it makes none.
 
-    Parameters
-    ----------
-    offset
-        Shift (x, y) in mm that moves the drawing to its position on the machine's table.
-    choices
-        The user's choices for the job.
-    progress
-        Called at the start of each stage with the completed fraction of the compile, 0 … 1.
-
-    Raises
-    ------
-    PlanError, CompensationError
-        The drawing cannot be made on this machine, board and sheet.
+    ``offset``: shift (x, y) in mm that moves the drawing to its position on the machine's table.
+    ``options``: the user's options for the job.
+    ``chosen``: the user's choices for cleaned edges.
+    ``progress``: called at the start of each stage with the completed fraction of the compile, 0 …
+    1.
+    Raises ``PlanError, CompensationError``: the drawing cannot be made on this machine, board and
+    sheet.
     """
-    check_choices(choices, machine)
-    corners, safety = choices.corners, machine.turn_clearance if choices.lift == "least" else 0.0
+    check_options(options, machine)
+    safety = machine.turn_clearance if options.lift == "least" else 0.0
     shifted = replace(cleaned.dieline, ends=cleaned.dieline.ends + np.array(offset))
     progress(Stage.PLAN, 0.05)
-    chosen = None if corners is None else replace(corners, placement=offset)
     outlines: list[BoardOutline | None] = [None]
-    if choices.sheet is not None:
-        sheet = sheet_outline(choices.sheet, shifted, machine)
+    if options.sheet is not None:
+        sheet = sheet_outline(options.sheet, shifted, machine)
         # Only grooves run out past the edges of a sheet.
         if (shifted.line_type == LineType.V_GROOVE).any():
             outlines.append(sheet)
     found = []
     for outline in outlines:
-        operations: Sequence[Operation] = plan(shifted, machine, board, chosen, outline)
+        operations = plan(shifted, machine, board, options.corners, outline, offset, chosen.work)
+        operations = apply_starts(operations, chosen.starts)
         progress(Stage.COMPENSATE, 0.2)
         toolpaths = [compensate(_with_starts(operation, machine)) for operation in operations]
         progress(Stage.SEQUENCE, 0.4)
@@ -452,12 +486,13 @@ def _compiled(
     ``notes`` are comments that are added to the head of the program.
     """
     progress(Stage.PROCESS, 0.5)
-    machine, board, sheet = job.machine, job.board, job.sheet
+    machine, board, sheet = job.machine, job.board, job.options.sheet
     head = (
         f"machine {machine.name}",
         f"board {board.name} caliper {board.caliper:g}",
         f"placement X{job.offset[0]:.4f} Y{job.offset[1]:.4f}",
         *([sheet.note] if sheet else []),
+        *([f"feed factor {factor:g}"] if (factor := job.options.feed_factor) != 1.0 else []),
         *notes,
     )
     program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)

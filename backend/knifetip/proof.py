@@ -7,30 +7,33 @@ Only both proofs together show that the program makes the drawing.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from knifetip.checked_cleaning import CheckedCleaning
 from knifetip.cleaning.map_back import map_to_drawn
 from knifetip.messages import Message
 from knifetip.model.board import Board
+from knifetip.model.chosen_work import ChosenWork, work_on_cleaned
 from knifetip.model.earlier_work import EarlierWork
+from knifetip.model.job_options import VerifiedOptions
 from knifetip.model.machine import Machine
-from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Finding, Severity, Verdict
-from knifetip.verification.checks.replaced_lines import note_replaced
+from knifetip.verification.checks.lines.replaced_lines import note_replaced
+from knifetip.verification.expectation.chosen_starts import expected_starts
 from knifetip.verification.verify import verify
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class PlacedJob:
-    """The edges of a job at their position on the table, with machine, board and sheet."""
+    """The edges of a job at their position on the table, with machine, board and options."""
 
     checked: CheckedCleaning  #: the drawn and the cleaned edges
     offset: tuple[float, float]  #: of the drawing on the machine's table (mm)
-    machine: Machine
+    machine: Machine  #: its tools have the feeds of the job
     board: Board
-    sheet: Sheet | None = None  #: the sheet if it was cut to size
+    options: VerifiedOptions = field(default_factory=VerifiedOptions)
     earlier: Sequence[EarlierWork] = ()  #: work that is done on the sheet
+    chosen: ChosenWork = field(default_factory=dict)  #: choices for the drawn edges
 
 
 def prove(
@@ -44,7 +47,7 @@ def prove(
     Parameters
     ----------
     job
-        The edges, with machine, board and sheet.
+        The edges, with machine, board and options.
     text
         The program, made by knifetip or by another system.
     tolerance : mm
@@ -64,9 +67,11 @@ def prove(
         job.offset,
         job.machine,
         job.board,
-        sheet=job.sheet,
+        sheet=job.options.sheet,
         tolerance=tolerance,
         earlier=job.earlier,
+        chosen=work_on_cleaned(job.chosen, cleaned),
+        starts=expected_starts(job.options.contour_starts, drawn, cleaned, job.offset),
     )
     mapped = map_to_drawn(verdict, cleaned, drawn)
     notes = (*note_replaced(drawn, cleaned), *planned_notes(cleaned.notes), *planned_notes(planned))

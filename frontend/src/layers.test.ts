@@ -9,23 +9,27 @@ const SRC = dirname(fileURLToPath(import.meta.url));
 
 const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   geometry: ["geometry"],
-  messages: ["messages", "api"],
-  api: ["api", "geometry"],
-  state: ["state", "messages", "api", "geometry"],
-  panels: ["panels", "state", "messages", "api", "geometry"],
+  language: ["language"],
+  messages: ["messages", "language", "api"],
+  api: ["api", "language", "geometry"],
+  state: ["state", "messages", "language", "api", "geometry"],
+  panels: ["panels", "state", "messages", "language", "api", "geometry"],
   scene: ["scene", "geometry"],
   viewer: ["viewer", "scene", "geometry"],
   docs: [],
-  app: ["app", "panels", "state", "messages", "api", "viewer", "scene", "geometry"],
+  app: ["app", "panels", "state", "messages", "language", "api", "viewer", "scene", "geometry"],
 };
 
 /** Libraries that only some layers may import. */
 const ONLY_IN: Readonly<Record<string, readonly string[]>> = {
   three: ["viewer"],
-  react: ["state", "panels", "app"],
+  react: ["language", "state", "panels", "app"],
   "@mantine/core": ["panels", "app"],
   flatbush: ["geometry"],
   zustand: ["state"],
+  wouter: ["app"],
+  "wouter/use-hash-location": ["state", "app"],
+  "intl-messageformat": ["language"],
 };
 
 interface Import {

@@ -236,6 +236,14 @@ def _settle(tool: Tool, machine: Machine) -> float:
     return machine.settle
 
 
+def _slowing(tool: Tool, motion: Motion) -> float:
+    """Return the part of its feed with which a tool moves along an arc."""
+    if not isinstance(tool, Knife) or tool.free or not tool.slow_radius:
+        return 1.0
+    radius = math.dist(motion.start[:2], motion.centre)
+    return min(1.0, radius / tool.slow_radius)
+
+
 def _feed_danger(motion: Motion, held: Station, machine: Machine) -> list[str]:
     path = np.diff(sample(motion)[:, :3], axis=0)
     length = float(np.sqrt((path**2).sum(axis=1)).sum())
@@ -243,13 +251,18 @@ def _feed_danger(motion: Motion, held: Station, machine: Machine) -> list[str]:
         return []
     level = abs(motion.end[2] - motion.start[2]) < 1e-6
     own = (held.tool.feed if level else held.tool.plunge) / 60.0
+    if level and motion.code > 1:
+        own *= _slowing(held.tool, motion)
     turn = abs(motion.end[3] - motion.start[3])
     velocity = machine.carriage_of(held).axes[3].velocity
     least = max(length / own, turn / velocity)
     tip = np.diff(_tip_poses(motion, machine)[[0, -1], :2], axis=0)
     if np.hypot(*tip[0]) < 1e-3 and level and turn:
         least = turn / velocity  # the head moves round the tip
-    if abs(motion.seconds - least) > 0.01 * least + 1e-3:
+    late = motion.seconds - least
+    if level and motion.code == 1 and isinstance(held.tool, Knife) and held.tool.slow_radius:
+        late = min(late, 0.0)  # chords of a tight curve are slow, too
+    if abs(late) > 0.01 * least + 1e-3:
         return [f"{length / motion.seconds * 60:.0f} mm/min in the board"]
     return []
 

@@ -23,8 +23,8 @@ import sqlalchemy as sa
 from rich.console import Console
 from rich.table import Table
 
-from knifetip.jobs.heartbeats import GatewayReport
-from knifetip.jobs.store import Store
+from knifetip.service.gateways.heartbeats import GatewayReport
+from knifetip.service.store import Store
 from tests.benchmarks.service_process import percentile, run_knifetip
 from tests.support.history import complete_job, fill
 from tests.support.job_states import RESULT, confirm, execute, queued

@@ -26,16 +26,16 @@ import sqlalchemy as sa
 from rich.console import Console
 from rich.table import Table
 
-from knifetip.api.waiting import waiting_of
-from knifetip.jobs.heartbeats import GatewayReport
-from knifetip.jobs.history_store import HistoryFilter
-from knifetip.jobs.job import State
-from knifetip.jobs.job_store import JobOrder
-from knifetip.jobs.store import Store
-from knifetip.jobs.tables import Job
+from knifetip.contract.job import State
 from knifetip.library import load
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.stage import Stage
+from knifetip.service.database.tables import Job
+from knifetip.service.gateways.heartbeats import GatewayReport
+from knifetip.service.history.store import HistoryFilter
+from knifetip.service.machines.waiting import waiting_of
+from knifetip.service.orders.store import JobOrder
+from knifetip.service.store import Store
 from tests.support.history import complete_job, fill
 from tests.support.job_states import (
     RESULT,

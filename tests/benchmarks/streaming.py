@@ -22,11 +22,11 @@ from pathlib import Path
 
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.motion import Limits
-from knifetip.gateway.simulator import Server
 from knifetip.gateway.stream import stream
-from knifetip.gateway.table import Table
-from knifetip.gateway.table_firmware import Firmware
 from knifetip.library import load
+from knifetip.simulators.grbl.firmware import Firmware
+from knifetip.simulators.grbl.simulator import Server
+from knifetip.simulators.grbl.table import Table
 
 MACHINE = load.machine("demo-table")
 PAGE = Path(__file__).parents[2] / "backend" / "docs" / "streaming.md"

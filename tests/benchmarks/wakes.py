@@ -15,8 +15,8 @@ import statistics
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-from knifetip.api.service import Settings
-from knifetip.jobs.store import Store
+from knifetip.service.settings import Settings
+from knifetip.service.store import Store
 from tests.support.job_states import RESULT, compiling
 from tests.support.serving.postgresql import create_database, installed_binaries, run_server
 from tests.support.serving.server import LocalClient

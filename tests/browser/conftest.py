@@ -81,7 +81,7 @@ def server(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Ru
         door.bind(("127.0.0.1", 0))
         port = door.getsockname()[1]
     # Otherwise each process compiles changed kernels by itself while a test waits.
-    subprocess.run([sys.executable, "-m", "knifetip.jobs.warm_up"], check=True)
+    subprocess.run([sys.executable, "-m", "knifetip.service.processes.warm_up"], check=True)
     running = Running(f"http://127.0.0.1:{port}", folder / "server.log")
     command = [sys.executable, "-m", "knifetip.cli", "serve", "--host", "127.0.0.1"]
     command += ["--port", str(port), "--speed", str(SPEED)]

@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 from playwright.sync_api import Browser, Page, expect
 
-from knifetip.api.service import Settings
-from knifetip.jobs.accounts.scopes import ROLES
-from knifetip.jobs.store import Store
+from knifetip.service.http.scopes import ROLES
+from knifetip.service.settings import Settings
+from knifetip.service.store import Store
 from tests.support.serving.server import (
     LocalClient,
     order_job,
@@ -39,7 +39,7 @@ class Shop(NamedTuple):
 @contextmanager
 def open_shop(folder: Path) -> Iterator[Shop]:
     """Run the server of a shop with a database in a folder."""
-    with run_server(Settings(f"sqlite:///{folder}/shop.sqlite")) as client:
+    with run_server(Settings(database=f"sqlite:///{folder}/shop.sqlite")) as client:
         drawing = upload_drawing(client, square())["id"]
         job = order_job(client, drawing, machine="demo-table")["id"]
         wait_for_state(client, job, "ready", seconds=200.0)

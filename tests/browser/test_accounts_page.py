@@ -11,8 +11,8 @@ import pytest
 import sqlalchemy as sa
 from playwright.sync_api import Browser, FilePayload, Page, expect
 
-from knifetip.jobs.accounts.account_tables import UserAccount
-from knifetip.jobs.accounts.scopes import ROLES, AccessScope
+from knifetip.service.database.account_tables import UserAccount
+from knifetip.service.http.scopes import ROLES, AccessScope
 from tests.browser.shop import PASSWORD, Shop, add_users, open_shop, signed_in
 from tests.support.hostile_names import HOSTILE_NAMES, acting
 from tests.support.serving.server import square
@@ -97,7 +97,7 @@ def test_a_user_changes_the_password_and_signs_out(browser: Browser, shop: Shop)
         page.get_by_test_id("sign-out").click()
         expect(page.get_by_role("button", name="Sign in")).to_be_visible()
         assert not [one for one in page.context.cookies() if "session" in one["name"]]
-    assert shop.store.users.with_password("carol", PASSWORD) is None
+    assert shop.store.users.authenticate("carol", PASSWORD) is None
     with signed_in(browser, shop, "carol", "another long text") as page:
         # A user of a provider has no password here.
         with shop.store.database.writing() as session:
@@ -138,7 +138,7 @@ def test_an_administrator_manages_users_and_keys(
             row.get_by_role("button", name="Revoke").click()
             expect(row).to_contain_text("revoked")
             assert program.get("/api/me").status_code == 401
-    user = shop.store.users.with_password("dora", PASSWORD)
+    user = shop.store.users.authenticate("dora", PASSWORD)
     assert user is not None
     assert user.role == "designer"
 

@@ -13,6 +13,7 @@ from playwright.sync_api import FilePayload, Locator, Page, expect
 from knifetip.dxf.samples import samples
 from tests.browser.accessibility import record_view
 from tests.support.writers import dxf_text as text
+from tests.support.writers.pdf_text import pages
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
 
@@ -116,6 +117,35 @@ def test_an_unknown_unit_is_asked_with_sizes_and_evidence(page: Page, screenshot
     expect(page.get_by_test_id("drawing-size")).to_contain_text("unit unknown")
     page.keyboard.press("Control+Shift+z")
     expect(page.get_by_test_id("drawing-size")).to_have_text(re.compile(r"^101\.6 × 76\.2"))
+
+
+def test_one_answer_about_swapped_rules_shows_and_decides_both(
+    page: Page, screenshots: Path
+) -> None:
+    outline = ((0, 0, 300, 0), (300, 0, 300, 200), (300, 200, 0, 200), (0, 200, 0, 0))
+    folds = ((100, 0, 100, 200), (200, 0, 200, 200))
+    lines = [text.line(*ends, (8, "CREASE")) for ends in outline]
+    lines += [text.line(*ends, (8, "CUT")) for ends in folds]
+    upload_files(page, ("swapped.dxf", text.dxf(*lines)))
+    expect(questions(page)).to_have_count(1)
+    question = questions(page).first
+    expect(question).to_contain_text("Layer CREASE")
+    following = question.get_by_test_id("following-edges")
+    expect(following).to_contain_text("Layer CUT")
+    expect(following).to_contain_text("2 edges · 400 mm")
+    expect(following).to_contain_text("Crease if the answer is Cut")
+    expect(following).to_contain_text("Cut if the answer is Crease")
+    record_view(page, screenshots / "import-swapped.png")
+    # Hovering over an answer shows its effect on both layers.
+    page.mouse.move(5, 5)
+    still = screenshot(page)
+    question.get_by_test_id("answer-cut").hover()
+    assert screenshot(page) != still
+    question.get_by_test_id("answer-cut").click()
+    expect(questions(page)).to_have_count(0)
+    page.keyboard.press("Control+z")
+    expect(questions(page)).to_have_count(1)
+    expect(following).to_contain_text("2 edges")
 
 
 def test_each_question_is_answered_by_one_click_and_undone_in_one_step(page: Page) -> None:
@@ -402,3 +432,26 @@ def test_undo_of_a_reclassification_restores_the_former_rules(page: Page) -> Non
     expect(page.get_by_test_id("profile-state")).to_contain_text("has changed")
     page.keyboard.press("Control+Shift+z")
     expect(page.get_by_test_id("legend-half-cut")).to_contain_text("1")
+
+
+def test_a_page_of_a_pdf_is_chosen_by_its_picture(page: Page, screenshots: Path) -> None:
+    front = "1 0 0 RG 5 5 80 60 re S 5 35 m 85 35 l S 45 5 m 45 65 l S"
+    back = "1 0 0 RG 10 10 m 90 10 l 90 50 l 50 90 l 10 50 l h S 30 30 20 10 re S"
+    upload_files(page, ("carton.pdf", pages(front, back, "(damaged")))
+    shown = page.get_by_test_id("pages")
+    expect(shown.get_by_role("button")).to_have_count(3)
+    first, second, third = shown.get_by_role("button").all()
+    expect(first).to_have_attribute("aria-current", "true")
+    expect(first).to_contain_text("28.2 × 21.2")
+    expect(second).to_contain_text("28.2 × 28.2")
+    expect(second.locator("img")).to_have_js_property("complete", value=True)
+    assert second.locator("img").evaluate("image => image.naturalWidth") > 0
+    expect(third).to_be_disabled()
+    record_view(page, screenshots / "import-pages-1440.png")
+    second.click()
+    expect(page.get_by_test_id("drawing-size")).to_have_text(re.compile(r"^28\.2 × 28\.2"))
+    expect(second).to_have_attribute("aria-current", "true")
+    expect(first).to_be_enabled()
+    page.set_viewport_size({"width": 390, "height": 844})
+    shown.scroll_into_view_if_needed()
+    record_view(page, screenshots / "import-pages-390.png")

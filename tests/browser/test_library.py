@@ -214,6 +214,56 @@ def test_the_settings_of_a_controller_follow_its_language(
     expect(page.get_by_text("This controller language has no settings.")).to_be_visible()
 
 
+def test_what_is_typed_and_added_in_the_form_is_what_is_saved(
+    page: Page, server: Running, api: httpx.Client
+) -> None:
+    copy(page, server, "demo-table", "typed-table")
+    field(page, "clearance").click()
+    page.keyboard.press("Control+A")
+    page.keyboard.type("2.75")  # "2." on the way is no number yet
+    expect(field(page, "clearance")).to_have_value("2.75")
+    field(page, "max_caliper").fill("8")
+    field(page, "station 3 → tool").click()
+    page.get_by_role("option", name="crease-wheel").click()
+    field(page, "station 3 → tool → radius").fill("12")
+    field(page, "station 3 → tool → width").fill("0.7")
+    page.get_by_test_id("add-station").click()
+    expect(field(page, "station 4 → number")).to_have_value("3")
+    page.get_by_role("button", name="Remove station 4").click()
+    expect(field(page, "station 4 → number")).to_have_count(0)
+    shipped = definition(api, "machines/demo-table")["fields"]
+    save(page, 2)
+    expect(page.get_by_text("typed-table · version 2")).to_be_visible()
+    saved = definition(api, "machines/typed-table")["fields"]
+    tool = {"kind": "crease-wheel", "radius": 12, "width": 0.7, "feed": 12000, "plunge": 3000}
+    assert saved["station"][2].pop("tool") == tool
+    shipped["station"][2].pop("tool")
+    # Nothing else is changed or added, also no default.
+    assert saved == {**shipped, "title": "Typed-table", "clearance": 2.75, "max_caliper": 8}
+
+
+def test_a_table_is_added_by_its_name_and_a_fault_is_shown_in_it(
+    page: Page, server: Running, api: httpx.Client
+) -> None:
+    copy(page, server, "greyboard-4.0", "named-board")
+    page.get_by_label("Name of the station").fill("Router 2")
+    page.get_by_role("button", name="Add", exact=True).first.click()
+    field(page, "deflection → Router 2 → x").fill("-1")
+    save(page, 2)
+    expect(field(page, "deflection → Router 2 → x")).to_have_attribute("aria-invalid", "true")
+    expect(field(page, "deflection → Router 2 → y")).to_have_attribute("aria-invalid", "true")
+    field(page, "deflection → Router 2 → x").fill("0.1")
+    field(page, "deflection → Router 2 → y").fill("0.2")
+    save(page, 2)
+    expect(page.get_by_text("named-board · version 2")).to_be_visible()
+    saved = definition(api, "boards/named-board")["fields"]["deflection"]
+    assert saved == {"Router 2": {"x": 0.1, "y": 0.2}}
+    page.get_by_role("button", name="Remove Router 2").click()
+    save(page, 3)
+    expect(page.get_by_text("named-board · version 3")).to_be_visible()
+    assert "Router 2" not in definition(api, "boards/named-board")["fields"].get("deflection", {})
+
+
 def test_a_gantry_with_a_second_carriage_is_added_in_the_form(
     page: Page, server: Running, api: httpx.Client
 ) -> None:

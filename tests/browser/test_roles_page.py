@@ -9,9 +9,9 @@ from typing import Final, NamedTuple
 import pytest
 from playwright.sync_api import Browser, Locator, Page, Response, expect
 
-from knifetip.api.routing import scoped_operations
-from knifetip.jobs.accounts.key_limits import KeyLimits
-from knifetip.jobs.accounts.scopes import ROLES, AccessScope, scopes_of_role
+from knifetip.service.database.key_limits import KeyLimits
+from knifetip.service.http.routing import scoped_operations
+from knifetip.service.http.scopes import ROLES, AccessScope, scopes_of_role
 from tests.browser.own_machine import OwnMachine
 from tests.browser.shop import Shop, add_users, open_shop, signed_in
 from tests.support.serving.server import square, upload_drawing
@@ -248,6 +248,8 @@ PRESS: Final = """async (at) => {
   for (; ; at++) {
     const found = [...document.querySelectorAll("button, [role=button], [role=menuitem], summary")]
       .filter((one) => !one.matches(":disabled, [data-disabled], [data-testid=sign-out]"))
+      // Another language loads the page again.
+      .filter((one) => !one.matches("[data-testid^=language-]"))
       .filter((one) => !one.matches("[data-testid=drawing-row], [data-testid=queue-row]"));
     if (at >= found.length) return [at, false];
     found[at].click();

@@ -70,8 +70,8 @@ def _knife(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
     if attempt.machine.name == "demo-table":
         return None
     machine = load.machine("demo-table")
-    choices = replace(attempt.choices, corners=None)
-    return "knife", replace(attempt, machine=machine, dialect=machine.dialect, choices=choices)
+    options = attempt.options.model_copy(update={"corners": None})
+    return "knife", replace(attempt, machine=machine, dialect=machine.dialect, options=options)
 
 
 def _thinner_cutter(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
@@ -131,9 +131,9 @@ def _divided(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
 
 def _whole_sheet(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
     """State no sheet."""
-    if attempt.choices.sheet is None:
+    if attempt.options.sheet is None:
         return None
-    return "no sheet", replace(attempt, choices=replace(attempt.choices, sheet=None))
+    return "no sheet", replace(attempt, options=attempt.options.model_copy(update={"sheet": None}))
 
 
 _ACTIONS: Final[dict[str, Callable[[Refusal, Attempt], tuple[str, Attempt] | None]]] = {

@@ -9,9 +9,9 @@ from typing import Final
 
 from knifetip.library import load
 from knifetip.model.board import Board
-from knifetip.model.choices import Choices
 from knifetip.model.corners import Corners
 from knifetip.model.dieline import LineType
+from knifetip.model.job_options import JobOptions
 from knifetip.model.machine import Machine
 from knifetip.model.sheet import Sheet
 from tests.cartons.blank import Blank
@@ -46,7 +46,7 @@ class Job:
     machine: Machine
     board: Board
     dialect: str
-    choices: Choices
+    options: JobOptions
 
     @property
     def truth(self) -> dict[tuple[str, int], LineType]:
@@ -88,10 +88,12 @@ def random_job(seed: int, number: int, *, bodies: bool = False) -> Job:
         machine,
         board,
         dialect,
-        Choices(
-            Corners(type=rng.choice(["auto", "B", "C", "D"])) if machine.offset_cuts else None,
-            rng.choice([None, None, None, Sheet()]),
-            "least" if machine.turn_clearance and rng.random() < 0.3 else "clearance",
+        JobOptions(
+            corners=Corners(type=rng.choice(["auto", "B", "C", "D"]))
+            if machine.offset_cuts
+            else None,
+            sheet=rng.choice([None, None, None, Sheet()]),
+            lift="least" if machine.turn_clearance and rng.random() < 0.3 else "clearance",
         ),
     )
 

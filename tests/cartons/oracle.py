@@ -52,14 +52,15 @@ def check_tip_path(_job: Job, outcome: Outcome) -> str:
         return f"not executed: {fault}"
     # The effects do not take the size of the sheet into account, so low moves beside it would count
     # as dangers.
-    on_table = attempt.choices.sheet is None
-    if attempt.choices.lift == "clearance" and on_table and effect.dangers:
+    on_table = attempt.options.sheet is None
+    if attempt.options.lift == "clearance" and on_table and effect.dangers:
         return effect.dangers[0]
     if RS274 and machine.dialect == "linuxcnc":
         difference = interpreter_difference(oracle.run_of(text), text, machine)
         if difference:
             return difference
-    for index, held in enumerate(machine.stations if on_table else ()):
+    # The effects count the stations in the order of the machine for this board.
+    for index, held in enumerate(oracle.machine.stations if on_table else ()):
         own = [
             each
             for each in effect.contacts

@@ -13,10 +13,10 @@ from knifetip.errors import KnifetipError
 from knifetip.geometry.columns import U8
 from knifetip.model.acceptance import with_exceptions
 from knifetip.model.board import Board
-from knifetip.model.choices import Choices
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import Interpretation
+from knifetip.model.job_options import JobOptions
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Acceptance, Severity, Verdict
 from tests.cartons.hints import LEFT_OUT, follow
@@ -35,7 +35,7 @@ class Attempt:
     machine: Machine
     board: Board
     dialect: str
-    choices: Choices
+    options: JobOptions
 
     @property
     def dieline(self) -> Dieline:
@@ -84,7 +84,7 @@ def attempt_drawing(data: bytes, machine: Machine, board: Board) -> Outcome:
         line_type = dieline.line_type.copy()
         for question in pipeline.questions(drawing, dieline):
             line_type[list(question.edges)] = LineType.from_word(question.choices[0])
-        attempt = Attempt(drawing, line_type, machine, board, machine.dialect, Choices())
+        attempt = Attempt(drawing, line_type, machine, board, machine.dialect, JobOptions())
         _follow_hints(attempt, outcome)
     except KnifetipError as error:
         outcome.fate, outcome.text = "stuck", str(error)
@@ -143,7 +143,7 @@ def _opened(job: Job, outcome: Outcome) -> Attempt:
     )
     wrong = (decided.line_type != truth) & (decided.line_type != LineType.UNCLASSIFIED)
     outcome.mistyped = int(wrong.sum())
-    return Attempt(drawing, truth, job.machine, job.board, job.dialect, job.choices)
+    return Attempt(drawing, truth, job.machine, job.board, job.dialect, job.options)
 
 
 def _compile(attempt: Attempt, outcome: Outcome) -> Refusal | None:
@@ -163,7 +163,7 @@ def _compile(attempt: Attempt, outcome: Outcome) -> Refusal | None:
             dieline,
             attempt.machine,
             attempt.board,
-            choices=attempt.choices,
+            options=attempt.options,
             dialect=attempt.dialect,
         )
     except KnifetipError as error:

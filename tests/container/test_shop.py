@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 import yaml
 
-from knifetip.jobs.store import Store
+from knifetip.service.store import Store
 from tests.container.shop import (
     ROOT,
     Shop,
@@ -41,7 +41,10 @@ PACKAGES = (
     "for one in distributions():\n"
     "    print(re.sub('[-_.]+', '-', one.name).lower() + '==' + one.version)"
 )
-EXTRAS = "import obstore.store, knifetip.api.oidc.sign_in, knifetip.telemetry; print('loaded')"
+EXTRAS = (
+    "import obstore.store, knifetip.service.accounts.oidc.sign_in, knifetip.telemetry\n"
+    "print('loaded')"
+)
 LICENCES = ROOT / "backend" / "docs" / "licences.md"
 
 

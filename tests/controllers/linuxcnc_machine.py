@@ -35,14 +35,16 @@ from tests.controllers import linuxcnc_configuration as configuration
 
 #: Created by LinuxCNC while it runs.
 LOCK = Path("/tmp/linuxcnc.lock")
+#: In the log of a LinuxCNC that finds components of another one.
+_DUPLICATE = "duplicate component name"
 #: Locked by the test run that uses LinuxCNC.
 _TURN = Path(tempfile.gettempdir()) / "knifetip-test-linuxcnc"
 _SHELL = "linuxcncrsh"
 #: Its processes that may outlive a killed test run.
 _REMAINS = ("halsampler", "rtapi_app", _SHELL)
 _SHARED_MEMORY = Path("/proc/sysvipc/shm")
-#: Keys of the shared memory that a left process may keep: HAL's sampler.
-_KEYS = (0x48534130,)
+#: Keys of the shared memories that a killed run leaves: HAL's sampler, HAL, RTAPI and motion.
+_KEYS = (0x48534130, 0x48414C32, 0x48484C34, 100)
 _JOINTS = len(configuration.JOINTS)
 
 
@@ -279,6 +281,7 @@ def _remove_leftovers() -> None:
         for process in _processes(None, name):
             with suppress(ProcessLookupError):
                 os.kill(process, signal.SIGKILL)
+    wait_until(lambda: not any(_processes(None, name) for name in _REMAINS), 10.0)
     # Key and identity of each shared memory of this computer.
     rows = [line.split()[:2] for line in _SHARED_MEMORY.read_text().splitlines()[1:]]
     for key, identity in rows:
@@ -352,7 +355,13 @@ def started(table: TableMachine) -> Iterator[Machine]:
         machine = _start(table, directory)
         sampler = None
         try:
-            wait_until(lambda: machine.runs or machine.process.poll() is not None, 30.0)
+            _wait_for_start(machine)
+            if not machine.runs and _DUPLICATE in machine.log:
+                # A LinuxCNC that was just ending has left its components in the memory.
+                _stop(machine)
+                _remove_leftovers()
+                machine = _start(table, directory)
+                _wait_for_start(machine)
             assert machine.runs, machine.log
             with (directory / "samples.txt").open("wb") as samples:
                 sampler = subprocess.Popen(["halsampler"], **_as_user(), stdout=samples)
@@ -362,6 +371,10 @@ def started(table: TableMachine) -> Iterator[Machine]:
                 sampler.terminate()
                 sampler.wait(10.0)
             _stop(machine)
+
+
+def _wait_for_start(machine: Machine) -> None:
+    wait_until(lambda: machine.runs or machine.process.poll() is not None, 30.0)
 
 
 def _start(table: TableMachine, directory: Path) -> Machine:

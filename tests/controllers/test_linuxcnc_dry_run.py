@@ -9,6 +9,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from knifetip.contract.operations import Operation, OperationName
+from knifetip.contract.station_report import ActivityState
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.dry_program import (
     check_dry_program,
@@ -17,10 +19,10 @@ from knifetip.gateway.dry_program import (
     frame_program,
     station_starts,
 )
-from knifetip.gateway.dry_run import ActivityState, DryProgram, DryRun
+from knifetip.gateway.dry_run import DryProgram, DryRun
 from knifetip.gateway.interpreter import tool_offsets
 from knifetip.gateway.linuxcnc.driver import dial
-from knifetip.gateway.operations import Operation, OperationName, perform
+from knifetip.gateway.operations import perform
 from knifetip.gateway.tool_check import CheckedPoint, ToolCheck
 from tests.controllers.linuxcnc_machine import Machine, Supply, missing_requirement
 from tests.controllers.quick_router import BOARD, TABLE

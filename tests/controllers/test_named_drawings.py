@@ -43,7 +43,7 @@ def verify_named(named: Named, corpus: Path | None) -> tuple[Report, float]:
     made = pipeline.compile(drawing, dieline, load.machine("demo-table"), board, dialect="linuxcnc")
     assert made.verdict.accepted, made.verdict.findings[:3]
     deepest = max(board.crease_along, board.crease_across)
-    # A crease under a cut is not made; ``checks.cleaning_check`` verifies that.
+    # A crease under a cut is not made; ``checks.cleaning`` verifies that.
     worked = pipeline.clean(dieline).dieline
     report = verify_by_interpreter(
         made.program.text,

@@ -13,8 +13,8 @@ from random import Random
 from subprocess import SubprocessError
 from typing import Final
 
-from knifetip.jobs.job import State
-from knifetip.jobs.store import Store
+from knifetip.contract.job import State
+from knifetip.service.store import Store
 from tests.failures.operator import Operator, upload_drawings
 from tests.failures.shop import SERVERS, WORKERS, Shop
 from tests.failures.violations import JobRecord, Violations, check_jobs

@@ -16,10 +16,10 @@ from typing import Final
 
 import httpx
 
-from knifetip.jobs.accounts.scopes import AccessScope
-from knifetip.jobs.store import Store
 from knifetip.library import load
 from knifetip.library.definition import Definition, Shelf
+from knifetip.service.http.scopes import AccessScope
+from knifetip.service.store import Store
 from tests.failures.clocks import Clocks
 from tests.failures.network import Network, can_cut
 from tests.failures.watched_table import TableThread

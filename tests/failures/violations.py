@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
-from knifetip.jobs.job import State
+from knifetip.contract.job import State
 from tests.failures.watched_table import Run
 
 _COMMENT: Final = re.compile(rb"\([^)]*\)|^N\d+ *")

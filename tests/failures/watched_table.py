@@ -10,9 +10,9 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from knifetip.gateway.simulator import Server
-from knifetip.gateway.table import BANNER, Table
 from knifetip.model.machine import Machine
+from knifetip.simulators.grbl.simulator import Server
+from knifetip.simulators.grbl.table import BANNER, Table
 
 #: Heads at this height or above touch no board (mm).
 LIFTED = 5.0

@@ -9,11 +9,11 @@ from tests.fuzz.fuzzing import instrumented, main
 from tests.support.reading import assert_proper_refusal
 
 with instrumented(
-    "knifetip.units", "knifetip.classification", "knifetip.cleaning", "knifetip.jobs"
+    "knifetip.units", "knifetip.classification", "knifetip.cleaning", "knifetip.service.processes"
 ):
     from knifetip.errors import KnifetipError
-    from knifetip.jobs import tasks
     from knifetip.model.interpretation import Interpretation
+    from knifetip.service.processes import tasks
 
 _UNITS = ("", "mm", "in", "m")
 

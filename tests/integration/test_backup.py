@@ -13,11 +13,11 @@ from pathlib import Path
 import pytest
 import sqlalchemy as sa
 
-from knifetip.jobs.compile_result import CompileResult
-from knifetip.jobs.drawing_store import NewDrawing
-from knifetip.jobs.job_store import JobOrder
-from knifetip.jobs.store import Store
 from knifetip.model.interpretation import Interpretation
+from knifetip.service.drawings.store import NewDrawing
+from knifetip.service.orders.store import JobOrder
+from knifetip.service.processes.compile_result import CompileResult
+from knifetip.service.store import Store
 from tests.support.command import Command
 from tests.support.serving.postgresql import create_database, installed_binaries
 

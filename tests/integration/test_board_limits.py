@@ -90,6 +90,23 @@ def test_a_board_above_which_the_head_does_not_travel_is_refused() -> None:
     assert compiled("flat-cutter-hpgl", replace(load.board("fbb-0.4"), caliper=3.0))
 
 
+def test_a_board_thicker_than_the_machine_takes_is_refused_by_planner_and_verifier() -> None:
+    board = load.board("fbb-0.4")
+    made = compiled("demo-table", board)
+    lines = drawing(OUTLINE.ends, [("0", 7, "CONTINUOUS")] * len(OUTLINE))
+    small = replace(load.machine("demo-table"), max_caliper=0.35)
+    with pytest.raises(PlanError, match=r"0\.4 mm thick, but .* up to 0\.35 mm") as caught:
+        pipeline.compile(lines, OUTLINE, small, board)
+    assert caught.value.message.code == "board.too-thick"
+    # A program that was made for another machine is refused by the verifier as well.
+    verdict = pipeline.verify(made.program.text, OUTLINE, made.placement, small, board)
+    assert [finding.message.code for finding in verdict.findings] == ["board.too-thick"]
+    assert not verdict.accepted
+    # The limit itself is permitted.
+    exact = replace(small, max_caliper=0.4)
+    assert pipeline.compile(lines, OUTLINE, exact, board).verdict.accepted
+
+
 def test_the_swings_of_a_free_blade_keep_the_feed_of_the_board() -> None:
     board = limited(ToolLimits("knife", 4200.0))
     assert compiled("drag-knife-table", replace(board, caliper=0.5)).verdict.accepted

@@ -11,7 +11,6 @@ import pytest
 
 from knifetip import compensate, plan, process, sequence
 from knifetip.errors import ControllerError, LibraryError, TravelExceeded
-from knifetip.gateway.table import Table
 from knifetip.languages.registry import find_language, with_language
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
@@ -19,6 +18,7 @@ from knifetip.model.machine import Axis, Carriage, Gantry, Machine, Zone
 from knifetip.model.tool import Laser
 from knifetip.sequencing.duration import duration, durations
 from knifetip.sequencing.travel import carriage_changes
+from knifetip.simulators.grbl.table import Table
 from knifetip.verification.verify import trace_program, verify
 from tests.support.shapes import closed, dieline, edges
 from tests.support.verdicts import has_faults

@@ -15,15 +15,15 @@ import pytest
 from knifetip import pipeline
 from knifetip.geometry.columns import F64
 from knifetip.library import load
-from knifetip.model.choices import Choices
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.interpretation import Interpretation
+from knifetip.model.job_options import JobOptions
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Severity
 from knifetip.pipeline import Compiled
 from tests.cartons.campaign import Tally, run
 from tests.cartons.job import random_job
-from tests.cartons.trial import attempt_job
+from tests.cartons.trial import attempt_drawing, attempt_job
 from tests.support.drawings import drawing
 from tests.support.shapes import closed, dieline, edges
 
@@ -31,14 +31,16 @@ CUT, CREASE, GROOVE = LineType.CUT, LineType.CREASE, LineType.V_GROOVE
 PERFORATION = LineType.PERFORATION
 
 
-def compiled(line: Dieline, machine: str, board: str, choices: Choices | None = None) -> Compiled:
+def compiled(
+    line: Dieline, machine: str, board: str, options: JobOptions | None = None
+) -> Compiled:
     lines = drawing(line.ends, [("0", 7, "CONTINUOUS")] * len(line), bulge=line.bulge)
     return pipeline.compile(
         lines,
         line,
         load.machine(machine),
         load.board(board),
-        choices=choices or Choices(),
+        options=options or JobOptions(),
     )
 
 
@@ -82,7 +84,7 @@ def test_grooves_of_blanks_in_a_row_run_out_beside_each_other(space: float) -> N
     blanks = [closed((x, 0), (x + 60, 0), (x + 60, 40), (x, 40)) for x in (0.0, 60.0 + space)]
     grooves = edges(*(((x + 0.04, 20), (x + 59.96, 20)) for x in (0.0, 60.0 + space)))
     line = dieline(*((CUT, blank) for blank in blanks), (GROOVE, grooves))
-    made = compiled(line, "demo-table", "greyboard-2.0", Choices(sheet=Sheet()))
+    made = compiled(line, "demo-table", "greyboard-2.0", JobOptions(sheet=Sheet()))
     assert refusals(made) == []
 
 
@@ -226,6 +228,14 @@ def test_creases_around_a_corner_with_gaps_are_set_back_alike() -> None:
     )
     panel = closed((0, 240), (120, 240), (120, 400), (0, 400))
     assert refusals(compiled(dieline((CUT, panel), (CREASE, folds)), "demo-table", "b-flute")) == []
+
+
+@pytest.mark.corpus
+def test_curls_drawn_twice_are_cut_by_a_drag_knife(corpus: Path) -> None:
+    """The knife must not leave the board between two curls that are 0.004 mm apart."""
+    data = (corpus / "generated__florianfesti__boxes/PaperBox_100x40x140.dxf").read_bytes()
+    outcome = attempt_drawing(data, load.machine("drag-knife-hpgl"), load.board("fbb-0.4"))
+    assert outcome.fate == "accepted", outcome.text
 
 
 @pytest.mark.corpus

@@ -13,11 +13,11 @@ from knifetip.errors import ControllerError, ControllerRejected
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.motion import Limits
-from knifetip.gateway.simulator import Server
 from knifetip.gateway.stream import Progress, stream
-from knifetip.gateway.table import Table
-from knifetip.gateway.table_firmware import Firmware
 from knifetip.library import load
+from knifetip.simulators.grbl.firmware import Firmware
+from knifetip.simulators.grbl.simulator import Server
+from knifetip.simulators.grbl.table import Table
 
 MACHINE = load.machine("demo-table")
 SAFE = SafeState.of(MACHINE)

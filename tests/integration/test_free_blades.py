@@ -72,6 +72,22 @@ def test_the_programs_are_accepted(name: str, line: Dieline) -> None:
     assert verdict.uncut.max() == 0.0
 
 
+@pytest.mark.parametrize("radius", [0.08, 0.1, 0.15])
+@pytest.mark.parametrize("name", MACHINES)
+def test_the_round_ends_of_narrow_slots_are_cut(name: str, radius: float) -> None:
+    """The axis, 0.75 mm ahead, travels up to nine times as far as the tip."""
+    corners = closed(
+        *((100, 100), (150 - radius, 100), (150 - radius, 130), (150 + radius, 130)),
+        *((150 + radius, 100), (200, 100), (200, 200), (100, 200)),
+    )
+    line = dieline((CUT, corners), bulge={2: -1.0})
+    table = machine(name)
+    text = process(toolpath(table, line), table).text
+    verdict = judged(text, table, line)
+    assert codes(verdict) == set()
+    assert verdict.uncut.max() == 0.0
+
+
 @pytest.mark.parametrize("depth", [0.0, 0.1])
 def test_the_axis_swings_about_every_corner(depth: float) -> None:
     """Planned poses against figures by hand: a square of 100 mm, e = 0.75 mm."""
@@ -96,6 +112,27 @@ def test_the_axis_swings_about_every_corner(depth: float) -> None:
         expected = -table.into_mat if depth == 0.0 else BOARD.caliper - depth
         assert moves.pose[row + 1, 2] == pytest.approx(expected)
     assert moves.feed[swings] == pytest.approx(6000.0)
+
+
+@pytest.mark.parametrize(("turn", "lifts"), [(14.0, 0), (16.0, 1)])
+def test_the_blade_stays_down_at_joints_of_less_than_its_swivel_angle(
+    turn: float, lifts: int
+) -> None:
+    direction = math.radians(turn)
+    far = (150.0 + 50.0 * math.cos(direction), 100.0 + 50.0 * math.sin(direction))
+    line = dieline((CUT, edges(((100, 100), (150, 100)), ((150, 100), far))))
+    table = machine("drag-knife-table", blade_angle=0.0)
+    moves = toolpath(table, line)
+    text = process(moves, table).text
+    assert judged(text, table, line).findings == ()
+    # The blade is parked along the first line, and is turned back at the end of the second one.
+    shallow = BOARD.caliper - 0.1
+    swings = (moves.bulge != 0.0) & (np.abs(moves.pose[1:, 2] - shallow) < 1e-9)
+    assert int(swings.sum()) == lifts + 1
+    # A blade that may turn by 10° only would be turned too deep by the same program.
+    planned = replace(table.stations[0].tool, swivel=10.0)  # type: ignore[type-var]
+    strict = replace(table, stations=(replace(table.stations[0], tool=planned),))
+    assert codes(judged(text, strict, line)) == (set() if lifts else {"verify.deep-swivel"})
 
 
 def test_an_arc_of_the_line_is_an_arc_of_the_axis() -> None:
@@ -262,5 +299,91 @@ def test_a_free_blade_beside_driven_tools_leaves_c_at_rest() -> None:
 def test_parallel_cuts_need_no_swing_between_them(apart: float) -> None:
     line = dieline((CUT, edges(((120, 120), (160, 120)), ((120, 140), (160, 140 + apart)))))
     table = load.machine("drag-knife-table")
+    verdict = judged(process(toolpath(table, line), table).text, table, line)
+    assert codes(verdict) == set(), [finding.text for finding in verdict.findings]
+
+
+@pytest.mark.parametrize("angle", [30, 54, 102])
+def test_a_blade_may_turn_by_half_a_turn_at_any_angle(angle: int) -> None:
+    """Four digits turn a blade of 0.75 mm by up to 0.02° more than the 180° between two cuts."""
+    x, y = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    first = (150.0, 150.0), (150.0 + 30.0 * x, 150.0 + 30.0 * y)
+    back = (first[1][0] - 7.0 * y, first[1][1] + 7.0 * x), (150.0 - 7.0 * y, 150.0 + 7.0 * x)
+    line = dieline((CUT, edges(first, back)))
+    table = load.machine("drag-knife-table")
+    verdict = judged(process(toolpath(table, line), table).text, table, line)
+    assert codes(verdict) == set(), [finding.text for finding in verdict.findings]
+
+
+def circle(x: float, y: float, radius: float) -> Any:
+    return closed((x - radius, y), (x + radius, y))
+
+
+@pytest.mark.parametrize("board", ["fbb-0.4", "e-flute"])
+@pytest.mark.parametrize("radius", [0.01, 0.02, 0.03, 0.05, 0.1])
+@pytest.mark.parametrize("name", [*MACHINES, "sample-table", "two-carriage-table"])
+def test_small_circles_are_cut_all_round(name: str, radius: float, board: str) -> None:
+    """The tip travels round them, and on past the start, and does not only turn in place.
+
+    The bend is tighter than the board permits, which a person may accept.
+    """
+    table, material = load.machine(name), load.board(board)
+    line = dieline((CUT, circle(100.0, 100.0, radius)), bulge={0: 1.0, 1: 1.0})
+    made = sequence([compensate(one) for one in plan(line, table, material)], table)
+    verdict = verify(process(made, table).text, line, (0.0, 0.0), table, material)
+    assert codes(verdict) == set(), [finding.text for finding in verdict.findings]
+    assert codes(verdict, Severity.SHORTFALL) <= {"verify.blade-bend-too-tight"}
+    assert verdict.uncut.max() == 0.0
+
+
+def test_a_swing_about_a_point_beside_the_tip_is_a_bend() -> None:
+    """Half a turn of the axis about the tip turns the blade in place; about a point 0.02 mm beside
+    the tip it cuts an arc of that radius.
+    """
+    table = machine("drag-knife-table", blade_angle=0.0, swivel_depth=0.1)
+    text = (
+        "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1\nG0 Z10\nM5\nG0 X100.75 Y100\nG0 Z2.4\n"
+        "G1 Z-0.2 F1500\nG1 X120.75 F6000\n{swing}\nG1 Z2.4 F1500\nG0 Z10\nM30\n"
+    )
+    line = dieline((CUT, edges(((100, 100), (120, 100)))))
+    in_place = judged(text.format(swing="G3 X119.25 Y100 I-0.75 J0").encode(), table, line)
+    assert "verify.deep-swivel" in codes(in_place)
+    beside = judged(text.format(swing="G3 X119.25 Y100.04 I-0.75 J0.02").encode(), table, line)
+    assert "verify.deep-swivel" not in codes(beside)
+    (bend,) = (one for one in beside.findings if one.message.code == "verify.blade-bend")
+    assert bend.message.arguments["radius"] == pytest.approx(0.02, abs=1e-3)
+
+
+def test_whole_units_do_not_turn_the_blade_on_its_way() -> None:
+    """A circle of 0.1 mm on a crossing of lines, on a cutter with units of 0.025 mm.
+
+    The axis of the blade, 0.75 mm ahead, is rounded 26 times on its way round the circle.
+    """
+    lines = edges(((100, 100), (110, 100)), ((105, 95), (105, 105)), ((105, 105), (120, 105)))
+    line = dieline(
+        (CUT, np.concatenate([lines, circle(105, 100, 0.1), circle(120, 105, 0.1)])),
+        bulge={3: 1.0, 4: 1.0, 5: 1.0, 6: 1.0},
+    )
+    table = load.machine("drag-knife-hpgl")
+    verdict = judged(process(toolpath(table, line), table).text, table, line)
+    assert codes(verdict) == set(), [finding.text for finding in verdict.findings]
+    assert verdict.uncut.max() == 0.0
+    assert verdict.path_deviation.max() < 0.04
+
+
+@pytest.mark.parametrize("shift", [(0.042, 0.018), (0.035, 0.041), (0.035, 0.016)])
+def test_an_upright_blade_may_return_at_an_acute_corner(shift: tuple[float, float]) -> None:
+    """A side of 0.2 mm lies within the tolerance of the next one, 8° beside it.
+
+    A slanted blade would cut the top face past the corner; an upright one does not.
+    """
+    corners = np.array(
+        [
+            *((377.142, 150.172), (377.287, 149.005), (377.142, 148.713), (376.996, 148.859)),
+            *((377.433, 148.276), (377.871, 148.276), (378.454, 147.547)),
+        ]
+    )
+    line = dieline((CUT, np.stack([corners[:-1], corners[1:]], axis=1) + shift))
+    table = machine("drag-knife-hpgl", blade_angle=0.0)
     verdict = judged(process(toolpath(table, line), table).text, table, line)
     assert codes(verdict) == set(), [finding.text for finding in verdict.findings]

@@ -20,16 +20,16 @@ from knifetip.errors import (
     ControllerSilent,
     ProgramError,
 )
-from knifetip.gateway import simulator
 from knifetip.gateway.controller import SafeState, State
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.grbl.driver import Grbl
 from knifetip.gateway.motion import Limits
 from knifetip.gateway.stream import Progress, stream
-from knifetip.gateway.table import Faults, Table
 from knifetip.gateway.transport import connect
 from knifetip.geometry.columns import F64
 from knifetip.library import load
+from knifetip.simulators.grbl import simulator
+from knifetip.simulators.grbl.table import Faults, Table
 
 MACHINE = load.machine("demo-table")
 SAFE = SafeState.of(MACHINE)

@@ -84,6 +84,24 @@ def test_a_contour_is_one_run_although_a_notch_interrupts_it(
     assert made.verdict.accepted
 
 
+@pytest.mark.parametrize("count", [24, 36, 48])
+def test_holes_of_chords_shorter_than_a_unit_of_the_plotter_are_accepted(count: int) -> None:
+    """The chords are drawn with two decimals, so they turn by up to 90°, and some of them are lost
+    in the units of 0.025 mm."""
+    outline = closed((0, 0), (400, 0), (400, 200), (0, 200))
+    angle = np.linspace(0.0, 2.0 * np.pi, count, endpoint=False)
+    holes = []
+    for k in range(60):
+        radius, x, y = 0.25 + 0.005 * k, 20.012 + 31.37 * (k % 12), 20.0 + 36.73 * (k // 12)
+        points = np.stack([x + radius * np.cos(angle), y + radius * np.sin(angle)], axis=1)
+        holes.append(closed(*(tuple(point) for point in np.round(points, 2).tolist())))
+    drawn = dieline((LineType.CUT, np.concatenate([outline, *holes])))
+    lines = drawing(drawn.ends, [("CUT", 7, "CONTINUOUS")] * len(drawn))
+    made = pipeline.compile(lines, drawn, MACHINE, BOARD)
+    assert {one.kind for one in made.verdict.findings} <= {"near", "beside"}
+    assert made.verdict.accepted
+
+
 def _nth(text: bytes, pattern: bytes, new: bytes, which: int = 0) -> bytes:
     found = list(re.finditer(pattern, text))[which]
     return text[: found.start()] + new + text[found.end() :]

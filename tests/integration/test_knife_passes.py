@@ -132,7 +132,7 @@ def test_a_controller_without_depths_makes_one_pass_and_the_verdict_has_a_note()
 
 
 @pytest.mark.parametrize("machine", ["demo-table", "v-groove-table", "two-carriage-table"])
-@pytest.mark.parametrize("slow", [0.0, 10.0, 30.0, 80.0])
+@pytest.mark.parametrize("slow", [0.0, 10.0, 20.05, 20.1, 30.0, 80.0])
 def test_the_feed_is_lower_in_tight_curves(slow: float, machine: str) -> None:
     used = board("greyboard-2.0", slow_radius=slow)
     made = compiled(used, machine)

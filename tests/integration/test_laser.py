@@ -146,8 +146,8 @@ FAULTS: dict[str, tuple[Callable[[str], str], str]] = {
         lambda text: text.replace("G4 P0.2\nG1 ", "G4 P0.2\nG1 Z0.9000 ", 1),
         "while the head moves up or down",
     ),
-    "too fast": (lambda text: text.replace("F9000", "F12000"), "a feed of 12000"),
-    "too slow": (lambda text: text.replace("F9000", "F6000"), "a feed of 6000"),
+    "too fast": (lambda text: text.replace("F9000", "F12000"), "a feed of 12,000"),
+    "too slow": (lambda text: text.replace("F9000", "F6000"), "a feed of 6,000"),
 }  # fmt: skip
 
 

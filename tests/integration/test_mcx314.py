@@ -21,8 +21,6 @@ from knifetip.gateway import claim
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.hot_folder import find_driver
 from knifetip.gateway.job_server import GatewaySettings
-from knifetip.gateway.mcx314 import simulator
-from knifetip.gateway.mcx314.board import Board
 from knifetip.gateway.mcx314.driver import dial
 from knifetip.gateway.motion import Limits
 from knifetip.gateway.stream import stream
@@ -31,6 +29,8 @@ from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.pipeline import Compiled
 from knifetip.sequencing.tracks import RestChoice, find_tracks, row_lines
+from knifetip.simulators.mcx314 import simulator
+from knifetip.simulators.mcx314.board import Board
 from tests.support.drawings import drawing
 from tests.support.serving.server import Running, order_job, square, upload_drawing, wait_for_state
 from tests.support.shapes import closed, dieline, edges
@@ -51,6 +51,31 @@ def compiled(line: Dieline = BOX) -> Compiled:
     made = pipeline.compile(lines, line, MACHINE, BOARD)
     assert made.verdict.accepted, made.verdict.findings
     return made
+
+
+@pytest.mark.parametrize(
+    ("overrun", "codes"),
+    [
+        ("LINE Y56 V80000 JOIN", set()),
+        ("LINE X1 Y56 V80013 JOIN", set()),
+        ("LINE X2 Y56 V80051 JOIN", {"verify.wrong-heading"}),
+    ],
+)
+def test_a_short_overrun_may_be_turned_by_the_rounding_of_its_ends(
+    overrun: str, codes: set[str]
+) -> None:
+    """Half a pulse at either end of 56 pulses turns the line by 1.02°."""
+    board = load.board("e-flute")
+    line = dieline(
+        (LineType.CUT, closed((100, 100), (140, 100), (140, 140), (100, 140))),
+        (LineType.CUT, edges(((120, 136), (120, 140)))),
+    )
+    lines = drawing(line.ends, [("0", 7, "CONTINUOUS")] * len(line))
+    made = pipeline.compile(lines, line, MACHINE, board)
+    program = made.program.text.replace(b"LINE Y56 V80000 JOIN", overrun.encode())
+    assert overrun.encode() in program
+    verdict = pipeline.verify(program, line, made.placement, MACHINE, board)
+    assert {one.message.code for one in verdict.findings if one.refuses} == codes
 
 
 @pytest.mark.parametrize("radius", [2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 40.0])

@@ -248,6 +248,28 @@ def test_dashes_and_a_cut(cut: tuple[tuple[float, int], ...]) -> None:
     assert verdict.accepted, verdict.findings[:2]
 
 
+@pytest.mark.parametrize(
+    ("ends", "cuts"),
+    [
+        ((150, 200, 200.3, 250, 250.3, 300), (200.4,)),
+        ((150, 200, 200.3, 250, 250.3, 300), (199.9,)),
+        ((150, 200, 200.3, 250, 250.3, 300), (200.4, 249.9)),
+        ((150, 200, 200.3, 250, 250.3, 300, 303, 350), (304.0,)),
+        ((150, 200, 200.3, 250, 253.3, 300), (254.0,)),
+    ],
+    ids=["after a gap", "before a gap", "beside both gaps", "at a wide gap", "two wide gaps"],
+)
+def test_a_cut_through_a_crease_so_near_a_gap_that_the_wheel_stops_before_both(
+    ends: tuple[float, ...], cuts: tuple[float, ...]
+) -> None:
+    creases = edges(*[((a, 150), (b, 150)) for a, b in zip(ends[::2], ends[1::2], strict=True)])
+    crossing = edges(*[((x, 130), (x, 170)) for x in cuts])
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, creases), (CUT, crossing)))
+    # Beside a gap that is none between dashes, 1 mm of crease is too short for the wheel.
+    faults = [each for each in verdict.findings if each.severity is Severity.FAULT]
+    assert not faults, faults[:2]
+
+
 def test_a_crease_that_a_cut_goes_through_at_a_vertex(monkeypatch: pytest.MonkeyPatch) -> None:
     cut = edges(((200, 130), (200, 150)), ((200, 150), (210, 170)))
     line = dieline(OUTLINE, (CREASE, edges(((150, 150), (300, 150)))), (CUT, cut))

@@ -35,7 +35,7 @@ def examples(heading: str) -> list[str]:
 @pytest.fixture
 def tray(tmp_path: Path) -> Path:
     """Return a folder that contains the file named in the examples."""
-    (tmp_path / "tray.dxf").write_bytes(samples()["corrugated-tray.dxf"])
+    (tmp_path / "corrugated-tray.dxf").write_bytes(samples()["corrugated-tray.dxf"])
     return tmp_path
 
 

@@ -11,10 +11,10 @@ import pytest
 from knifetip import pipeline
 from knifetip.languages.registry import with_language
 from knifetip.library import load
-from knifetip.model.choices import Choices
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.earlier_work import EarlierWork
+from knifetip.model.job_options import JobOptions
 from knifetip.model.machine import Machine
 from knifetip.model.sheet import Sheet
 from knifetip.model.toolpath import Motion
@@ -57,8 +57,8 @@ def job(
     machine = with_language(load.machine(name), language)
     line = BLANKS if name in ("router-table", "laser-table") else TRAYS
     lines = drawing(line.ends, [("0", 7, "CONTINUOUS")] * len(line), bulge=line.bulge)
-    choices = Choices(sheet=Sheet() if sheet else None)
-    made = pipeline.compile(lines, line, machine, load.board(board), choices=choices)
+    options = JobOptions(sheet=Sheet() if sheet else None)
+    made = pipeline.compile(lines, line, machine, load.board(board), options=options)
     assert made.verdict.accepted
     return lines, line, machine, made
 
@@ -82,8 +82,8 @@ def rest(
     left = pipeline.rest_of(made, choice, executed)
     if earlier is not None:
         left = replace(left, earlier=earlier)
-    choices = Choices(sheet=Sheet() if sheet else None)
-    return pipeline.compile_rest(lines, line, machine, load.board(board), left, choices=choices)
+    options = JobOptions(sheet=Sheet() if sheet else None)
+    return pipeline.compile_rest(lines, line, machine, load.board(board), left, options=options)
 
 
 def refusals(compiled: Compiled) -> set[str]:

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from knifetip import pipeline
-from knifetip.gateway import simulator
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.motion import Limits
@@ -19,6 +18,7 @@ from knifetip.library import load
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import Knife
 from knifetip.sequencing.tracks import RestChoice, find_tracks, row_lines
+from knifetip.simulators.grbl import simulator
 from tests.support.drawings import drawing
 from tests.support.shapes import closed, dieline, edges
 

@@ -18,9 +18,9 @@ from knifetip.gateway.grbl import driver
 from knifetip.gateway.grbl.driver import Grbl
 from knifetip.gateway.motion import Limits
 from knifetip.gateway.stream import stream
-from knifetip.gateway.table import Table
 from knifetip.gateway.transport import connect
 from knifetip.library import load
+from knifetip.simulators.grbl.table import Table
 from tests.support.pty_table import serve_on_terminal
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="Windows has no pseudo-terminals")

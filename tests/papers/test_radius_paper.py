@@ -76,7 +76,9 @@ def test_5_at_three_points_of_the_ellipse_by_hand() -> None:
     # t 0: (40, 0) going up, left is −x. t 90°: (0, 20) going left, left is down. At t 45° the
     # tangent is (−40, 20)/√2, so n = (−1, −2)/√5: (28.2843 − 1.3416, 14.1421 − 2.6833).
     t = np.radians([0.0, 90.0, 45.0])
-    got = programmed_centre(ELLIPSE.point(t), ELLIPSE.tangent(t), 1, 3.0, 0.0, 0.0)
+    points = np.stack([40.0 * np.cos(t), 20.0 * np.sin(t)], axis=1)
+    tangents = np.stack([-40.0 * np.sin(t), 20.0 * np.cos(t)], axis=1)
+    got = programmed_centre(points, tangents, 1, 3.0, 0.0, 0.0)
     np.testing.assert_allclose(got, [[37.0, 0.0], [0.0, 17.0], [26.942630, 11.458854]], atol=1e-6)
 
 

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 
 from knifetip.errors import KnifetipError
 from knifetip.formats.limits import REACH
-from knifetip.jobs import tasks
 from knifetip.model.interpretation import Interpretation
 from knifetip.presentation.columns import unpack_columns
+from knifetip.service.processes import tasks
 from tests.support.writers import cf2_text, hpgl_text, lightburn_text, svg_text
 from tests.support.writers import dxf_text as dxf
 

@@ -6,9 +6,17 @@ from typing import Any, Final
 
 import sqlalchemy as sa
 
-from knifetip.jobs.heartbeats import GatewayReport
-from knifetip.jobs.store import Store
-from knifetip.jobs.tables import Base, Drawing, Event, Job, MachineRun, RunLength, ToolWork
+from knifetip.service.database.tables import (
+    Base,
+    Drawing,
+    Event,
+    Job,
+    MachineRun,
+    RunLength,
+    ToolWork,
+)
+from knifetip.service.gateways.heartbeats import GatewayReport
+from knifetip.service.store import Store
 from tests.support.job_states import queued
 
 #: Every tenth job is for one of the machines "demo-table", "table-1", …, "table-9".

@@ -7,15 +7,15 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from knifetip.jobs.compile_result import CompileResult
-from knifetip.jobs.drawing_store import NewDrawing
-from knifetip.jobs.heartbeats import GatewayReport
-from knifetip.jobs.job_store import JobOrder
-from knifetip.jobs.request_key import RequestKey
-from knifetip.jobs.store import Store
-from knifetip.jobs.tables import Drawing, Job
 from knifetip.messages import hint
 from knifetip.model.interpretation import Interpretation
+from knifetip.service.database.request_key import RequestKey
+from knifetip.service.database.tables import Drawing, Job
+from knifetip.service.drawings.store import NewDrawing
+from knifetip.service.gateways.heartbeats import GatewayReport
+from knifetip.service.orders.store import JobOrder
+from knifetip.service.processes.compile_result import CompileResult
+from knifetip.service.store import Store
 from tests.support.messages import stored
 
 LINES = 231

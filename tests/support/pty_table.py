@@ -8,8 +8,8 @@ import tty
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager, suppress
 
-from knifetip.gateway.table import BANNER, Table
-from knifetip.gateway.table_clock import Clock
+from knifetip.simulators.grbl.clock import Clock
+from knifetip.simulators.grbl.table import BANNER, Table
 
 
 @asynccontextmanager

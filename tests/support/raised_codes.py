@@ -17,9 +17,9 @@ from types import FunctionType, ModuleType
 from typing import Any
 
 from knifetip import errors
-from knifetip.api.error_status import status_of
-from knifetip.jobs.store import Store
 from knifetip.messages.codes import CODES
+from knifetip.service.refusals.error_status import status_of
+from knifetip.service.store import Store
 
 
 def raised(function: Callable[..., Any]) -> set[tuple[int, str]]:
@@ -58,7 +58,7 @@ def _caught(tree: ast.AST) -> set[ast.AST]:
 @cache
 def _read(function: FunctionType) -> tuple[frozenset[tuple[int, str]], tuple[Any, ...]]:
     module = importlib.import_module(function.__module__)
-    if not module.__name__.startswith(("knifetip.api", "knifetip.jobs", "knifetip.library")):
+    if not module.__name__.startswith(("knifetip.server", "knifetip.service", "knifetip.library")):
         return frozenset(), ()
     tree = _node(module, function)
     if tree is None:
@@ -74,11 +74,19 @@ def _read(function: FunctionType) -> tuple[frozenset[tuple[int, str]], tuple[Any
             codes |= set(_codes(node, module))
         if isinstance(node, (ast.Attribute, ast.Name)):
             target = _resolve(node, module, owner)
-            if isinstance(target, type) and target.__module__.startswith("knifetip.api"):
+            if isinstance(target, type) and _is_made_for_requests(target):
                 target = inspect.getattr_static(target, "__init__")
             if callable(target):
                 called.append(target)
     return frozenset(codes), tuple(called)
+
+
+def _is_made_for_requests(kind: type) -> bool:
+    """Return whether objects of a class are made for requests, unlike repositories."""
+    module = kind.__module__
+    return module.startswith("knifetip.service.") and not (
+        module.endswith("store") or module.startswith("knifetip.service.database.")
+    )
 
 
 def _node(module: ModuleType, function: FunctionType) -> ast.AST | None:

@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from knifetip.jobs.drawing_store import NewDrawing
-from knifetip.jobs.job_store import JobOrder
-from knifetip.jobs.store import Store
-from knifetip.jobs.tables import Drawing, Job
 from knifetip.model.interpretation import Interpretation
+from knifetip.service.database.tables import Drawing, Job
+from knifetip.service.drawings.store import NewDrawing
+from knifetip.service.orders.store import JobOrder
+from knifetip.service.store import Store
 
 
 class Clock:

@@ -172,18 +172,13 @@ class _Expander:
     ) -> None:
         """Add a copy of a section to the drawing, with copies of all subroutines that it calls.
 
-        Parameters
-        ----------
-        section
-            MAIN or a subroutine.
-        linear, shift
-            Matrix (2, 2) and translation (2,) from section coordinates to file units.
-        path
-            Handles in the import report of the nested calls that contain the copy, each followed by
-            a slash; empty outside all calls.
-        open_names
-            Names of the subroutines that contain this copy, and of ``section`` itself if it is a
-            subroutine.  A call of one of them is recursive and is dropped.
+        ``section``: MAIN or a subroutine.
+        ``linear``, ``shift``: matrix (2, 2) and translation (2,) from section coordinates to file
+        units.
+        ``path``: handles in the import report of the nested calls that contain the copy, each
+        followed by a slash; empty outside all calls.
+        ``open_names``: names of the subroutines that contain this copy, and of ``section`` itself
+        if it is a subroutine.  A call of one of them is recursive and is dropped.
         """
         shape = self._shapes.get(id(section))
         if shape is None:
@@ -267,14 +262,10 @@ class _Expander:
     def _add_shape(self, shape: SectionShape, linear: F64, shift: F64, row_of: I64) -> None:
         """Add a transformed copy of the lines and arcs of a section to the drawing.
 
-        Parameters
-        ----------
-        shape
-            Lines and arcs of the section.
-        linear, shift
-            Matrix (2, 2) and translation (2,) from section coordinates to file units.
-        row_of
-            Import report row of each record of the section.
+        ``shape``: lines and arcs of the section.
+        ``linear``, ``shift``: matrix (2, 2) and translation (2,) from section coordinates to file
+        units.
+        ``row_of``: import report row of each record of the section.
         """
         if not len(shape.bulge):
             return

@@ -22,13 +22,12 @@ import numpy as np
 from knifetip.cf2.expand import expand
 from knifetip.cf2.records import Cf2File, parse_records
 from knifetip.drawing_builder.assemble import KnownUnit, assemble
-from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.formats.limits import REACH, Limits
+from knifetip.formats.refusals import refuse_unexpected
 from knifetip.geometry.columns import F64
 from knifetip.geometry.tolerance import CURVE
 from knifetip.messages import Message
 from knifetip.model.drawing import Drawing, extents
-from knifetip.model.unit import factor
 
 #: The unit of each unit record.
 _UNITS = {"UM": "mm", "UI": "in"}
@@ -73,19 +72,8 @@ def read(
     NoSuchUnit
         ``unit`` is not a unit.
     """
-    millimetres = factor(unit) if unit else 0.0
-    limits.admit(len(data))
-    try:
-        with np.errstate(all="ignore"):
-            return _build_drawing(
-                parse_records(_decode(data), limits), unit or "", millimetres, limits
-            )
-    except KnifetipError:
-        raise
-    except (ValueError, ArithmeticError, LookupError) as error:
-        raise NotADrawing(
-            "reading.unexpected", reason=type(error).__name__, format="CF2"
-        ) from error
+    with refuse_unexpected(data, unit, limits, "CF2"):
+        return _build_drawing(parse_records(_decode(data), limits), unit, limits)
 
 
 def _decode(data: bytes) -> str:
@@ -99,29 +87,27 @@ def _decode(data: bytes) -> str:
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _build_drawing(parsed: Cf2File, unit: str, millimetres: float, limits: Limits) -> Drawing:
-    file_unit = _UNITS.get(parsed.unit, "")
-    chosen = unit or file_unit
-    scale = millimetres or (factor(file_unit) if file_unit else 0.0)
-    tolerance = CURVE / (scale or 1.0)
-    reach = REACH / (scale or 1.0)
+def _build_drawing(parsed: Cf2File, unit: str | None, limits: Limits) -> Drawing:
+    stated = _UNITS.get(parsed.unit, "")
+    evidence = Message(_EVIDENCE[parsed.unit])
+    known = KnownUnit.choose(unit, stated, evidence)
+    tolerance = CURVE / (known.scale or 1.0)
+    reach = REACH / (known.scale or 1.0)
     expanded = expand(parsed, np.eye(2), tolerance, limits)
     columns = expanded.columns(reach)
-    evidence = Message(_EVIDENCE[parsed.unit])
     if parsed.scale != (1.0, 1.0):
         applies, reason = _scale_applies(parsed, extents(columns.ends, columns.bulge))
         evidence = Message("unit.cf2-scaled", unit=evidence, scale=reason)
-        if applies is None:
-            chosen, scale = unit, millimetres
-        elif applies:
+        # A size that contradicts the header leaves the unit open.
+        trusted = "" if applies is None else stated
+        known = KnownUnit.choose(unit, trusted, evidence)._replace(stated=stated)
+        if applies:
             expanded = expand(parsed, np.diag(parsed.scale), tolerance, limits)
             columns = expanded.columns(reach)
         if reason.code in _UNEXPLAINED:
             expanded.report.row("SCALE", "SCALE", "", reason)
     if not parsed.ended:
         expanded.report.row("$EOF", "$EOF", "", Message("import.no-end-mark", mark="$EOF"))
-    source = Message("unit.given") if unit else evidence
-    known = KnownUnit(scale, chosen, source, file_unit)
     return assemble(expanded.report, columns, expanded.styles, expanded.annotations, known)
 
 
@@ -132,12 +118,8 @@ def _scale_applies(source: Cf2File, box: F64) -> tuple[bool | None, Message]:
     drawing, with and without the scale, is compared with the size in the header (records LL and
     UR).  The first value is None if neither size agrees, or if the header contains no size.
 
-    Parameters
-    ----------
-    source
-        The parsed file.
-    box : (4,)
-        min x, min y, max x and max y of the coordinates without the scale.
+    ``source``: the parsed file.
+    ``box`` (4,): min x, min y, max x and max y of the coordinates without the scale.
     """
     x, y = source.scale
     if not all(math.isfinite(one) and one != 0.0 for one in (x, y)):

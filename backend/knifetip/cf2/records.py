@@ -207,10 +207,7 @@ class _Parser:
     def _next_number(self) -> int:
         """Count a record and return its number in the file, from 1.
 
-        Raises
-        ------
-        DrawingTooLarge
-            The file has more records than the limit.
+        Raises ``DrawingTooLarge``: the file has more records than the limit.
         """
         self.source.records += 1
         if self.source.records > self._limits.entities:

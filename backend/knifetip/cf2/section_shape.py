@@ -68,13 +68,9 @@ class StyleNumbers:
     def _number(self, layer: str, point: str, kind: str, aux: str) -> int:
         """Return the index of one style in ``self.styles``; the style is added if it is new.
 
-        Parameters
-        ----------
-        layer
-            Layer of the style.
-        point, kind, aux
-            Fields of a record, as written: thickness of the steel rule in points, type of the line,
-            and auxiliary type.
+        ``layer``: layer of the style.
+        ``point``, ``kind``, ``aux``: fields of a record, as written: thickness of the steel rule in
+        points, type of the line, and auxiliary type.
         """
         words = ["CF2", _normalise_number(kind)]
         if _normalise_number(aux) != "0":
@@ -204,17 +200,11 @@ def _coordinates(
 ) -> tuple[F64, I64]:
     """Return the coordinates of the n valid records, (n, k), and the rows of these records, (n,).
 
-    Parameters
-    ----------
-    records
-        Fields of each record.
-    rows
-        Row of each record in its section.
-    fields
-        Slice of the k fields of a record that are coordinates.
-    dropped
-        Reasons for dropped records, by row.  A reason is added for each record with invalid
-        coordinates.
+    ``records``: fields of each record.
+    ``rows``: row of each record in its section.
+    ``fields``: slice of the k fields of a record that are coordinates.
+    ``dropped``: reasons for dropped records, by row.  A reason is added for each record with
+    invalid coordinates.
     """
     wide = fields.stop - fields.start
     row = np.array(rows, np.int64)
@@ -236,14 +226,9 @@ def _coordinates(
 def _with_radius(arcs: F64, rows: I64, dropped: dict[int, Message]) -> tuple[F64, I64]:
     """Return the arcs whose centre is neither their start nor their end, and their rows.
 
-    Parameters
-    ----------
-    arcs : (k, 7)
-        Start, end, centre and direction of each arc.
-    rows : (k,)
-        Row of each arc in its section.
-    dropped
-        Reasons for dropped records, by row; a reason is added for each other arc.
+    ``arcs`` (k, 7): start, end, centre and direction of each arc.
+    ``rows`` (k,): row of each arc in its section.
+    ``dropped``: reasons for dropped records, by row; a reason is added for each other arc.
     """
     start, end, centre = arcs[:, :2], arcs[:, 2:4], arcs[:, 4:6]
     without = (start == centre).all(axis=1) | (end == centre).all(axis=1)
@@ -259,23 +244,11 @@ def _split_arcs(arcs: F64, rows: I64, notes: dict[int, list[Message]]) -> tuple[
     and end, the arc still joins start and end, and its sweep angle is the angle between them as
     seen from the centre.
 
-    Parameters
-    ----------
-    arcs : (k, 7)
-        Start, end, centre and direction of each arc.
-    rows : (k,)
-        Row of each arc in its section.
-    notes
-        Notes by row; a note is added for each arc with different radii at start and end.
-
-    Returns
-    -------
-    ends : (n, 2, 2)
-        Start and end points of the segments.
-    bulge : (n,)
-        Bulges of the segments.
-    arc : (n,)
-        Index in ``arcs`` of the arc of each segment.
+    ``arcs`` (k, 7): start, end, centre and direction of each arc.
+    ``rows`` (k,): row of each arc in its section.
+    ``notes``: notes by row; a note is added for each arc with different radii at start and end.
+    Returns ``ends`` (n, 2, 2): start and end points of the segments; ``bulge`` (n,): bulges of the
+    segments; ``arc`` (n,): index in ``arcs`` of the arc of each segment.
     """
     start, end, centre, direction = arcs[:, :2], arcs[:, 2:4], arcs[:, 4:6], arcs[:, 6]
     with np.errstate(all="ignore"):
@@ -326,23 +299,13 @@ def _fit_ellipses(
 
     The arcs of a section become elliptic if ``linear`` scales x and y differently.
 
-    Parameters
-    ----------
-    shape
-        Segments of a section.
-    arcs
-        Indices in ``shape`` of the arcs that become elliptic.
-    linear, shift
-        Matrix (2, 2) and translation (2,) from section coordinates to file units.
-    tolerance
-        Largest error of the approximation (file units).
-
-    Returns
-    -------
-    segments
-        The n approximating segments (file units).
-    arc : (n,)
-        Index in ``arcs`` of the arc that each segment approximates.
+    ``shape``: segments of a section.
+    ``arcs``: indices in ``shape`` of the arcs that become elliptic.
+    ``linear``, ``shift``: matrix (2, 2) and translation (2,) from section coordinates to file
+    units.
+    ``tolerance``: largest error of the approximation (file units).
+    Returns segments: the n approximating segments (file units); ``arc`` (n,): index in ``arcs`` of
+    the arc that each segment approximates.
     """
     start, end, bulge = shape.ends[arcs, 0], shape.ends[arcs, 1], shape.bulge[arcs]
     chord = end - start

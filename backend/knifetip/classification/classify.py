@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 
@@ -30,14 +31,19 @@ from knifetip.classification.decision.profile_rules import (
 )
 from knifetip.classification.decision.style_evidence import StyleEvidence, divide_by_line_width
 from knifetip.classification.decision.style_totals import (
+    BESIDE_GAP,
+    DIVIDER_KINDS,
     FLAG_COUNT,
     MIXED_ROLES,
     MUST_FOLD,
     NEAR_TEXT,
     StyleTotals,
+    lengths_without_covered,
 )
 from knifetip.classification.decision.symmetry import find_asymmetric_edges
 from knifetip.classification.shape.features import ShapeFeatures, extract_shape_features
+from knifetip.classification.shape.line_runs import join_runs
+from knifetip.classification.shape.open_dividers import DividerKind
 from knifetip.classification.shape.roles import Role
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.parallel import parallel_pair
@@ -82,7 +88,8 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
     )
     matches = match_rules(styles, rules)
     features = _relevant_features(drawing, styles, matches)
-    totals = StyleTotals.sum(styles.row, len(styles), features, lengths)
+    own_lengths = lengths_without_covered(styles.row, features, lengths)
+    totals = StyleTotals.sum(styles.row, len(styles), features, own_lengths)
     fitting = find_fitting_conventions(styles, matches.rule < 0, totals, conventions)
     evidence = StyleEvidence.create(styles, rules, matches, totals, fitting)
     edges = _decide_edges(evidence, totals.decision_keys(styles.row, features))
@@ -103,6 +110,11 @@ def classify(drawing: Drawing, rules: LineRules, conventions: Sequence[LineRules
         features.part,
         drawing.fit_error,
     )
+
+
+#: Greatest confidence that an edge is folded, and cut, if a line seems to be missing beside it.
+_BESIDE_GAP: Final = 0.78
+_BESIDE_GAP_CUT: Final = 0.6
 
 
 class _Reasons:
@@ -169,17 +181,35 @@ def _decide(evidence: StyleEvidence, key: int) -> Decision:
     edge, its role, and flags such as whether a text is near it.  ``evidence`` is the evidence
     about all styles.
     """
-    style_and_role, flags = divmod(key, FLAG_COUNT)
+    style_roles_and_kind, flags = divmod(key, FLAG_COUNT)
+    style_and_roles, kind = divmod(style_roles_and_kind, DIVIDER_KINDS)
+    style_and_role, second = divmod(style_and_roles, len(Role))
     style, role = divmod(style_and_role, len(Role))
     if evidence.matches.rule[style] >= 0:
-        return decide_by_rule(evidence, style, Role(role))
-    decision = decide_by_evidence(evidence, style, Role(role), bool(flags & MUST_FOLD))
+        decision = decide_by_rule(evidence, style, Role(role))
+        mixed = bool(flags & MIXED_ROLES) and decision.kind == LineType.CREASE
+        if evidence.swapped and mixed and decision.needs_answer:
+            # A half-cut at the end of a fold may be drawn as a cut.
+            text = Message("classification.mixed", reason=decision.reason)
+            decision = replace(decision, confidence=min(decision.confidence, 0.6), reason=text)
+        return decision
+    must_fold, divider = bool(flags & MUST_FOLD), DividerKind(kind)
+    decision = decide_by_evidence(evidence, style, Role(role), must_fold, divider)
+    if flags & BESIDE_GAP and not evidence.only_divides[style]:
+        text = Message("classification.beside-gap", reason=decision.reason)
+        limit = _BESIDE_GAP if decision.kind == LineType.CREASE else _BESIDE_GAP_CUT
+        decision = replace(decision, confidence=min(decision.confidence, limit), reason=text)
     # A text in or beside a closed shape may name a part.
     if flags & NEAR_TEXT and decision.kind == LineType.IGNORED and role != Role.LABELLED:
         text = Message("classification.with-text", reason=decision.reason)
         confidence = 1.0 - 0.4 * (1.0 - decision.confidence)
         decision = replace(decision, confidence=confidence, reason=text)
     if flags & MIXED_ROLES:
+        rest = decide_by_evidence(evidence, style, Role(second), False)
+        if rest.kind == decision.kind and not rest.needs_answer:
+            return replace(decision, confidence=min(decision.confidence, rest.confidence))
+        if rest.kind == decision.kind and decision.needs_answer:
+            return decision
         text = Message("classification.mixed", reason=decision.reason)
         decision = replace(decision, confidence=min(decision.confidence, 0.7), reason=text)
     return decision
@@ -188,20 +218,20 @@ def _decide(evidence: StyleEvidence, key: int) -> Decision:
 def _restore_folds_on_cuts(
     edges: _EdgeDecisions, evidence: StyleEvidence, features: ShapeFeatures
 ) -> None:
-    """Give unclassified edges on a cut the fold type that their profile rule states.
+    """Give unclassified edges on a cut the fold type of their style.
 
-    An edge is changed only if it is unclassified so far, coincides with a cut, and a profile rule
-    makes it a fold, such as a crease.  The user is not asked about such an edge, because cleaning
-    merges it with the cut.  Writes line types, confidences and reasons to ``edges``.  ``features``
-    are the shape features of the edges.
+    An edge is changed only if it is unclassified so far and coincides with a cut.  Its line type is
+    the fold type that a profile rule states for it, or that all other edges of its style between
+    panels have.  The user is not asked about such an edge, because cleaning merges it with the cut.
+    Writes line types, confidences and reasons to ``edges``.  ``features`` are the shape features of
+    the edges.
     """
     styles, matches = evidence.styles, evidence.matches
     on_edge = features.coincident
     rows = np.flatnonzero((edges.line_type == LineType.UNCLASSIFIED) & (on_edge >= 0))
-    ruled = (matches.rule >= 0)[styles.row[rows]]
-    rows = rows[ruled & np.isin(edges.guess[rows], FOLD_TYPES)]
     rows = rows[edges.line_type[on_edge[rows]] == LineType.CUT]
-    for row in rows.tolist():
+    ruled = (matches.rule >= 0)[styles.row[rows]]
+    for row in rows[ruled & np.isin(edges.guess[rows], FOLD_TYPES)].tolist():
         style = styles.row[row]
         name, conditions = evidence.profile.name, matches.conditions[style]
         rule = Message("classification.rule", profile=name, rule=conditions)
@@ -209,6 +239,20 @@ def _restore_folds_on_cuts(
         edges.line_type[row] = edges.guess[row]
         edges.confidence[row] = matches.confidence[style]
         edges.reason[row] = edges.reasons.row_of(message, ())
+    rows = rows[~ruled & (features.role[rows] == Role.OUTLINE)]
+    for style in np.unique(styles.row[rows]).tolist() if evidence.swapped is None else ():
+        folds = np.flatnonzero((styles.row == style) & (features.role == Role.DIVIDER))
+        kinds = np.unique(edges.line_type[folds])
+        if len(kinds) != 1 or kinds[0] not in FOLD_TYPES:
+            continue
+        own = rows[styles.row[rows] == style]
+        votes = [Message("classification.as-its-style")]
+        message = Message(
+            "classification.on-cut", rule=Message("classification.shape", parts=votes)
+        )
+        edges.line_type[own] = kinds[0]
+        edges.confidence[own] = edges.confidence[folds].min()
+        edges.reason[own] = edges.reasons.row_of(message, ())
 
 
 def _restore_outline_parts(
@@ -305,13 +349,13 @@ def _relevant_features(drawing: Drawing, styles: StyleTable, matches: RuleMatche
     with_folds = bool((matches.rule < 0).any())
     if named.any() and not (ignored | named).all():
         rest = ~(ignored | named)[styles.row]
-        features = _features_of(drawing, rest, with_folds)
+        features = _features_of(drawing, styles, rest, with_folds)
         closes = np.isin((Role.OUTLINE, Role.DIVIDER), features.role).all()
         if closes and Role.OPEN not in features.role:
             features.role[named[styles.row]] = Role.NAMED
             features.role_fraction[named[styles.row]] = 1.0
             return features
-    return _features_of(drawing, ~ignored[styles.row], with_folds)
+    return _features_of(drawing, styles, ~ignored[styles.row], with_folds)
 
 
 def _is_named_annotation(layer: str) -> bool:
@@ -320,19 +364,27 @@ def _is_named_annotation(layer: str) -> bool:
     return meaning.kind == LineType.IGNORED and not meaning.denied
 
 
-def _features_of(drawing: Drawing, mask: Bool, with_folds: bool) -> ShapeFeatures:
+def _features_of(
+    drawing: Drawing, styles: StyleTable, mask: Bool, with_folds: bool
+) -> ShapeFeatures:
     """Return the shape features of all n edges, computed only from the edges in ``mask``, (n,).
 
-    The role of the edges outside the mask is UNKNOWN.  ``with_folds`` is whether to find the edges
-    that must be folds.
+    Lines that the file contains in many pieces are examined as whole lines.  The role of the edges
+    outside the mask is UNKNOWN.  ``styles`` are the styles of the drawing, and ``with_folds`` is
+    whether to find the edges that must be folds.
     """
-    rows = np.flatnonzero(mask)
-    ends, bulge = drawing.ends, drawing.bulge
+    ends, bulge, style = drawing.ends, drawing.bulge, styles.row
+    rows = None if mask.all() else np.flatnonzero(mask)
+    if rows is not None:
+        ends, bulge, style = ends[rows], bulge[rows], style[rows]
     texts, unit_known = drawing.annotations, bool(drawing.unit)
-    if len(rows) == len(drawing):
-        return extract_shape_features(ends, bulge, texts, unit_known, with_folds)
-    features = extract_shape_features(ends[rows], bulge[rows], texts, unit_known, with_folds)
-    return features.spread(len(drawing), rows, Role.UNKNOWN)
+    runs = join_runs(ends, bulge, np.ascontiguousarray(style, np.int64))
+    if runs is None:
+        features = extract_shape_features(ends, bulge, texts, unit_known, with_folds)
+    else:
+        whole = extract_shape_features(runs.ends, runs.bulge, texts, unit_known, with_folds)
+        features = whole.of_pieces(runs.row, runs.first)
+    return features if rows is None else features.spread(len(drawing), rows, Role.UNKNOWN)
 
 
 def apply_overrides(dieline: Dieline, line_type: U8) -> Dieline:

@@ -20,6 +20,8 @@ _FEWEST: Final = 4
 _FEWEST_PLAIN: Final = 10
 #: Least number of different colours and line styles per layer, on average over a series.
 _LOOKS: Final = 1.25
+#: Least number of layers for each look of a series, if each layer has about one look.
+_LAYERS_PER_LOOK: Final = 3
 
 
 def find_numbered_layers(styles: Iterable[tuple[str, Hashable]]) -> dict[str, str]:
@@ -27,6 +29,7 @@ def find_numbered_layers(styles: Iterable[tuple[str, Hashable]]) -> dict[str, st
 
     The names of the layers of a series differ in one number, and suggest no line type.  If each
     layer has a colour or line style of its own, the layers may be line types and are no series.
+    Many layers that share few colours and line styles are no line types.
 
     Parameters
     ----------
@@ -43,8 +46,9 @@ def find_numbered_layers(styles: Iterable[tuple[str, Hashable]]) -> dict[str, st
     for layers in series.values():
         looks = set().union(*layers.values())
         per_layer = sum(map(len, layers.values())) / len(layers)
-        told_by_look = len(looks) > 1 and per_layer >= _LOOKS and len(layers) >= _FEWEST
-        if told_by_look or (len(looks) == 1 and len(layers) >= _FEWEST_PLAIN):
+        distinguished_by_look = len(looks) > 1 and per_layer >= _LOOKS and len(layers) >= _FEWEST
+        many = len(layers) >= max(_FEWEST_PLAIN, _LAYERS_PER_LOOK * len(looks))
+        if distinguished_by_look or many:
             ordered = sorted(layers, key=lambda layer: int(_NUMBER.findall(layer)[0]))
             names |= dict.fromkeys(layers, f"{ordered[0]} … {ordered[-1]}")
     return names

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
 
 from knifetip.classification.decision.profile_rules import display_name, fold_name
+from knifetip.classification.following_edges import list_following_edges
 from knifetip.classification.line_widths import distinguishing_widths
 from knifetip.classification.numbered_layers import find_numbered_layers
+from knifetip.classification.swapped_rules import find_deciding, find_dependent
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
@@ -19,13 +22,19 @@ from knifetip.model.question import Question
 from knifetip.vocabulary import is_centre_linetype, is_dashed_linetype, name_meaning
 
 #: Least confidence of a guess that is called the most likely line type.
-_LIKELY: Final = 0.75
+_LIKELY: Final = 0.74
+#: Most questions that ask about layers separately.
+_MOST: Final = 200
 
 
 def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
     """Return one question for all edges that have the same style and are unclassified for the
     same reason.  Layers whose names only count are asked about together.  Edges whose line widths
-    look different are asked about separately, unless their widths differ by chance.
+    look different are asked about separately, unless their widths differ by chance.  If there would
+    be more than 200 questions, all layers are asked about together; if there would still be more,
+    all edges that are unclassified for the same reason are.
+    If a profile seems to swap cut and crease, only the edges of the folding rule are asked about:
+    the answer decides those of the other rule, which the question lists as ``follows``.
 
     Parameters
     ----------
@@ -39,9 +48,10 @@ def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
         indices of the edges that it asks about, and ``choices`` the names of all line types, the
         likeliest first.
     """
-    rows = np.flatnonzero(dieline.line_type == LineType.UNCLASSIFIED)
-    if len(rows) == 0:
+    is_open = dieline.line_type == LineType.UNCLASSIFIED
+    if not is_open.any():
         return []
+    rows = np.flatnonzero(is_open & ~find_dependent(dieline))
     series = _series_of_layers(drawing)
     names = [series.get(layer, layer) for layer in drawing.layers]
     number = {name: at for at, name in enumerate(dict.fromkeys(names))}
@@ -50,13 +60,38 @@ def list_questions(drawing: Drawing, dieline: Dieline) -> list[Question]:
     width = distinguishing_widths(drawing.line_width, *style)
     columns = (*style, width, dieline.rule)
     first, group = unique_rows(*(column[rows] for column in columns))
+    if len(first) > _MOST:
+        asked = list(dict.fromkeys(names[one] for one in drawing.layer[rows].tolist()))
+        names = [f"{asked[0]} … {asked[-1]}"] * len(names)
+        first, group = unique_rows(*(column[rows] for column in columns[1:]))
+    is_mixed = len(first) > _MOST
+    if is_mixed:
+        first, group = unique_rows(dieline.rule[rows])
     count = np.bincount(group)
     groups = np.split(rows[np.argsort(group, kind="stable")], np.cumsum(count)[:-1])
     lengths, bounds = drawing.lengths, drawing.bounds
-    by_width = width[rows][first] > 0
-    return [
+    by_width = (width[rows][first] > 0) & (not is_mixed)
+    asked = [
         _question(drawing, dieline, names, groups[at], lengths, bounds, bool(by_width[at]))
         for at in range(len(first))
+    ]
+    return _with_following_edges(drawing, dieline, names, asked)
+
+
+def _with_following_edges(
+    drawing: Drawing, dieline: Dieline, names: Sequence[str], questions: list[Question]
+) -> list[Question]:
+    """Return the questions; those about a swapped folding rule list the edges that they decide."""
+    is_deciding = find_deciding(dieline)
+    count = sum(bool(is_deciding[question.edges[0]]) for question in questions)
+    return [
+        replace(
+            question,
+            follows=list_following_edges(drawing, dieline, names, question.edges[0], count),
+        )
+        if is_deciding[question.edges[0]]
+        else question
+        for question in questions
     ]
 
 
@@ -86,33 +121,31 @@ def _question(
 
     These edges have one style, and one reason why they are unclassified.
 
-    Parameters
-    ----------
-    drawing, dieline
-        The drawing and its dieline, with the same n edges.
-    names
-        Name of each layer of the drawing, or of the series of layers that it belongs to.
-    rows : (k,)
-        Indices of the unclassified edges.
-    lengths : (n,)
-        Length of each edge of the drawing.
-    bounds : (4,)
-        Bounding box of the drawing: x min, y min, x max, y max.
-    by_width
-        Whether other edges differ from these only in their line width, which the question names.
+    ``drawing``, ``dieline``: the drawing and its dieline, with the same n edges.
+    ``names``: name of each layer of the drawing, or of the series of layers that it belongs to.
+    ``rows`` (k,): indices of the unclassified edges.
+    ``lengths`` (n,): length of each edge of the drawing.
+    ``bounds`` (4,): bounding box of the drawing: x min, y min, x max, y max.
+    ``by_width``: whether other edges differ from these only in their line width, which the question
+    names.
     """
     example = rows[0]
     layer = names[drawing.layer[example]]
     linetype = drawing.linetypes[drawing.linetype[example]]
     colour = int(drawing.colour[example])
     true_colour = int(drawing.true_colour[example])
+    same_colour, same_linetype = (
+        all((column[rows] == column[example]).all() for column in columns)
+        for columns in ((drawing.colour, drawing.true_colour), (drawing.linetype,))
+    )
     box = extents(drawing.ends[rows], drawing.bulge[rows])
     width, height = box[2:] - box[:2]
     arguments: dict[str, Any] = {
         "edges": len(rows),
         "layer": display_name(layer),
-        "colour": str(colour) if true_colour < 0 else f"#{true_colour:06x}",
-        "linetype": display_name(linetype),
+        "colour": (str(colour) if true_colour < 0 else f"#{true_colour:06x}")
+        + ("" if same_colour else " …"),
+        "linetype": display_name(linetype) + ("" if same_linetype else " …"),
         "length": lengths[rows].sum(),
         "width": width,
         "height": height,
@@ -176,16 +209,10 @@ def _likely_types(
     edges that span the drawing are its outline, straight lines inside it are folds, and arcs inside
     it are holes.
 
-    Parameters
-    ----------
-    layer
-        Name of the layer of the edges.
-    linetype
-        Name of the dash pattern of the edges, such as "DASHED".
-    spans_drawing
-        Whether the edges together are about as wide and high as the drawing.
-    straight
-        Whether all the edges are straight lines.
+    ``layer``: name of the layer of the edges.
+    ``linetype``: name of the dash pattern of the edges, such as "DASHED".
+    ``spans_drawing``: whether the edges together are about as wide and high as the drawing.
+    ``straight``: whether all the edges are straight lines.
     """
     folded_linetype = fold_name(linetype)
     named = name_meaning(layer).kind

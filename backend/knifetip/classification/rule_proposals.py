@@ -116,14 +116,10 @@ def _best_rule(
     largest number of styles in ``remaining``.  Of equally good rules, the one whose attributes come
     first in the constant ``_TRAIT_SETS`` is returned.  Returns None if no rule is permitted.
 
-    Parameters
-    ----------
-    styles
-        The c styles of the drawing.
-    remaining, excluded : (c,)
-        Masks of the styles that still need a rule and of the styles that the rule must not match.
-    kind
-        Line type that the rule gives.
+    ``styles``: the c styles of the drawing.
+    ``remaining``, ``excluded`` (c,): masks of the styles that still need a rule and of the styles
+    that the rule must not match.
+    ``kind``: line type that the rule gives.
     """
     best: tuple[int, LineRule, Bool] | None = None
     codes = {trait: _trait_codes(styles, trait) for trait in _TRAITS}

@@ -3,11 +3,12 @@
 ``clean`` converts a Dieline to a ``Cleaned``: the dieline from which the program is made, and the
 outcome of every drawn edge.
 
-Order of steps: remove overlaps, fit lines and arcs to flattened curves, remove debris, close gaps,
-merge edges that continue each other, merge edges that nearly coincide.  The steps are repeated, at
-most four times, until no edge is split, merged, moved or removed as debris.  An edge that was moved
-to close a gap is not moved a second time.  At last the pieces of folds in the waste are dropped
-(``trim_folds``).  A caller that doubts a result repeats the cleaning with a smaller ``Extent``.
+Order of steps: remove overlaps, remove loops at corners, fit lines and arcs to flattened curves,
+remove debris, close gaps, merge edges that continue each other, merge edges that nearly coincide.
+The steps are repeated, at most four times, until no edge is split, merged, moved or removed as
+debris.  An edge that was moved to close a gap is not moved a second time.  At last the pieces of
+folds in the waste are dropped (``trim_folds``).  A caller that doubts a result repeats the cleaning
+with a smaller ``Extent``.
 
 The module ``state`` assigns the parts of drawn edges to cleaned edges in every step; ``outcomes``
 reports from that assignment what happened to each drawn edge.
@@ -42,7 +43,8 @@ class Extent(IntEnum):
     NOTHING = 0  #: all edges stay as they are drawn
     SEPARATE = 1  #: edges that nearly coincide stay two edges
     UNTRIMMED = 2  #: pieces of folds in the waste stay
-    ALL = 3
+    LOOPED = 3  #: loops of short edges at corners stay
+    ALL = 4
 
 
 def clean(dieline: Dieline, extent: Extent = Extent.ALL) -> Cleaned:
@@ -101,10 +103,13 @@ def clean(dieline: Dieline, extent: Extent = Extent.ALL) -> Cleaned:
         np.where(np.arange(len(every)) < count, np.arange(len(every)), -1),
         np.zeros(len(every), np.bool_),
         np.zeros(len(every), np.bool_),
+        np.zeros(len(dieline), np.bool_),
         merges_near=extent > Extent.SEPARATE,
     )
     for _ in range(_ROUNDS if extent > Extent.NOTHING else 0):
         was_split = state.remove_overlaps(dieline)
+        if extent > Extent.LOOPED:
+            state.remove_corner_loops(length)
         ends = state.ends
         if (length[solid] < FINE).any():
             state.merge(curves_only=True)

@@ -175,18 +175,11 @@ def _connecting(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2, g
     An edge is in the mask if it is shorter than ``gap``, if another edge ends at or near each of
     its two ends, and if these ends of other edges are more than ``gap`` mm apart.
 
-    Parameters
-    ----------
-    points : (2k, 2)
-        Ends of k edges (mm): the start and the end of each edge.
-    length : (k,)
-        Lengths of the edges (mm).
-    place : (2k,)
-        Index of the point of each end; ends that meet have the same point.
-    near_pairs : (q, 2)
-        Pairs of ends that are near each other.
-    gap
-        Length (mm) that separates short edges from other edges.
+    ``points`` (2k, 2): ends of k edges (mm): the start and the end of each edge.
+    ``length`` (k,): lengths of the edges (mm).
+    ``place`` (2k,): index of the point of each end; ends that meet have the same point.
+    ``near_pairs`` (q, 2): pairs of ends that are near each other.
+    ``gap``: length (mm) that separates short edges from other edges.
     """
     count = len(length)
     linked = np.zeros(count, np.bool_)
@@ -240,30 +233,22 @@ def _close(
 ) -> Any:
     """Return the ends of k edges after gaps were closed, (2k, 2) mm.
 
-    Parameters
-    ----------
-    points, outward : (2k, 2)
-        Ends (mm), and unit vectors that point out of the edge at each end.
-    bulge, kind, fixed : (k,)
-        Bulge and line type of each edge, and whether its ends must not be moved.
-    place : (2k,)
-        Index of the point of each end; ends that meet have the same point.
-    near_pairs : (q, 2)
-        Pairs of ends that are near each other, nearest pair first.
-    gap
-        Largest distance by which an end may be moved (mm).
-    join
-        Distance within which an end touches another edge (mm).  An end is not moved if its edge
-        would become as short as this.
-    same
-        An end that touches another edge touches its inside if it is at least this far from both
-        ends of that edge (mm).
-    side_cosine
-        Cosine of the largest angle between two edges that end side by side; these are not joined.
-    straight
-        Cosine of the largest angle by which an edge may bend away from an edge that it continues.
-    slant
-        Sine of the smallest angle between two lines whose intersection is used.
+    ``points``, ``outward`` (2k, 2): ends (mm), and unit vectors that point out of the edge at each
+    end.
+    ``bulge``, ``kind``, ``fixed`` (k,): bulge and line type of each edge, and whether its ends must
+    not be moved.
+    ``place`` (2k,): index of the point of each end; ends that meet have the same point.
+    ``near_pairs`` (q, 2): pairs of ends that are near each other, nearest pair first.
+    ``gap``: largest distance by which an end may be moved (mm).
+    ``join``: distance within which an end touches another edge (mm).  An end is not moved if its
+    edge would become as short as this.
+    ``same``: an end that touches another edge touches its inside if it is at least this far from
+    both ends of that edge (mm).
+    ``side_cosine``: cosine of the largest angle between two edges that end side by side; these are
+    not joined.
+    ``straight``: cosine of the largest angle by which an edge may bend away from an edge that it
+    continues.
+    ``slant``: sine of the smallest angle between two lines whose intersection is used.
     """
     moved = points.copy()
     by_place = np.argsort(place, kind="mergesort")
@@ -362,16 +347,12 @@ def _may_move(
     An end may not move by more than ``gap`` mm, and the distance between the two ends of an edge
     must remain more than ``join`` mm.  An edge with both ends at the point prevents the move.
 
-    Parameters
-    ----------
-    points, moved : (2k, 2)
-        Ends of k edges (mm) before any move, and after the moves that were made so far.
-    place, by_place : (2k,)
-        Index of the point of each end, and the ends ordered by this index.
-    first
-        Index into ``by_place`` of the first end at each point.
-    point
-        Index of the point whose ends are to be moved.
+    ``points``, ``moved`` (2k, 2): ends of k edges (mm) before any move, and after the moves that
+    were made so far.
+    ``place``, ``by_place`` (2k,): index of the point of each end, and the ends ordered by this
+    index.
+    ``first``: index into ``by_place`` of the first end at each point.
+    ``point``: index of the point whose ends are to be moved.
     """
     for p in range(first[point], first[point + 1]):
         i = by_place[p]
@@ -421,14 +402,10 @@ def _meeting_point(
     ``gap`` mm away from one of the ends or the sine of the angle between the lines is at most
     ``slant``.  In all other cases it is the point halfway between the ends.
 
-    Parameters
-    ----------
-    points, outward : (2k, 2)
-        Ends of k edges (mm), and unit vectors that point out of the edge at each end.
-    bulge : (k,)
-        Bulges of the edges.
-    one, other
-        Indices of the two ends; end 2i is the start of edge i, end 2i + 1 its end.
+    ``points``, ``outward`` (2k, 2): ends of k edges (mm), and unit vectors that point out of the
+    edge at each end.
+    ``bulge`` (k,): bulges of the edges.
+    ``one``, ``other``: indices of the two ends; end 2i is the start of edge i, end 2i + 1 its end.
     """
     x0, y0 = points[one, 0], points[one, 1]
     x1, y1 = points[other, 0], points[other, 1]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -15,12 +15,21 @@ from knifetip.kernels import F64_1, F64_2, I64_1, inline_kernel, kernel
 _STEPS: Final = 4
 
 
-def edge_rows(ends: F64, bulge: F64) -> F64:
-    """Return x0, y0, x1, y1 (mm) and the bulge of k edges, (k, 5)."""
-    return np.column_stack([ends.reshape(-1, 4), bulge])
+class MeasuredEdges(NamedTuple):
+    """The ends and bulges of k edges."""
+
+    ends: F64_2  #: (k, 4) x0, y0, x1, y1 (mm)
+    bulge: F64_1  #: (k,)
 
 
-def measure_deviation(drawn: F64, cleaned: F64, row: I64, low: F64, high: F64, target: I64) -> F64:
+def measured_edges(ends: F64, bulge: F64) -> MeasuredEdges:
+    """Return the record of k edges with the ends ``ends``, (k, 2, 2) mm, and ``bulge``, (k,)."""
+    return MeasuredEdges(np.ascontiguousarray(ends.reshape(-1, 4)), bulge)
+
+
+def measure_deviation(
+    drawn: MeasuredEdges, cleaned: MeasuredEdges, row: I64, low: F64, high: F64, target: I64
+) -> F64:
     """Return the greatest distance of each stretch from its cleaned edge, (q,) mm.
 
     The distance is measured at five points of each stretch.  It is 0 for a stretch whose edge is
@@ -28,8 +37,8 @@ def measure_deviation(drawn: F64, cleaned: F64, row: I64, low: F64, high: F64, t
 
     Parameters
     ----------
-    drawn, cleaned : (n, 5) and (m, 5)
-        Edges before and after cleaning: x0, y0, x1, y1 (mm), bulge.
+    drawn, cleaned
+        The n edges before cleaning, and the m edges after it.
     row, low, high, target : (q,)
         For each of q stretches: its drawn edge, its start and its end as fractions of that edge's
         length, and the row of its cleaned edge (-1 if it was dropped).
@@ -40,15 +49,18 @@ def measure_deviation(drawn: F64, cleaned: F64, row: I64, low: F64, high: F64, t
 
 @kernel
 def _measure(
-    drawn: F64_2, cleaned: F64_2, row: I64_1, low: F64_1, high: F64_1, target: I64_1
+    drawn: MeasuredEdges, cleaned: MeasuredEdges, row: I64_1, low: F64_1, high: F64_1, target: I64_1
 ) -> Any:
     result = np.zeros(len(row))
+    edge, on = np.empty(5), np.empty(5)
     for k in range(len(row)):
         if target[k] < 0:
             continue
-        edge, on = drawn[row[k]], cleaned[target[k]]
-        is_same = True
-        for column in range(5):
+        edge[4], on[4] = drawn.bulge[row[k]], cleaned.bulge[target[k]]
+        is_same = edge[4] == on[4]
+        for column in range(4):
+            edge[column] = drawn.ends[row[k], column]
+            on[column] = cleaned.ends[target[k], column]
             is_same &= edge[column] == on[column]
         if is_same:
             continue

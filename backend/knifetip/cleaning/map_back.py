@@ -17,21 +17,11 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import Bool
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline
+from knifetip.model.edge_figures import EDGE_FIGURES, Share
 from knifetip.model.verdict import Finding, Samples, Verdict
 
-_WORST: Final = (
-    "deviation",
-    "path_deviation",
-    "blending",
-    "fit_error",
-    "overcut",
-    "width",
-    "web",
-    "flank",
-    "top_overcut",
-    "unreached_distance",
-)
-_LENGTHS: Final = ("uncut", "setback", "unreached", "bottom_uncut", "slit_length")
+_WORST: Final = [name for name, one in EDGE_FIGURES.items() if one.share is Share.WORST]
+_LENGTHS: Final = [name for name, one in EDGE_FIGURES.items() if one.share is Share.LENGTH]
 
 
 class DrawnRows:

@@ -105,10 +105,15 @@ def merge_collinear(
     fine = length < FINE
     link = _continuations(end_points.place, end_points.pairs, kind, fine, curves_only)
     order, flipped, first, round_ = follow_links(link)
-    rows = np.column_stack([ends.reshape(-1, 4), bulge, fit_error])
-    acute = _at_acute_corners(rows, end_points.place)
+    edges = np.ascontiguousarray(ends.reshape(-1, 4))
+    changeable = _in_changeable_runs(edges, bulge, length, order, flipped, first, round_, FINE)
+    if not changeable.any():
+        every = np.arange(count, dtype=np.int32)
+        return Merged(ends, bulge, kind, every, fit_error, np.zeros(count, np.bool_))
+    rows = np.column_stack([edges, bulge, fit_error])
+    acute = _at_acute_corners(rows, end_points.place, changeable)
     begin, new, is_curve = _split_runs(
-        rows, length, acute, order, flipped, first, round_, JOIN, CURVE, FINE
+        rows, length, changeable, acute, order, flipped, first, round_, JOIN, CURVE, FINE
     )
     size = np.diff(np.append(begin, count))
     if (size == 1).all():
@@ -146,26 +151,22 @@ def _continuations(
     than ``FINE`` (0.05 mm) ends at the point of the third end, or at the point where the two edges
     meet, because the points along a flattened curve are always near each other.
 
-    Parameters
-    ----------
-    place : (2k,)
-        Index of the point of each end; ends that meet have the same point.
-    near_pairs : (q, 2)
-        Pairs of ends at different points that are near each other.
-    kind, fine : (k,)
-        Line type of each edge, and whether it is shorter than ``FINE``.
-    curves_only
-        Whether only edges shorter than ``FINE`` are merged.
+    ``place`` (2k,): index of the point of each end; ends that meet have the same point.
+    ``near_pairs`` (q, 2): pairs of ends at different points that are near each other.
+    ``kind``, ``fine`` (k,): line type of each edge, and whether it is shorter than ``FINE``.
+    ``curves_only``: whether only edges shorter than ``FINE`` are merged.
     """
     count = np.zeros(len(place), np.int64)
     short = np.zeros(len(place), np.bool_)
     for end in range(len(place)):
         count[place[end]] += 1
         short[place[end]] |= fine[end // 2]
+    joint = count == 2
     for k in range(len(near_pairs)):
         a, b = place[near_pairs[k, 0]], place[near_pairs[k, 1]]
-        # Ends along a flattened curve are always near others.
-        if not short[a] and not short[b]:
+        # Ends along a flattened curve are always near others, and two joints of lines that nearly
+        # coincide are not connected.
+        if not short[a] and not short[b] and not (joint[a] and joint[b]):
             count[a] += 1
             count[b] += 1
     one = np.full(len(place), -1, np.int64)
@@ -188,17 +189,83 @@ def _continuations(
 
 
 @kernel
-def _at_acute_corners(rows: F64_2, place: I64_1) -> Any:
+def _in_changeable_runs(
+    ends: F64_2,
+    bulge: F64_1,
+    length: F64_1,
+    order: I32_1,
+    flipped: Bool_1,
+    first: I32_1,
+    closed: Bool_1,
+    fine: float,
+) -> Any:
+    """Return the mask of the edges in runs of which edges may be merged or replaced, (k,).
+
+    Most runs are outlines with corners at all joints, which need no search for lines and arcs.
+
+    ``ends`` (k, 4): ends of the edges: x0, y0, x1, y1 (mm).
+    ``bulge``, ``length`` (k,): bulges and lengths (mm) of the edges.
+    ``order``, ``flipped``, ``first``, ``closed``, ``fine``: the runs, and the greatest length of
+    fine edges (mm), as for ``_split_runs``.
+    """
+    changeable = np.zeros(len(order), np.bool_)
+    for r in range(len(first) - 1):
+        low, high = first[r], first[r + 1]
+        joints = high - low if closed[r] else high - low - 1
+        for i in range(low, low + joints):
+            after = i + 1 if i + 1 < high else low
+            one, other = order[i], order[after]
+            if not _is_corner(ends, bulge, length, one, flipped[i], other, flipped[after], fine):
+                for at in range(low, high):
+                    changeable[order[at]] = True
+                break
+    return changeable
+
+
+@inline_kernel
+def _is_corner(
+    ends: F64_2,
+    bulge: F64_1,
+    length: F64_1,
+    one: int,
+    one_flipped: bool,
+    other: int,
+    other_flipped: bool,
+    fine: float,
+) -> bool:
+    """Return whether no line or arc can replace two edges of a run that follow each other.
+
+    The result may be False for some corners.  The edges are ``one`` and ``other``, each with
+    whether the run traverses it from its end to its start.  The other parameters are those of
+    ``_in_changeable_runs``.
+    """
+    if length[one] < fine or length[other] < fine:
+        return False
+    one_bulge, other_bulge = bulge[one], bulge[other]
+    if max(abs(one_bulge), abs(other_bulge)) >= BULGE:
+        if min(abs(one_bulge), abs(other_bulge)) < BULGE:
+            return True
+        # Arcs that turn to different sides.
+        return bool(((one_bulge > 0.0) == one_flipped) != ((other_bulge > 0.0) == other_flipped))
+    ax, ay = ends[one, 2] - ends[one, 0], ends[one, 3] - ends[one, 1]
+    bx, by = ends[other, 2] - ends[other, 0], ends[other, 3] - ends[other, 1]
+    if one_flipped != other_flipped:
+        bx, by = -bx, -by
+    # A line within ``join`` of both ends is none: ``join`` is far smaller than ``fine`` times the
+    # sine of the turn, unless the second edge goes back.
+    along = ax * bx + ay * by
+    return bool(along <= 0.0 or abs(ax * by - ay * bx) > SMOOTH_TURN * along)
+
+
+@kernel
+def _at_acute_corners(rows: F64_2, place: I64_1, wanted: Bool_1) -> Any:
     """Return the mask of the edges with an end at a corner of less than 30°, (k,).
 
-    An arc that bulges by the tolerance could cross the other side of such a corner.
+    An arc that bulges by the tolerance could cross the other side of such a corner.  The result is
+    False for a corner between two edges that are not ``wanted``, (k,).
 
-    Parameters
-    ----------
-    rows : (k, 6)
-        Edges: x0, y0, x1, y1, bulge, and distance from the curve of the file (mm).
-    place : (2k,)
-        Index of the point of each end; ends that meet have the same point.
+    ``rows`` (k, 6): edges: x0, y0, x1, y1, bulge, and distance from the curve of the file (mm).
+    ``place`` (2k,): index of the point of each end; ends that meet have the same point.
     """
     acute = np.zeros(len(rows), np.bool_)
     last = np.full(len(place), -1, np.int64)
@@ -206,6 +273,8 @@ def _at_acute_corners(rows: F64_2, place: I64_1) -> Any:
         other = last[place[end]]
         last[place[end]] = end
         if other < 0 or other // 2 == end // 2:
+            continue
+        if not wanted[end // 2] and not wanted[other // 2]:
             continue
         ax, ay = _direction(rows[end // 2], end % 2 == 1)
         bx, by = _direction(rows[other // 2], other % 2 == 1)
@@ -229,6 +298,7 @@ def _oriented(row: F64_1, back: bool, out: OutF64_1) -> None:
 def _split_runs(
     rows: F64_2,
     length: F64_1,
+    changeable: Bool_1,
     acute: Bool_1,
     order: OutI32_1,
     flipped: OutBool_1,
@@ -242,50 +312,45 @@ def _split_runs(
 
     A run is a chain of edges that continue each other.
 
-    Parameters
-    ----------
-    rows : (k, 6)
-        Edges: x0, y0, x1, y1, bulge, and distance from the curve of the file (mm).
-    length : (k,)
-        Lengths of the edges (mm).
-    acute : (k,)
-        Whether each edge ends at an acute corner, so that it belongs to no fitted curve.
-    order, flipped : (k,)
-        Edges in the order of the runs, and whether each is traversed from its end to its start.
-        In both arrays the edges of a closed run are rotated in place, so that the run starts at its
-        sharpest corner, or with its longest line.
-    first : (r + 1,)
-        Index into ``order`` of the first edge of each of r runs, followed by the number k.
-    closed : (r,)
-        Whether each run is closed.
-    join
-        Largest distance of collinear lines, or of concentric arcs, from their replacement (mm).
-    fitted
-        Largest distance of a replacement from the curve that was drawn or read (mm).
-    fine
-        Edges shorter than this belong to a flattened curve (mm).
-
-    Returns
-    -------
-    begin, new, is_curve
-        For each of m groups: index into ``order`` of its first edge, (m,); the edge that replaces
-        it, in the direction of the run, as a row like those of ``rows``, (m, 6); and whether it
-        replaces chords of a curve, (m,).
+    ``rows`` (k, 6): edges: x0, y0, x1, y1, bulge, and distance from the curve of the file (mm).
+    ``length`` (k,): lengths of the edges (mm).
+    ``changeable`` (k,): whether each edge belongs to a run of which edges may be merged or
+    replaced.
+    ``acute`` (k,): whether each edge ends at an acute corner, so that it belongs to no fitted
+    curve.
+    ``order``, ``flipped`` (k,): edges in the order of the runs, and whether each is traversed from
+    its end to its start. In both arrays the edges of a closed run are rotated in place, so that the
+    run starts at its sharpest corner, or with its longest line.
+    ``first`` (r + 1,): index into ``order`` of the first edge of each of r runs, followed by the
+    number k.
+    ``closed`` (r,): whether each run is closed.
+    ``join``: largest distance of collinear lines, or of concentric arcs, from their replacement
+    (mm).
+    ``fitted``: largest distance of a replacement from the curve that was drawn or read (mm).
+    ``fine``: edges shorter than this belong to a flattened curve (mm).
+    Returns begin, new, is_curve: for each of m groups: index into ``order`` of its first edge,
+    (m,); the edge that replaces it, in the direction of the run, as a row like those of ``rows``,
+    (m, 6); and whether it replaces chords of a curve, (m,).
     """
     count = len(order)
     begin = np.empty(count, np.int64)
     new = np.empty((count, 6))
     is_curve = np.zeros(count, np.bool_)
     run, size, along = np.empty((count, 6)), np.empty(count), np.empty(count + 1)
-    stays = np.empty(count, np.bool_)
+    stays, turned, again = (
+        np.empty(count, np.bool_),
+        np.empty(count, np.int32),
+        np.empty(count, np.bool_),
+    )
     until, part, arcs = np.empty(count, np.int64), np.empty(3, np.int64), np.empty((3, 5))
     groups = 0
     for r in range(len(first) - 1):
         low, high = first[r], first[r + 1]
         many = high - low
-        if many == 1:
-            begin[groups] = low
-            groups += 1
+        if not changeable[order[low]]:
+            for i in range(low, high):
+                begin[groups] = i
+                groups += 1
             continue
         for i in range(many):
             _oriented(rows[order[low + i]], flipped[low + i], run[i])
@@ -293,11 +358,12 @@ def _split_runs(
         if closed[r]:
             shift = _first_segment(run, size, many)
             if shift:
-                turned = np.roll(order[low:high], -shift)
-                order[low:high] = turned
-                again = np.roll(flipped[low:high].astype(np.int64), -shift)
                 for i in range(many):
-                    flipped[low + i] = again[i] == 1
+                    turned[i] = order[low + i]
+                    again[i] = flipped[low + i]
+                for i in range(many):
+                    order[low + i] = turned[(i + shift) % many]
+                    flipped[low + i] = again[(i + shift) % many]
                     _oriented(rows[order[low + i]], flipped[low + i], run[i])
                     size[i] = length[order[low + i]]
         along[0] = 0.0
@@ -341,7 +407,7 @@ def _split_runs(
                     groups += 1
                     j = rest
             i = j
-    return begin[:groups].copy(), new[:groups].copy(), is_curve[:groups].copy()
+    return begin[:groups], new[:groups], is_curve[:groups]
 
 
 @kernel
@@ -351,13 +417,9 @@ def _first_segment(run: F64_2, size: F64_1, count: int) -> int:
     It is the one after the sharpest corner.  If there are only smooth joints, it is the first one
     of the line that contains the longest segment, so that no arc is divided there.
 
-    Parameters
-    ----------
-    run : (k, 6)
-        The first ``count`` rows are the segments of the closed run: x0, y0, x1, y1, bulge, distance
-        from the curve of the file (mm).
-    size : (k,)
-        Lengths of the segments (mm).
+    ``run`` (k, 6): the first ``count`` rows are the segments of the closed run: x0, y0, x1, y1,
+    bulge, distance from the curve of the file (mm).
+    ``size`` (k,): lengths of the segments (mm).
     """
     best, longest = 0, 0
     least = 2.0
@@ -414,27 +476,18 @@ def _longest_fit(
     A run is a chain of segments.  Returns the index of the first segment that the line or arc does
     not replace; it is negative if the line or arc replaces chords of a curve.
 
-    Parameters
-    ----------
-    run : (k, 6)
-        Segments in order: x0, y0, x1, y1, bulge, distance from the curve of the file (mm); only the
-        first ``count`` rows are used.
-    size, along : (k,) and (k + 1,)
-        Lengths of the segments, and length of the run before each of them (mm).
-    until : (k,)
-        For each segment, the index after the last segment of its smooth run.
-    i
-        Index of the first segment to replace.
-    count
-        Number of segments in the run.
-    join
-        Largest distance of collinear lines, or of concentric arcs, from their replacement (mm).
-    fitted
-        Largest distance of a replacement from the curve that was drawn or read (mm).
-    fine
-        Segments shorter than this belong to a flattened curve (mm).
-    out : (6,)
-        Receives the line or arc, as a row like those of ``run``.
+    ``run`` (k, 6): segments in order: x0, y0, x1, y1, bulge, distance from the curve of the file
+    (mm); only the first ``count`` rows are used.
+    ``size``, ``along`` (k,) and (k + 1,): lengths of the segments, and length of the run before
+    each of them (mm).
+    ``until`` (k,): for each segment, the index after the last segment of its smooth run.
+    ``i``: index of the first segment to replace.
+    ``count``: number of segments in the run.
+    ``join``: largest distance of collinear lines, or of concentric arcs, from their replacement
+    (mm).
+    ``fitted``: largest distance of a replacement from the curve that was drawn or read (mm).
+    ``fine``: segments shorter than this belong to a flattened curve (mm).
+    ``out`` (6,): receives the line or arc, as a row like those of ``run``.
     """
     best = i + 1
     bulge = run[i, 4]
@@ -508,20 +561,13 @@ def _balance(
     the run, too few for an arc of their own.  A smooth run may end with a line that is no chord:
     the last segment is left out if no two arcs fit otherwise.
 
-    Parameters
-    ----------
-    run, along
-        Segments, and length of the run before each of them (mm), as for ``_longest_fit``.
-    limit
-        Index after the last segment of the smooth run.
-    fitted
-        Largest distance of a replacement from the curve that was drawn or read (mm).
-    one, other : (6,)
-        Receive the two arcs, which meet after half of the chords.
-
-    Returns
-    -------
-    The index of the first segment that the two arcs do not replace; 0 if there are no such arcs.
+    ``run``, ``along``: segments, and length of the run before each of them (mm), as for
+    ``_longest_fit``.
+    ``limit``: index after the last segment of the smooth run.
+    ``fitted``: largest distance of a replacement from the curve that was drawn or read (mm).
+    ``one``, ``other`` (6,): receive the two arcs, which meet after half of the chords.
+    Returns the index of the first segment that the two arcs do not replace; 0 if there are no such
+    arcs.
     """
     if not 0 < limit - j < FEW_CHORDS:
         return 0

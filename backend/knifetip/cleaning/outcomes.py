@@ -11,7 +11,8 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from knifetip.cleaning.deviation import edge_rows, measure_deviation
+from knifetip.cleaning.deviation import measure_deviation, measured_edges
+from knifetip.cleaning.raise_to import raise_to
 from knifetip.cleaning.state import CleaningState
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, U8, Bool
@@ -89,7 +90,7 @@ def report_outcomes(dieline: Dieline, length: F64, at_work: Bool, state: Cleanin
     # A cleaned edge approximates the curves of all drawn edges that it replaces.
     fit_error = dieline.fit_error[shown]
     fit_error[slot] = state.fit_error
-    np.maximum.at(fit_error, target[target >= 0], dieline.fit_error[row[target >= 0]])
+    raise_to(fit_error, target[target >= 0], dieline.fit_error[row[target >= 0]])
     cleaned = replace(
         dieline,
         ends=ends,
@@ -116,21 +117,23 @@ def report_outcomes(dieline: Dieline, length: F64, at_work: Bool, state: Cleanin
     drawn_length = np.bincount(
         edge[live & ~overlapping], size[live & ~overlapping], len(cleaned_length)
     )
-    np.add.at(
-        added,
-        source,
-        np.where(np.abs(cleaned_length - drawn_length) < _HAIR, 0.0, cleaned_length - drawn_length),
-    )
+    longer = np.flatnonzero(np.abs(cleaned_length - drawn_length) >= _HAIR)
+    np.add.at(added, source[longer], (cleaned_length - drawn_length)[longer])
     moved = np.zeros(count)
-    np.maximum.at(moved, source, state.moved)
+    raise_to(moved, source, state.moved)
     deviation = np.zeros(count)
     far = measure_deviation(
-        edge_rows(dieline.ends, dieline.bulge), edge_rows(ends, bulge), row, low, high, target
+        measured_edges(dieline.ends, dieline.bulge),
+        measured_edges(ends, bulge),
+        row,
+        low,
+        high,
+        target,
     )
-    np.maximum.at(deviation, row, far)
+    raise_to(deviation, row, far)
     # A stretch that nearly coincides with another edge is moved to it.
     near = live & overlapping & (far > SAME)
-    np.maximum.at(moved, row[near], far[near])
+    raise_to(moved, row[near], far[near])
     is_near = np.zeros(count, np.bool_)
     is_near[row[near]] = True
     target_row = _main_row(row, size, target, overlapping, count)
@@ -202,13 +205,10 @@ def _main_row(row: I64, size: F64, target: I64, overlapping: Bool, count: int) -
     result is the row of the cleaned edge to which the longest stretch belongs.  A stretch that
     overlaps another edge is considered only if all stretches of the drawn edge do so.
 
-    Parameters
-    ----------
-    row, size, target, overlapping : (q,)
-        For each of q stretches: its drawn edge, its length (mm), the row of its cleaned edge (-1
-        for debris), and whether it overlaps another edge.
-    count
-        Number n of drawn edges.
+    ``row``, ``size``, ``target``, ``overlapping`` (q,): for each of q stretches: its drawn edge,
+    its length (mm), the row of its cleaned edge (-1 for debris), and whether it overlaps another
+    edge.
+    ``count``: number n of drawn edges.
     """
     target_row = np.full(count, -1, np.int32)
     order = np.flatnonzero(target >= 0)
@@ -227,18 +227,13 @@ def _outcomes(
     The outcomes are ``ImportOutcome`` codes (kept, merged or dropped), and the reasons are
     ``CleaningReason`` codes.
 
-    Parameters
-    ----------
-    state
-        The current edges after the last step of cleaning.
-    final_rows
-        Indices that relate the drawn edges to the current edges and to the cleaned edges.
-    lengths
-        Kept length, merged length and displacement of each drawn edge (mm).
-    at_work : (n,)
-        Mask of the drawn edges whose line type is cut or creased.
-    is_near : (n,)
-        Mask of the drawn edges of which a part was moved to an edge that it nearly coincided with.
+    ``state``: the current edges after the last step of cleaning.
+    ``final_rows``: indices that relate the drawn edges to the current edges and to the cleaned
+    edges.
+    ``lengths``: kept length, merged length and displacement of each drawn edge (mm).
+    ``at_work`` (n,): mask of the drawn edges whose line type is cut or creased.
+    ``is_near`` (n,): mask of the drawn edges of which a part was moved to an edge that it nearly
+    coincided with.
     """
     row, edge, overlapping, slot, source, target_row = final_rows
     kept, merged, moved, off_panel = lengths
@@ -267,6 +262,7 @@ def _outcomes(
     )
     lost = at_work & (target_row < 0)
     reason[lost] = np.where(off_panel[lost] > 0.0, CleaningReason.OFF_PANEL, CleaningReason.SPECK)
+    reason[lost & state.looped] = CleaningReason.LOOP
     reason[~at_work] = CleaningReason.NO_WORK
     outcome = np.full(count, ImportOutcome.KEPT, np.uint8)
     outcome[away] = ImportOutcome.MERGED

@@ -10,8 +10,14 @@ Edges that are farther apart, but nearly coincide, are found by the same rule wi
 of ``SAME``, except that an end need not be near an end of the other edge.  A line and an arc nearly
 coincide if the line is a chord of the arc, within ``GAP`` (module ``chords_on_arcs``).
 
+The directions of two lines differ by at most ``ANGLE`` (1°).  Where a curve is drawn twice with
+other vertices, the directions of its chords may differ more: those of two lines longer than ``GAP``
+and shorter than ``_SHORT`` by as much as the ends of the shorter one can be apart across it, which
+is 2 ``SAME``, but at most 20°.
+
 Bounding boxes are searched for pairs of edges that may overlap.  The bounding box of a line is
 computed in a frame that is rotated nearly to the direction of the line, so that the box is thin.
+Short lines are searched for in a second tree of boxes that are not rotated.
 """
 
 from __future__ import annotations
@@ -23,6 +29,7 @@ import numpy as np
 
 from knifetip.cleaning.chords_on_arcs import find_chords
 from knifetip.cleaning.edge_parameter import circle_of, middle_of, range_of, size_of
+from knifetip.geometry import arc
 from knifetip.geometry.capacity import reserve_i64_2
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.spatial_index.box_tree import (
@@ -31,12 +38,17 @@ from knifetip.geometry.spatial_index.box_tree import (
     next_overlap,
     start_query,
 )
+from knifetip.geometry.spatial_index.morton import order_boxes
 from knifetip.geometry.tolerance import ANGLE, BULGE, GAP, POINT, SAME
 from knifetip.kernels import F64_1, F64_2, I64_1, OutF64_2, inline_kernel, kernel
 
 #: Angle between neighbouring frames (degrees).
 _FAN: Final = 2.0
 _ARCS: Final = 90
+#: Lines shorter than this may differ in direction by more than ``ANGLE`` (mm).
+_SHORT: Final = 2.0 * SAME / math.sin(math.radians(ANGLE))
+#: Sine of the largest difference in direction (20°).
+_SLOPE: Final = math.sin(math.radians(20.0))
 #: Largest number of partners found for an edge in one round of cleaning.
 _CROWD: Final = 64
 #: Largest number of candidates examined for an edge: it bounds the time where thousands of edges
@@ -81,6 +93,12 @@ def find_overlapping(ends: F64, bulge: F64, *, is_near: bool = False) -> Overlap
         rows, frames, order, reach, math.radians(_FAN), SAME, GAP - POINT, is_near
     )
     one, two = order[found[:, 0]], order[found[:, 1]]
+    short = np.zeros(0, np.int64) if is_near else np.flatnonzero(_are_short(rows))
+    if len(short) > 1:
+        start, end = rows[short, :2], rows[short, 2:4]
+        short = short[order_boxes(arc.bounding_boxes(start, end, bulge[short]))]
+        found = _overlapping_short(rows[short], SAME)
+        one, two = np.append(one, short[found[:, 0]]), np.append(two, short[found[:, 1]])
     if is_near or not has_near:
         line, on = find_chords(rows, GAP - POINT)
         has_near |= len(line) > 0
@@ -100,26 +118,14 @@ def _frame_boxes(rows: F64_2, fan: float, max_angle: float, same: float) -> Any:
     a line is computed in the frame that is nearest to its direction.  All arcs share one more
     frame, which is not rotated.
 
-    Parameters
-    ----------
-    rows : (k, 5)
-        Edges: x0, y0, x1, y1, bulge.
-    fan
-        Angle between the directions of neighbouring frames (radians).
-    max_angle
-        Largest angle between two lines that can overlap (radians).
-    same
-        Length by which the boxes are enlarged (mm).
-
-    Returns
-    -------
-    boxes : (k, 4)
-        x min, y min, x max, y max of the bounding box of each edge, in its frame (mm).
-    bucket : (k,)
-        Number of the frame of each edge.
-    angle, width : (k,)
-        Direction of each line, 0 … π, and the angle by which the direction of a line that overlaps
-        it may differ (radians).  Both are 0 for arcs.
+    ``rows`` (k, 5): edges: x0, y0, x1, y1, bulge.
+    ``fan``: angle between the directions of neighbouring frames (radians).
+    ``max_angle``: largest angle between two lines that can overlap (radians).
+    ``same``: length by which the boxes are enlarged (mm).
+    Returns ``boxes`` (k, 4): x min, y min, x max, y max of the bounding box of each edge, in its
+    frame (mm); ``bucket`` (k,): number of the frame of each edge; ``angle, width`` (k,): direction
+    of each line, 0 … π, and the angle by which the direction of a line that overlaps it may differ
+    (radians).  Both are 0 for arcs.
     """
     count = len(rows)
     boxes = np.empty((count, 4))
@@ -190,22 +196,14 @@ def _overlapping(
     """Return the pairs of edges that overlap, (p, 2), as indices in ``order``, and whether further
     edges nearly coincide.
 
-    Parameters
-    ----------
-    edges : (k, 5)
-        Edges: x0, y0, x1, y1, bulge.
-    frames
-        Bounding boxes of the edges.
-    order : (k,)
-        The edges, sorted by frame so that near ones follow one another.
-    reach : mm
-        Distance by which the boxes of successive frames are moved apart.
-    fan : radians
-        Angle between the directions of neighbouring frames.
-    same, gap : mm
-        Largest distance of two edges that overlap, and of two edges that nearly coincide.
-    is_near
-        Whether edges that nearly coincide are pairs.
+    ``edges`` (k, 5): edges: x0, y0, x1, y1, bulge.
+    ``frames``: bounding boxes of the edges.
+    ``order`` (k,): the edges, sorted by frame so that near ones follow one another.
+    ``reach`` mm: distance by which the boxes of successive frames are moved apart.
+    ``fan`` radians: angle between the directions of neighbouring frames.
+    ``same``, ``gap`` mm: largest distance of two edges that overlap, and of two edges that nearly
+    coincide.
+    ``is_near``: whether edges that nearly coincide are pairs.
     """
     has_near = False
     count = len(order)
@@ -229,6 +227,7 @@ def _overlapping(
     other = np.empty((1, 4))
     found = np.empty((64, 2), np.int64)
     size = 0
+    slope = math.sin(math.radians(ANGLE))
     for i in range(count):
         # Search the own frame, and a neighbouring one if the angle is near it.
         for look in range(-1, 2):
@@ -261,17 +260,68 @@ def _overlapping(
                 if bucket[i] == _ARCS and _are_apart(rows, circle, i, j, gap):
                     continue
                 if is_near:
-                    overlap = _do_overlap(rows, i, j, gap, True)
+                    overlap = _do_overlap(rows, i, j, gap, True, slope)
                 else:
-                    overlap = _do_overlap(rows, i, j, same, False)
+                    overlap = _do_overlap(rows, i, j, same, False, slope)
                     if not overlap and not has_near:
-                        has_near = _do_overlap(rows, i, j, gap, True)
+                        has_near = _do_overlap(rows, i, j, gap, True, slope)
                 if overlap:
                     found = reserve_i64_2(found, size + 1)
                     found[size, 0], found[size, 1] = i, j
                     size += 1
                     partners += 1
     return found[:size].copy(), has_near
+
+
+@kernel
+def _are_short(rows: F64_2) -> Any:
+    """Return the mask of the lines longer than ``GAP`` and shorter than ``_SHORT``, (k,), among the
+    edges ``rows``.
+    """
+    result = np.zeros(len(rows), np.bool_)
+    for i in range(len(rows)):
+        dx, dy = rows[i, 2] - rows[i, 0], rows[i, 3] - rows[i, 1]
+        is_short = GAP * GAP < dx * dx + dy * dy < _SHORT * _SHORT
+        result[i] = is_short and abs(rows[i, 4]) < BULGE
+    return result
+
+
+@kernel
+def _overlapping_short(rows: F64_2, same: float) -> Any:
+    """Return the pairs of short lines that overlap, (p, 2).
+
+    ``rows`` (k, 5) are the lines, of which near ones follow one another, and ``same`` is the
+    largest distance of two lines that overlap (mm).
+    """
+    boxes = np.empty((len(rows), 4))
+    for i in range(len(rows)):
+        boxes[i, 0] = min(rows[i, 0], rows[i, 2]) - same
+        boxes[i, 1] = min(rows[i, 1], rows[i, 3]) - same
+        boxes[i, 2] = max(rows[i, 0], rows[i, 2])
+        boxes[i, 3] = max(rows[i, 1], rows[i, 3])
+    tree, stack = build_tree(boxes), new_stack()
+    found = np.empty((64, 2), np.int64)
+    size = 0
+    for i in range(len(rows)):
+        depth = start_query(tree, stack)
+        partners = 0
+        looks = 0
+        while partners < _CROWD and looks < _LOOKS:
+            looks += 1
+            j, depth = next_overlap(
+                tree.boxes, tree.level, stack, depth,
+                boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3], i,
+            )  # fmt: skip
+            if j < 0:
+                break
+            shorter = min(size_of(rows, i), size_of(rows, j))
+            slope = max(min(2.0 * same / shorter, _SLOPE), math.sin(math.radians(ANGLE)))
+            if _do_overlap(rows, i, j, same, False, slope):
+                found = reserve_i64_2(found, size + 1)
+                found[size, 0], found[size, 1] = i, j
+                size += 1
+                partners += 1
+    return found[:size].copy()
 
 
 @inline_kernel
@@ -286,11 +336,12 @@ def _are_apart(rows: F64_2, circle: F64_2, i: int, j: int, gap: float) -> bool:
 
 
 @kernel
-def _do_overlap(rows: F64_2, i: int, j: int, same: float, is_near: bool) -> bool:
+def _do_overlap(rows: F64_2, i: int, j: int, same: float, is_near: bool, slope: float) -> bool:
     """Return whether the edges ``rows[i]`` and ``rows[j]`` overlap along more than ``same`` mm.
 
     ``rows`` (k, 5) are edges: x0, y0, x1, y1, bulge.  With ``is_near``, the ends of the edges may
-    be farther apart than ``same`` if the edges are not.
+    be farther apart than ``same`` if the edges are not.  ``slope`` is the sine of the greatest
+    difference between the directions of two lines.
     """
     if (abs(rows[i, 4]) >= BULGE) != (abs(rows[j, 4]) >= BULGE):
         return False
@@ -301,7 +352,7 @@ def _do_overlap(rows: F64_2, i: int, j: int, same: float, is_near: bool) -> bool
         dx = (rows[i, 2] - rows[i, 0]) / length
         dy = (rows[i, 3] - rows[i, 1]) / length
         wide = (rows[j, 3] - rows[j, 1]) * dx - (rows[j, 2] - rows[j, 0]) * dy
-        if abs(wide) > size_of(rows, j) * math.sin(math.radians(ANGLE)):
+        if abs(wide) > size_of(rows, j) * slope:
             return False
         for end in range(2):
             x = rows[j, 2 * end] - rows[i, 0]
@@ -332,16 +383,11 @@ def _is_end_moved_too_far(rows: F64_2, i: int, point: F64_1, across: float, same
     """Return whether the end of an edge is more than ``same`` mm away from an end of ``rows[i]``
     that would replace it.
 
-    Parameters
-    ----------
-    rows : (k, 5)
-        Edges: x0, y0, x1, y1, bulge.
-    point
-        End of an edge that overlaps ``rows[i]`` (mm).
-    across
-        Distance of the point from the line or the circle of ``rows[i]``, with any sign (mm).
-    same
-        Two ends are one end if they are less than this apart along the edges (mm).
+    ``rows`` (k, 5): edges: x0, y0, x1, y1, bulge.
+    ``point``: end of an edge that overlaps ``rows[i]`` (mm).
+    ``across``: distance of the point from the line or the circle of ``rows[i]``, with any sign
+    (mm).
+    ``same``: two ends are one end if they are less than this apart along the edges (mm).
     """
     for end in range(2):
         x, y = point[0] - rows[i, 2 * end], point[1] - rows[i, 2 * end + 1]

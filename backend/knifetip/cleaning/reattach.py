@@ -44,8 +44,8 @@ def reattach(ends: F64, bulge: F64, place: I64, merged: MergedLines) -> F64:
 
     An end that meets no other end is moved along its own line to the line into which the merged
     line went, or to the nearest point of that line if that is nearer.  Ends that meet are moved
-    together, to the nearest point.  No end is moved by more than ``GAP``, and no edge becomes as
-    short as ``JOIN``.
+    together, to the nearest point, unless an edge has both of its ends there.  No end is moved by
+    more than ``GAP``, and no edge becomes as short as ``JOIN``.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def reattach(ends: F64, bulge: F64, place: I64, merged: MergedLines) -> F64:
     for at in apart[once].tolist():
         number = place[end[at]]
         alike = by_place[first[number] : first[number + 1]]
-        if (alike // 2 == on[at]).any():
+        if (alike // 2 == on[at]).any() or np.isin(alike ^ 1, alike).any():
             continue
         goal = foot[at]
         if len(alike) == 1:
@@ -91,16 +91,10 @@ def _touched(lines: F64_2, boxes: F64_2, points: F64_2, distance: float) -> Any:
 
     At most ``_LOOKS`` lines are examined for a point, so that the time is linear.
 
-    Parameters
-    ----------
-    lines : (m, 5)
-        Lines and arcs: x0, y0, x1, y1 (mm), bulge; near ones follow one another.
-    boxes : (m, 4) mm
-        Their bounding boxes.
-    points : (n, 2) mm
-        The points.
-    distance : mm
-        Greatest distance of a point from a line that it touches.
+    ``lines`` (m, 5): lines and arcs: x0, y0, x1, y1 (mm), bulge; near ones follow one another.
+    ``boxes`` (m, 4) mm: their bounding boxes.
+    ``points`` (n, 2) mm: the points.
+    ``distance`` mm: greatest distance of a point from a line that it touches.
     """
     found = np.empty((64, 2), np.int64)
     size = 0
@@ -133,16 +127,10 @@ def _along_own_line(points: F64, bulge: F64, end: int, target: int, foot: F64) -
     The result is ``foot`` if one of them is an arc, if they meet at a small angle, or if the end
     would be moved by more than ``GAP`` or past the end of the other line.
 
-    Parameters
-    ----------
-    points, bulge : (2k, 2) mm and (k,)
-        The ends and bulges of all edges.
-    end
-        Index of the end.
-    target
-        Index of the other line.
-    foot
-        Point of the other line that is nearest to the end (mm).
+    ``points``, ``bulge`` (2k, 2) mm and (k,): the ends and bulges of all edges.
+    ``end``: index of the end.
+    ``target``: index of the other line.
+    ``foot``: point of the other line that is nearest to the end (mm).
     """
     if max(abs(bulge[end // 2]), abs(bulge[target])) >= BULGE:
         return foot

@@ -242,20 +242,14 @@ def _covered(
     The edge is ``rows[e]`` and the piece is ``piece[p]``, both x0, y0, x1, y1, bulge.  The piece is
     coincident with a part of the edge.
 
-    Parameters
-    ----------
-    length
-        Length of the edge (mm).
-    same
-        A stretch that is not longer than this is neglected (mm).
-    is_near
-        Whether the piece may be as far as ``same`` from the edge, and what is beyond its ends
-        remains.
-    out
-        If a stretch is found, its start and its end (0 … 1 of the edge) are written into entries 0
-        and 1, and ``p`` into entry 2.  Entry 3 becomes 0 if the piece has the direction of the
-        edge, and 2 if it has the opposite direction.  Entry 4 becomes the distance of the piece
-        from the stretch (mm), 0 without ``is_near``.
+    ``length``: length of the edge (mm).
+    ``same``: a stretch that is not longer than this is neglected (mm).
+    ``is_near``: whether the piece may be as far as ``same`` from the edge, and what is beyond its
+    ends remains.
+    ``out``: if a stretch is found, its start and its end (0 … 1 of the edge) are written into
+    entries 0 and 1, and ``p`` into entry 2.  Entry 3 becomes 0 if the piece has the direction of
+    the edge, and 2 if it has the opposite direction.  Entry 4 becomes the distance of the piece
+    from the stretch (mm), 0 without ``is_near``.
     """
     back = False
     is_longer = is_near and size_of(piece, p) > length
@@ -306,18 +300,11 @@ def _add_stretch(
 ) -> int:
     """Append a stretch of an edge to two lists, and return the new number of stretches.
 
-    Parameters
-    ----------
-    cover
-        List of the start and the end of each stretch, 0 … 1 of the length of its edge.
-    source
-        List of the edge of each stretch, the piece that covers it, and ``is_foreign``.
-    count
-        Number of stretches in the lists.
-    begin, end, edge, piece
-        Values of the new stretch for these lists.
-    is_foreign
-        Whether the piece belongs to another edge.
+    ``cover``: list of the start and the end of each stretch, 0 … 1 of the length of its edge.
+    ``source``: list of the edge of each stretch, the piece that covers it, and ``is_foreign``.
+    ``count``: number of stretches in the lists.
+    ``begin``, ``end``, ``edge``, ``piece``: values of the new stretch for these lists.
+    ``is_foreign``: whether the piece belongs to another edge.
     """
     cover[count, 0], cover[count, 1] = begin, end
     source[count, 0], source[count, 1], source[count, 2] = edge, piece, is_foreign
@@ -347,35 +334,21 @@ def _remove(
 ) -> Any:
     """Remove from each edge the stretches that overlap pieces of edges processed before it.
 
-    Parameters
-    ----------
-    rows : (k, 5)
-        Edges: x0, y0, x1, y1, bulge.
-    kind, order : (k,)
-        Line types of the edges, and the order in which the edges are processed.
-    partners, bounds
-        ``partners[bounds[i] : bounds[i + 1]]`` are the edges that overlap edge i.
-    hides
-        ``hides[a, b]``: whether an edge of line type a removes a stretch of line type b.
-    is_fixed : (k,)
-        Mask of the edges of which no stretch is removed.
-    same
-        Length up to which stretches are neglected (mm).
-    is_near
-        Whether the edges only nearly coincide, within ``same``.
-    max_stretches
-        Limit of the number q of stretches.  The function may stop early if the limit is exceeded,
-        so the caller must reject a result with more stretches than this.
-
-    Returns
-    -------
-    piece, owner
-        The m pieces that remain (x0, y0, x1, y1, bulge, displacement of an end), (m, 6), and the
-        edge of each, (m,).
-    edge, begin, end, piece, is_foreign
-        For each of q stretches, (q,): its edge, its start and end (0 … 1 of the edge), the index of
-        the piece that is coincident with it (-1 if it is dropped), and whether this piece belongs
-        to another edge.
+    ``rows`` (k, 5): edges: x0, y0, x1, y1, bulge.
+    ``kind``, ``order`` (k,): line types of the edges, and the order in which the edges are
+    processed.
+    ``partners``, ``bounds``: ``partners[bounds[i] : bounds[i + 1]]`` are the edges that overlap
+    edge i.
+    ``hides``: ``hides[a, b]``: whether an edge of line type a removes a stretch of line type b.
+    ``is_fixed`` (k,): mask of the edges of which no stretch is removed.
+    ``same``: length up to which stretches are neglected (mm).
+    ``is_near``: whether the edges only nearly coincide, within ``same``.
+    ``max_stretches``: limit of the number q of stretches.  The function may stop early if the limit
+    is exceeded, so the caller must reject a result with more stretches than this.
+    Returns piece, owner: the m pieces that remain (x0, y0, x1, y1, bulge, displacement of an end),
+    (m, 6), and the edge of each, (m,); edge, begin, end, piece, is_foreign: for each of q
+    stretches, (q,): its edge, its start and end (0 … 1 of the edge), the index of the piece that is
+    coincident with it (-1 if it is dropped), and whether this piece belongs to another edge.
     """
     count = len(rows)
     piece = np.zeros((count + 64, 6))

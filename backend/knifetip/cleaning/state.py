@@ -12,10 +12,12 @@ from typing import Final
 import numpy as np
 
 from knifetip.cleaning.close_gaps import close_gaps, find_debris
-from knifetip.cleaning.deviation import edge_rows, measure_deviation
+from knifetip.cleaning.corner_loops import SHORT, find_corner_loops
+from knifetip.cleaning.deviation import measure_deviation, measured_edges
 from knifetip.cleaning.end_points import EndPoints, connected_edges, find_end_points
 from knifetip.cleaning.lost_length import lost_length
 from knifetip.cleaning.merge_collinear import merge_collinear
+from knifetip.cleaning.raise_to import raise_to
 from knifetip.cleaning.reattach import MergedLines, reattach
 from knifetip.cleaning.remove_overlaps import NearEdges, Pieces, remove_overlaps
 from knifetip.cleaning.trim_folds import trim_folds
@@ -49,6 +51,9 @@ class CleaningState:
     edge: I64  #: (q,) current edge of each stretch, -1 if dropped
     overlapping: Bool  #: (q,) whether the stretch overlaps another edge
     off_panel: Bool  #: (q,) whether the stretch was dropped because it is outside all panels
+    looped: (
+        Bool  #: (n,) whether the drawn edge was dropped because it belongs to a loop at a corner
+    )
     #: whether current edges nearly coincided when overlaps were removed last
     has_near: bool = False
     #: whether edges that nearly coincide may be merged; False after it failed
@@ -113,8 +118,8 @@ class CleaningState:
     def _deviation(self, drawn: Dieline) -> F64:
         """Return the greatest distance of each stretch from its current edge, (q,) mm."""
         return measure_deviation(
-            edge_rows(drawn.ends, drawn.bulge),
-            edge_rows(self.ends, self.bulge),
+            measured_edges(drawn.ends, drawn.bulge),
+            measured_edges(self.ends, self.bulge),
             self.row,
             self.begin,
             self.end,
@@ -231,6 +236,30 @@ class CleaningState:
         self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]
         self._select(keep)
 
+    def _drop(self, edges: Bool) -> None:
+        """Remove the current edges of a mask, (k,); their stretches are dropped."""
+        keep = ~edges
+        number = np.where(keep, np.cumsum(keep) - 1, -1)
+        self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]
+        self._select(keep)
+        self.edge = np.where(self.edge < 0, -1, number[self.edge])
+
+    def remove_corner_loops(self, drawn_length: F64) -> None:
+        """Remove loops of short edges at the corners of outlines.
+
+        ``drawn_length`` (n,) are the lengths of the drawn edges (mm).
+        """
+        length = arc.length(self.ends[:, 0], self.ends[:, 1], self.bulge)
+        if length.min(initial=SHORT) >= SHORT:
+            return
+        live = np.flatnonzero(self.edge >= 0)
+        longest = np.zeros(len(self.bulge))
+        raise_to(longest, self.edge[live], drawn_length[self.row[live]])
+        loops = find_corner_loops(self.ends, self.kind, length, longest, self.end_points().place)
+        if loops.any():
+            self.looped[self.row[live[loops[self.edge[live]]]]] = True
+            self._drop(loops)
+
     def merge(self, *, curves_only: bool = False) -> None:
         """Merge current edges that continue each other.
 
@@ -249,8 +278,8 @@ class CleaningState:
         if count == len(self.bulge):
             return
         moved, fitted = np.zeros(count), merged.fitted.copy()
-        np.maximum.at(moved, merged.merged_edge, self.moved)
-        np.logical_or.at(fitted, merged.merged_edge, self.fitted)
+        raise_to(moved, merged.merged_edge.astype(np.int64), self.moved)
+        fitted[merged.merged_edge[self.fitted]] = True
         self.ends, self.bulge, self.kind = merged.ends, merged.bulge, merged.kind
         self.moved, self.fitted, self.fit_error = moved, fitted, merged.fit_error
         self.edge = np.where(self.edge < 0, -1, merged.merged_edge[self.edge]).astype(np.int64)
@@ -268,11 +297,7 @@ class CleaningState:
             is_lost = np.append(debris, True)[self.edge]
             lost = lost_length(self.row, self.begin, self.end, is_lost, drawn_length)
             debris[self.edge[is_lost & (lost > GAP)[self.row] & (self.edge >= 0)]] = False
-            keep = ~debris
-            number = np.where(keep, np.cumsum(keep) - 1, -1)
-            self.ends, self.bulge, self.kind = self.ends[keep], self.bulge[keep], self.kind[keep]
-            self._select(keep)
-            self.edge = np.where(self.edge < 0, -1, number[self.edge])
+            self._drop(debris)
         closed = close_gaps(self.ends, self.bulge, self.kind, self.moved > 0.0, self.end_points())
         self.moved = np.maximum(self.moved, closed.displacement)
         self.ends = closed.ends

@@ -121,12 +121,8 @@ def _divide_at_cuts(ends: F64, bulge: F64, folds: I64, cuts: I64) -> _Parts:
 
     A cut that meets a fold at most ``JOIN`` from an end of the fold does not divide it.
 
-    Parameters
-    ----------
-    ends, bulge : (k, 2, 2) mm and (k,)
-        The edges.
-    folds, cuts
-        Indices of the folds and of the cuts among the edges.
+    ``ends``, ``bulge`` (k, 2, 2) mm and (k,): the edges.
+    ``folds``, ``cuts``: indices of the folds and of the cuts among the edges.
     """
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
     one, other = box_pairs(boxes[folds], boxes[cuts], JOIN)
@@ -164,17 +160,10 @@ def _inner_contacts(edges: F64_2, size: F64_1, fold: I64_1, cut: I64_1, margin: 
     """Return the c contacts of folds with cuts that are more than ``margin`` mm from the ends of
     the fold.
 
-    Parameters
-    ----------
-    edges, size : (k, 5) and (k,) mm
-        Edges: x0, y0, x1, y1, bulge; and their lengths.
-    fold, cut : (p,) and (p,)
-        Indices of the fold and the cut of each pair.
-
-    Returns
-    -------
-    pair, fraction : (2, c) and (2, c)
-        The fold and the cut of each contact, and the parameters of the contact on the two, 0 … 1.
+    ``edges``, ``size`` (k, 5) and (k,) mm: edges: x0, y0, x1, y1, bulge; and their lengths.
+    ``fold``, ``cut`` (p,) and (p,): indices of the fold and the cut of each pair.
+    Returns ``pair, fraction`` (2, c) and (2, c): the fold and the cut of each contact, and the
+    parameters of the contact on the two, 0 … 1.
     """
     pair, fraction = np.empty((2, 16), np.int64), np.empty((2, 16))
     common = np.empty((MAX_POINTS, 4))
@@ -208,17 +197,9 @@ def _has_neighbours(edge: I64, place: F64) -> bool:
 def _find_contours(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> tuple[_Contours, _Contours]:
     """Return the contours of n cuts with small gaps closed, and the contours of the cuts alone.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) mm and (n,)
-        The cuts.
-    folds : (m, 2, 2) mm and (m,)
-        Ends and bulges of the folds that no cut divides.
-
-    Raises
-    ------
-    PlanError
-        The bounding boxes of more than five million pairs of cuts overlap.
+    ``ends``, ``bulge`` (n, 2, 2) mm and (n,): the cuts.
+    ``folds`` (m, 2, 2) mm and (m,): ends and bulges of the folds that no cut divides.
+    Raises ``PlanError``: the bounding boxes of more than five million pairs of cuts overlap.
     """
     exact = _with_doubts(*split_at_crossings(ends, bulge)[:2], folds)
     links = closing_links(ends, bulge, find_dangling_ends(ends, bulge), CONTOUR_GAP)
@@ -238,12 +219,8 @@ def _with_doubts(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> _Contours:
     A short piece of a cut that is attached to a contour is an overshoot of that cut, and no sign of
     an open outline.
 
-    Parameters
-    ----------
-    ends, bulge : (p, 2, 2) mm and (p,)
-        Pieces of cuts, which meet only at their ends.
-    folds : (m, 2, 2) mm and (m,)
-        Ends and bulges of the folds that no cut divides.
+    ``ends``, ``bulge`` (p, 2, 2) mm and (p,): pieces of cuts, which meet only at their ends.
+    ``folds`` (m, 2, 2) mm and (m,): ends and bulges of the folds that no cut divides.
     """
     subdivision = subdivide(ends, bulge)
     ends, bulge = np.stack([subdivision.start, subdivision.end], axis=1), subdivision.bulge
@@ -270,13 +247,10 @@ def _with_doubts(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> _Contours:
 def _classify(points: F64, linked: _Contours, exact: _Contours) -> tuple[Bool, Bool]:
     """Return which of m points lie on panels, (m,), and which lie surely in the waste, (m,).
 
-    Parameters
-    ----------
-    points : (m, 2) mm
-        The points.
-    linked, exact
-        The contours if small gaps between cuts are closed, and the contours that cuts alone form.
-        A gap may be the end of a strip between two slits, so only contours without gaps are holes.
+    ``points`` (m, 2) mm: the points.
+    ``linked``, ``exact``: the contours if small gaps between cuts are closed, and the contours that
+    cuts alone form. A gap may be the end of a strip between two slits, so only contours without
+    gaps are holes.
     """
     count = linked.subdivision.count_enclosing(points)
     on_panel = count % 2 == 1
@@ -291,16 +265,10 @@ def _are_touched(ends: F64, bulge: F64, parts: _Parts, rows: I64, cuts: I64) -> 
     A cut does not divide a fold if it crosses it at less than 1°, or ends beside it and would meet
     it only farther on.  Either side of such a cut may be a panel.
 
-    Parameters
-    ----------
-    ends, bulge : (k, 2, 2) mm and (k,)
-        All edges.
-    parts
-        The q pieces of folds.
-    rows
-        Indices of the pieces that are searched.
-    cuts
-        Indices of the cuts among the edges.
+    ``ends``, ``bulge`` (k, 2, 2) mm and (k,): all edges.
+    ``parts``: the q pieces of folds.
+    ``rows``: indices of the pieces that are searched.
+    ``cuts``: indices of the cuts among the edges.
     """
     owner = parts.edge[rows]
     start, end, bent = arc.sub_arc(
@@ -335,14 +303,9 @@ def _join_panel_parts(parts: _Parts, on_panel: Bool, in_waste: Bool) -> tuple[_P
 def _find_dropped(ends: F64, bulge: F64, parts: _Parts, on_panel: Bool, in_waste: Bool) -> Bool:
     """Return the mask of the q pieces that are dropped, (q,).
 
-    Parameters
-    ----------
-    ends, bulge : (k, 2, 2) mm and (k,)
-        All edges.
-    parts
-        The q pieces of folds.
-    on_panel, in_waste : (q,)
-        Which pieces lie on panels, and which surely in the waste.
+    ``ends``, ``bulge`` (k, 2, 2) mm and (k,): all edges.
+    ``parts``: the q pieces of folds.
+    ``on_panel``, ``in_waste`` (q,): which pieces lie on panels, and which surely in the waste.
     """
     edge, begin, end = parts
     size = (end - begin) * arc.length(ends[edge, 0], ends[edge, 1], bulge[edge])

@@ -17,14 +17,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from knifetip.cli.database_options import DatabaseOptions
 from knifetip.cli.drawing import Json
 from knifetip.cli.options import expand
-from knifetip.cli.terminal import print_json, print_line, print_stderr
-from knifetip.jobs.accounts.scopes import AccessScope
+from knifetip.cli.terminal import in_words, print_json, print_line, print_message
+from knifetip.messages import Message
+from knifetip.service.http.scopes import AccessScope
+from knifetip.service.settings import DatabaseSettings
 
 if TYPE_CHECKING:
-    from knifetip.jobs.store import Store
+    from knifetip.service.store import Store
 
 UserName = Annotated[str, typer.Argument(metavar="NAME", help="Name of the user.")]
 Role = Annotated[
@@ -36,7 +37,7 @@ _DAY = 86_400.0
 
 @contextmanager
 def _opened(database: str) -> Iterator[Store]:
-    from knifetip.jobs.store import Store  # imported here: slow, and the help does not need it
+    from knifetip.service.store import Store  # imported here: slow, and the help does not need it
 
     store = Store(database)
     try:
@@ -50,14 +51,10 @@ def _opened(database: str) -> Iterator[Store]:
 def _changing(database: str, action: str) -> Iterator[Store]:
     """Open a database for a change that gets an entry in the audit log, as a request does.
 
-    Parameters
-    ----------
-    database
-        URL of the database.
-    action
-        Operation of the REST interface that makes the same change.
+    ``database``: URL of the database.
+    ``action``: operation of the REST interface that makes the same change.
     """
-    from knifetip.jobs.accounts.acting import Acting, acting_as  # imports the database
+    from knifetip.service.database.acting import Acting, acting_as  # imports the database
 
     with (
         _opened(database) as store,
@@ -69,12 +66,17 @@ def _changing(database: str, action: str) -> Iterator[Store]:
 def _password() -> str:
     """Return a new password: typed twice at a terminal, or the first line of stdin."""
     if sys.stdin.isatty():
-        typed: str = typer.prompt("Password", hide_input=True, confirmation_prompt=True, err=True)
+        typed: str = typer.prompt(
+            in_words(Message("output.password")),
+            hide_input=True,
+            confirmation_prompt=True,
+            err=True,
+        )
         return typed
     return sys.stdin.readline().rstrip("\r\n")
 
 
-def add_user(name: UserName, role: Role = AccessScope.VIEWER, *, chosen: DatabaseOptions) -> None:
+def add_user(name: UserName, role: Role = AccessScope.VIEWER, *, chosen: DatabaseSettings) -> None:
     """Add a user; the password is read from a prompt or from stdin."""
     password = _password()
     with _changing(chosen.url, "create_user") as store:
@@ -82,7 +84,7 @@ def add_user(name: UserName, role: Role = AccessScope.VIEWER, *, chosen: Databas
     typer.echo(f"{row.name}: {row.role}")
 
 
-def list_users(as_json: Json = False, *, chosen: DatabaseOptions) -> None:
+def list_users(as_json: Json = False, *, chosen: DatabaseSettings) -> None:
     """List the users with their roles."""
     with _opened(chosen.url) as store:
         rows = store.users.all()
@@ -91,11 +93,17 @@ def list_users(as_json: Json = False, *, chosen: DatabaseOptions) -> None:
         print_json([{name: getattr(row, name) for name in names} for row in rows])
         return
     for row in rows:
-        state = "" if row.active else " (disabled)"
-        typer.echo(f"{row.name:20} {row.role:9} last sign-in {_date(row.signed_in)}{state}")
+        listed = Message(
+            "output.user-row",
+            name=f"{row.name:20}",
+            role=f"{row.role:9}",
+            date=_date(row.signed_in),
+            state=None if row.active else Message("output.disabled"),
+        )
+        print_line(in_words(listed))
 
 
-def set_password(name: UserName, *, chosen: DatabaseOptions) -> None:
+def set_password(name: UserName, *, chosen: DatabaseSettings) -> None:
     """Set a new password, read from a prompt or from stdin; the user's sessions end."""
     password = _password()
     with _changing(chosen.url, "change_user") as store:
@@ -106,20 +114,20 @@ def set_role(
     name: UserName,
     role: Annotated[AccessScope, typer.Argument(help="viewer, designer, operator or admin.")],
     *,
-    chosen: DatabaseOptions,
+    chosen: DatabaseSettings,
 ) -> None:
     """Set the role of a user; the user's sessions end."""
     with _changing(chosen.url, "change_user") as store:
         store.users.change(name, role=role)
 
 
-def disable_user(name: UserName, *, chosen: DatabaseOptions) -> None:
+def disable_user(name: UserName, *, chosen: DatabaseSettings) -> None:
     """Disable a user; the user's sessions end."""
     with _changing(chosen.url, "change_user") as store:
         store.users.change(name, active=False)
 
 
-def enable_user(name: UserName, *, chosen: DatabaseOptions) -> None:
+def enable_user(name: UserName, *, chosen: DatabaseSettings) -> None:
     """Enable a disabled user."""
     with _changing(chosen.url, "change_user") as store:
         store.users.change(name, active=True)
@@ -155,11 +163,11 @@ def create_key(
         ),
     ] = None,
     *,
-    chosen: DatabaseOptions,
+    chosen: DatabaseSettings,
 ) -> None:
     """Create an API key and print its secret, or write it to a file; it cannot be read again."""
-    from knifetip.jobs.accounts.key_limits import KeyLimits  # imports the database
     from knifetip.library.definition import Shelf
+    from knifetip.service.database.key_limits import KeyLimits  # imports the database
 
     expires = None if days is None else time.time() + days * _DAY
     with _changing(chosen.url, "create_key") as store, ExitStack() as stack:
@@ -172,19 +180,20 @@ def create_key(
 
             kept = key_in(file, store.keys, scope, limits)
             if kept is not None:
-                print_stderr(f"{file}: key {kept.id} for {kept.title} is valid")
+                valid = Message("output.key-valid", file=file, id=kept.id, title=kept.title)
+                print_message(valid)
                 return
             new_file = NewKeyFile(file)
             stack.callback(new_file.remove)
         row, secret = store.keys.add(title, scope, expires, "command line", limits)
         if new_file is not None:
             new_file.write(secret)
-    print_stderr(f"key {row.id} for {row.title}: {', '.join(row.scopes)}")
+    print_message(Message("output.key", id=row.id, title=row.title, scopes=row.scopes))
     if file is None:
         typer.echo(secret)
 
 
-def list_keys(as_json: Json = False, *, chosen: DatabaseOptions) -> None:
+def list_keys(as_json: Json = False, *, chosen: DatabaseSettings) -> None:
     """List the API keys with their scopes and last use, without their secrets."""
     with _opened(chosen.url) as store:
         rows = store.keys.all()
@@ -196,12 +205,17 @@ def list_keys(as_json: Json = False, *, chosen: DatabaseOptions) -> None:
         print_json([{name: getattr(row, name) for name in names} for row in rows])
         return
     for row in rows:
-        state = f", revoked {_date(row.revoked)}" if row.revoked else ""
-        state += f", expires {_date(row.expires)}" if row.expires else ""
-        state += f", customer {row.customer}" if row.customer else ""
-        state += f", machines {' '.join(row.machines)}" if row.machines else ""
-        used = _date(row.used)
-        print_line(f"{row.id} {row.title:24} {','.join(row.scopes)} used {used}{state}")
+        notes = [Message("output.used", date=_date(row.used))]
+        if row.revoked:
+            notes.append(Message("output.revoked", date=_date(row.revoked)))
+        if row.expires:
+            notes.append(Message("output.expires", date=_date(row.expires)))
+        if row.customer:
+            notes.append(Message("output.customer", customer=row.customer))
+        if row.machines:
+            notes.append(Message("output.machines", names=row.machines))
+        listed = {"id": row.id, "title": f"{row.title:24}", "scopes": ",".join(row.scopes)}
+        print_line(in_words(Message("output.key-row", **listed, notes=notes)))
 
 
 def rotate_key(
@@ -210,7 +224,7 @@ def rotate_key(
         Path | None, typer.Option(help="File for the secret, which its owner only can read.")
     ] = None,
     *,
-    chosen: DatabaseOptions,
+    chosen: DatabaseSettings,
 ) -> None:
     """Give an API key a new secret, and print it or write it to a file; it keeps its jobs."""
     with _changing(chosen.url, "rotate_key_secret") as store, ExitStack() as stack:
@@ -230,7 +244,7 @@ def rotate_key(
 def revoke_key(
     id: Annotated[str, typer.Argument(metavar="ID", help="Id of the key.")],
     *,
-    chosen: DatabaseOptions,
+    chosen: DatabaseSettings,
 ) -> None:
     """Revoke an API key."""
     with _changing(chosen.url, "revoke_key") as store:

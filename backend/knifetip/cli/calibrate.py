@@ -14,10 +14,11 @@ import typer
 from knifetip.cli.drawing import Json
 from knifetip.cli.options import expand
 from knifetip.cli.program import TargetOptions
-from knifetip.cli.terminal import print_json, print_stderr, read_bytes, write_bytes
+from knifetip.cli.terminal import print_json, print_message, read_bytes, write_bytes
 from knifetip.compensation.calibration import calibrate as fit_deflection
 from knifetip.errors import LibraryError
 from knifetip.library import deflection, load
+from knifetip.messages import Message
 from knifetip.model.board import Deflection
 
 _COLUMNS = ("azimuth", "dx", "dy")
@@ -133,8 +134,10 @@ def calibrate(
         print_json({"tool": station.name, **asdict(fitted), "toml": lines})
         return
     typer.echo(lines, nl=False)
-    where = f"written to {store}" if store is not None else "add these lines to the board's file"
-    print_stderr(f"{len(azimuths)} points, largest residual {fitted.residual:.4f} mm; {where}.")
+    added = Message("output.add-lines")
+    where = added if store is None else Message("output.written-to", file=store)
+    count, residual = len(azimuths), fitted.residual
+    print_message(Message("output.calibrated", count=count, residual=residual, where=where))
 
 
 def register(app: typer.Typer) -> None:

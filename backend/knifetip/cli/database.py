@@ -15,13 +15,15 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from knifetip.cli.database_options import DatabaseOptions
 from knifetip.cli.options import expand
+from knifetip.cli.terminal import in_words, print_line
 from knifetip.errors import StoreError
+from knifetip.messages import Message
+from knifetip.service.settings import DatabaseSettings
 
 if TYPE_CHECKING:
-    from knifetip.jobs.database import Database
-    from knifetip.jobs.schema import Migration, Schema
+    from knifetip.service.database.engine import Database
+    from knifetip.service.database.schema import Migration, Schema
 
 #: Exit code of ``db check`` if the tables must be migrated.
 _MUST_MIGRATE = 1
@@ -43,48 +45,48 @@ def register(app: typer.Typer) -> None:
     app.command("restore")(expand(restore))
 
 
-def show_schema(chosen: DatabaseOptions) -> None:
+def show_schema(chosen: DatabaseSettings) -> None:
     """Print the revision of the tables, and the version of knifetip that made them."""
     with closing(_open_existing(chosen)) as database:
-        typer.echo(_describe(database.schema()))
+        print_line(in_words(_describe(database.schema())))
 
 
-def check_schema(chosen: DatabaseOptions) -> None:
+def check_schema(chosen: DatabaseSettings) -> None:
     """Exit with 0 if a server of this version can use the tables as they are.
 
     Exit with 1 if they must be migrated first, and with 3 if they are too new.
     """
-    from knifetip.jobs.schema import require_not_newer
+    from knifetip.service.database.schema import require_known
 
     with closing(_open_existing(chosen)) as database:
         found = database.schema()
-        require_not_newer(found, database.url)
-        typer.echo(_describe(found))
+        require_known(found, database.url)
+        print_line(in_words(_describe(found)))
         if not found.is_current:
             raise typer.Exit(_MUST_MIGRATE)
 
 
-def upgrade_schema(chosen: DatabaseOptions) -> None:
+def upgrade_schema(chosen: DatabaseSettings) -> None:
     """Create the tables, or migrate them to those of this version.
 
     A copy of an SQLite database is kept beside it.  Stop all servers and workers first.
     """
-    from knifetip.jobs.database import Database
+    from knifetip.service.database.engine import Database
 
     with closing(Database(chosen.url)) as database:
         done = database.migrate()
-        text = "The tables are up to date." if done is None else describe_migration(done)
-        typer.echo(text)
+        current = Message("output.tables-current")
+        print_line(in_words(current if done is None else describe_migration(done)))
 
 
 def back_up(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="File of the copy.")],
     replace: Replace = False,
     *,
-    chosen: DatabaseOptions,
+    chosen: DatabaseSettings,
 ) -> None:
     """Copy an SQLite database to a file.  Its server and its workers may run meanwhile."""
-    from knifetip.jobs.sqlite_copy import copy_database
+    from knifetip.service.database.sqlite_copy import copy_database
 
     source = _file(chosen, must_exist=True)
     if file.exists() and not replace:
@@ -102,14 +104,14 @@ def restore(
         ),
     ] = False,
     *,
-    chosen: DatabaseOptions,
+    chosen: DatabaseSettings,
 ) -> None:
     """Put a copy of an SQLite database in its place.
 
     Stop the server and its workers first.
     """
-    from knifetip.jobs import sqlite_copy
-    from knifetip.jobs.database_damage import find_damage
+    from knifetip.service.database import sqlite_copy
+    from knifetip.service.database.damage import find_damage
 
     target = _file(chosen, must_exist=False)
     found = _schema_of_copy(file)
@@ -123,34 +125,35 @@ def restore(
             sqlite_copy.copy_database(target, kept)
         else:
             sqlite_copy.move_away(target, kept)
-        typer.echo(f"The former database is kept as {kept}.")
+        print_line(in_words(Message("output.former-database", file=kept)))
     else:
         sqlite_copy.move_away(target, kept)  # its logs, if only the database was deleted
     sqlite_copy.copy_database(file, target)
-    typer.echo(f"{target}: {_describe(found)}")
+    print_line(f"{target}: {in_words(_describe(found))}")
 
 
-def describe_migration(done: Migration) -> str:
-    """Return a sentence about a completed migration."""
-    before = f"from revision {done.before} " if done.before else ""
-    copy = f" A copy from before the migration is {done.copy}." if done.copy else ""
-    return f"The tables were migrated {before}to revision {done.after}.{copy}"
+def describe_migration(done: Migration) -> Message:
+    """Return a message about a completed migration."""
+    copy = Message("output.migration-copy", file=done.copy) if done.copy else None
+    if not done.before:
+        return Message("output.migrated-new", after=done.after, copy=copy)
+    return Message("output.migrated", before=done.before, after=done.after, copy=copy)
 
 
-def _describe(found: Schema) -> str:
+def _describe(found: Schema) -> Message:
     if found.is_empty:
-        return f"no tables; knifetip needs revision {found.newest}"
-    writer = f", made by knifetip {found.writer}" if found.writer else ""
+        return Message("output.no-tables", newest=found.newest)
+    writer = Message("output.writer", version=found.writer) if found.writer else None
     if found.is_current:
-        return f"revision {found.revision}{writer}, up to date"
-    age = "newer than" if found.is_newer else "older than"
-    return f"revision {found.revision}{writer}, {age} revision {found.newest} of this version"
+        return Message("output.revision-current", revision=found.revision, writer=writer)
+    code = "output.revision-newer" if found.is_newer else "output.revision-older"
+    return Message(code, revision=found.revision, writer=writer, newest=found.newest)
 
 
-def _open_existing(chosen: DatabaseOptions) -> Database:
+def _open_existing(chosen: DatabaseSettings) -> Database:
     """Return a database; a missing SQLite database is not created."""
-    from knifetip.jobs.database import Database
-    from knifetip.jobs.database_url import sqlite_file
+    from knifetip.service.database.engine import Database
+    from knifetip.service.database.url import sqlite_file
 
     file = sqlite_file(chosen.url)
     if file is not None and not file.is_file():
@@ -158,9 +161,9 @@ def _open_existing(chosen: DatabaseOptions) -> Database:
     return Database(chosen.url)
 
 
-def _file(chosen: DatabaseOptions, *, must_exist: bool) -> Path:
+def _file(chosen: DatabaseSettings, *, must_exist: bool) -> Path:
     """Return the file of an SQLite database."""
-    from knifetip.jobs.database_url import sqlite_file
+    from knifetip.service.database.url import sqlite_file
 
     file = sqlite_file(chosen.url)
     if file is None:
@@ -174,8 +177,8 @@ def _schema_of_copy(file: Path) -> Schema:
     """Return the revision of the tables in a copy; the copy is checked and not changed."""
     import sqlalchemy as sa
 
-    from knifetip.jobs.schema import read_schema, require_not_newer
-    from knifetip.jobs.sqlite_copy import check_copy
+    from knifetip.service.database.schema import read_schema, require_known
+    from knifetip.service.database.sqlite_copy import check_copy
 
     if not file.is_file():
         raise StoreError("database.missing", file=file)
@@ -189,5 +192,5 @@ def _schema_of_copy(file: Path) -> Schema:
         engine.dispose()
     if found.is_empty:
         raise StoreError("backup.foreign", file=file)
-    require_not_newer(found, str(file))
+    require_known(found, str(file))
     return found

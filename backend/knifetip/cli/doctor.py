@@ -11,9 +11,9 @@ import typer
 from knifetip.cli.access_key import KeyOptions
 from knifetip.cli.checks import computer, machine, server, storage
 from knifetip.cli.checks.check_result import CheckResult, Grade, run
-from knifetip.cli.database_options import DatabaseOptions, StoreOptions
 from knifetip.cli.options import expand
 from knifetip.cli.terminal import print_json, print_line
+from knifetip.service.settings import StorageSettings
 
 _WORDS: Final = {Grade.OK: "OK", Grade.WARNING: "warning", Grade.PROBLEM: "problem"}
 _COLOURS: Final = {Grade.OK: "green", Grade.WARNING: "yellow", Grade.PROBLEM: "red"}
@@ -37,8 +37,7 @@ def doctor(
     ),
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
     *,
-    chosen: DatabaseOptions,
-    contents: StoreOptions,
+    chosen: StorageSettings,
     access: KeyOptions,
 ) -> None:
     """Check this installation, and print what to do.
@@ -46,7 +45,7 @@ def doctor(
     Nothing is changed.  Exit code: 0 if all is well, 1 with warnings, 2 with problems.
     """
     headers = access.headers
-    options = storage.ServerOptions(chosen.url, chosen.shown, contents.store, host, bool(headers))
+    options = storage.ServerOptions(chosen.url, chosen.shown, chosen.store, host, bool(headers))
     findings: list[CheckResult] = []
     for finding in _findings(options, server_url, headers, machine_name, controller):
         findings.append(finding)
@@ -77,6 +76,7 @@ def _findings(
     yield from run("python", computer.check_python)
     yield from run("packages", computer.check_packages)
     yield from run("kernels", computer.check_kernels)
+    yield from run("converters", computer.check_converters)
     folder = storage.data_folder(options)
     folders = [] if folder is None else [folder]
     yield from run("disk", partial(computer.check_disks, folders))

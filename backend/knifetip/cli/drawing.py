@@ -15,9 +15,10 @@ from knifetip.cli.options import expand
 from knifetip.cli.rules import find_profile
 from knifetip.cli.terminal import (
     QUESTIONS,
+    in_words,
     print_json,
     print_line,
-    print_stderr,
+    print_message,
     read_bytes,
     report_questions,
     report_warnings,
@@ -26,6 +27,7 @@ from knifetip.cli.terminal import (
 from knifetip.errors import KnifetipError
 from knifetip.formats import FORMATS
 from knifetip.geometry.columns import I64, U8
+from knifetip.messages import Message
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, ImportOutcome
@@ -36,6 +38,7 @@ from knifetip.presentation.edges import EdgeTable
 from knifetip.presentation.import_report import import_report_rows
 from knifetip.presentation.import_warnings import import_warnings
 from knifetip.presentation.outcomes import edge_outcomes
+from knifetip.presentation.replaced_folds import replaced_fold_warnings
 from knifetip.presentation.texts import with_texts
 
 #: Maximum number of printed lines of a list, and of handles named in one line.
@@ -120,6 +123,17 @@ class LoadedDrawing:
             "edges": EdgeTable.from_drawing(self.drawing, self.dieline, outcomes).rows(),
         }
 
+    def warnings(self) -> list[Message]:
+        """Return the warnings about what import left out, and about folds that cuts replace."""
+        cleaned = self._cleaned()
+        warnings = import_warnings(self.drawing)
+        if cleaned is None:
+            return warnings
+        return [
+            *warnings,
+            *replaced_fold_warnings(self.dieline, cleaned, self.drawing.lengths),
+        ]
+
     def _cleaned(self) -> Cleaned | None:
         """Return the result of cleaning the drawing; None if it cannot be cleaned.
 
@@ -130,7 +144,7 @@ class LoadedDrawing:
         try:
             return pipeline.clean(self.dieline)
         except KnifetipError as error:
-            print_stderr(f"The drawing was not cleaned: {error.text}", "yellow")
+            print_message(Message("output.not-cleaned", reason=error.message), "yellow")
             return None
 
 
@@ -174,7 +188,9 @@ def register(app: typer.Typer) -> None:
         if json:
             print_json({"drawing": about})
             return
-        print_line(f"{file.name}: {_size(drawing)}, {len(drawing)} segments; {drawing.evidence}")
+        count, evidence = len(drawing), drawing.evidence
+        size = {"file": file.name, "size": _size(drawing)}
+        print_line(in_words(Message("output.read", **size, count=count, evidence=evidence)))
         for warning in about["warnings"]:
             print_line(f"  ! {warning['text']}")
         for text in _evidence_lines(about["unit_finding"]):
@@ -201,7 +217,9 @@ def register(app: typer.Typer) -> None:
                 selected = result.dieline.line_type == kind
                 if selected.any():
                     length = float(result.drawing.lengths[selected].sum())
-                    print_line(f"  {kind.word:12} {int(selected.sum()):6} edges {length:12.1f} mm")
+                    figures = {"count": f"{int(selected.sum()):6}", "length": f"{length:12.1f}"}
+                    row = Message("output.line-type", type=f"{kind.word:12}", **figures)
+                    print_line(f"  {in_words(row)}")
                     _print_lines(_rule_lines(result, np.flatnonzero(selected)), indent=4)
             report_warnings(import_warnings(result.drawing))
             report_questions(open_questions)
@@ -226,18 +244,26 @@ def register(app: typer.Typer) -> None:
             print_json({"drawing": about, "cleaning": cleaned.as_json(result.drawing.handles)})
             return
         lengths = cleaned.lengths
-        print_line(f"{file.name}: {_size(result.drawing)}, {len(result.drawing)} edges")
+        size, count = _size(result.drawing), len(result.drawing)
         print_line(
-            f"  drawn {lengths['drawn']:.3f} mm = kept {lengths['kept']:.3f} "
-            f"+ merged {lengths['merged']:.3f} + dropped {lengths['dropped']:.3f}"
+            in_words(Message("output.size-and-edges", file=file.name, size=size, count=count))
         )
-        print_line(
-            f"  worked {lengths['worked']:.3f} mm = kept {lengths['kept']:.3f} "
-            f"+ added by closing gaps {lengths['added']:.3f}"
-        )
+        drawn = {name: lengths[name] for name in ("drawn", "kept", "merged", "dropped")}
+        worked = {name: lengths[name] for name in ("worked", "kept", "added")}
+        print_line(f"  {in_words(Message('output.drawn', **drawn))}")
+        print_line(f"  {in_words(Message('output.worked', **worked))}")
         handles = result.drawing.handles
         changed = np.flatnonzero(cleaned.changed).tolist()
-        _print_lines([f"{handles[row]:>8} edge {row}: {cleaned.describe(row)}" for row in changed])
+        edges = [
+            Message(
+                "output.cleaned-edge",
+                handle=f"{handles[row]:>8}",
+                edge=row,
+                outcome=cleaned.describe(row),
+            )
+            for row in changed
+        ]
+        _print_lines([in_words(edge) for edge in edges])
 
     @app.command("samples")
     def write_samples(
@@ -260,7 +286,8 @@ def _print_lines(lines: list[str], indent: int = 2) -> None:
     for line in lines[:_MAX_LINES]:
         print_line(" " * indent + line)
     if len(lines) > _MAX_LINES:
-        print_line(" " * indent + f"… and {len(lines) - _MAX_LINES} more: --json lists them all")
+        more = Message("output.more-lines", count=len(lines) - _MAX_LINES)
+        print_line(" " * indent + in_words(more))
 
 
 def _report_lines(rows: list[dict[str, Any]]) -> list[str]:
@@ -269,10 +296,7 @@ def _report_lines(rows: list[dict[str, Any]]) -> list[str]:
     Entities with equal outcome, kind, layer and reason are combined in one text line; the lines of
     kept entities come last.
 
-    Parameters
-    ----------
-    rows
-        Rows of the import report as JSON data, one per entity.
+    ``rows``: rows of the import report as JSON data, one per entity.
     """
     groups: dict[tuple[str, str, str, str], list[str]] = {}
     for row in rows:
@@ -292,12 +316,8 @@ def _rule_lines(result: LoadedDrawing, rows: I64) -> list[str]:
     Each text line contains the number of edges, the confidence of their line types (percent) and
     the conditions of the rule.
 
-    Parameters
-    ----------
-    result
-        The classified drawing.
-    rows : (m,)
-        Rows in the drawing of the m edges to describe.
+    ``result``: the classified drawing.
+    ``rows`` (m,): rows in the drawing of the m edges to describe.
     """
     dieline = result.dieline
     rule, confidence = dieline.rule[rows], dieline.confidence[rows]
@@ -314,10 +334,7 @@ def _rule_lines(result: LoadedDrawing, rows: I64) -> list[str]:
 def _evidence_lines(finding: dict[str, Any]) -> list[str]:
     """Return text lines with the evidence for the two likeliest units of a drawing.
 
-    Parameters
-    ----------
-    finding
-        Field ``unit_finding`` of a drawing in JSON data.
+    ``finding``: field ``unit_finding`` of a drawing in JSON data.
     """
     return [
         f"{one['unit']:3} {one['weight']:5.1f}  {one['text']}"

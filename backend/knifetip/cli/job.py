@@ -22,8 +22,8 @@ from knifetip.cli.job_client import JobClient
 from knifetip.cli.options import expand
 from knifetip.cli.rest import RestOptions, track_numbers
 from knifetip.cli.table_checks import ask_checks
-from knifetip.cli.terminal import print_json, print_line
-from knifetip.messages import from_json, hint, render
+from knifetip.cli.terminal import advice, in_words, print_json, print_line
+from knifetip.messages import Message, from_json
 
 Server = Annotated[
     str,
@@ -40,10 +40,6 @@ Yes = Annotated[bool, typer.Option("--yes", "-y", help="Do not ask for confirmat
 SERVER = "http://127.0.0.1:8080"
 #: States in which the job's board is on the machine's table.
 _ON_TABLE = ("running", "held")
-_CANCEL = (
-    "The machine holds, lifts the tool and releases its stations. The board on the table is "
-    "probably lost."
-)
 _PLAIN_COMMANDS = {
     "recheck": "Let the machine check a program again that it has refused.",
     "hold": "Pause a running job; the command resume continues it.",
@@ -94,7 +90,8 @@ def list_jobs(
         print_json(rows)
         return
     for row in rows:
-        waits = f"  waits for {row['waiting_for']}" if row["waiting_for"] else ""
+        event = Message("output.waits-for", event=row["waiting_for"] or "")
+        waits = f"  {in_words(event)}" if row["waiting_for"] else ""
         actions = f"  [{', '.join(row['actions'])}]" if row["actions"] else ""
         print_line(
             f"{row['id']}  {row['state']:11} {row['machine']:14} {row['board']:14} "
@@ -171,7 +168,7 @@ def resume_job(
     moves.
     """
     if not hands_clear:
-        typer.confirm("Are all hands clear of the machine?", abort=True, err=True)
+        typer.confirm(in_words(Message("output.hands-clear")), abort=True, err=True)
     _print_job(JobClient(server, key).command(id, "resume", {"hands_clear": True}))
 
 
@@ -180,8 +177,11 @@ def cancel_job(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False)
     client = JobClient(server, key)
     if not yes:
         row = client.job(id)
-        effect = _CANCEL if row["state"] in _ON_TABLE else f"The job is {row['state']}."
-        typer.confirm(f"{effect} Cancel job {id}?", abort=True, err=True)
+        on_table = row["state"] in _ON_TABLE
+        state = Message("output.job-state", state=row["state"])
+        effect = Message("output.cancel-effect") if on_table else state
+        question = Message("output.cancel-question", effect=effect, job=id)
+        typer.confirm(in_words(question), abort=True, err=True)
     _print_job(client.command(id, "cancel"))
 
 
@@ -192,8 +192,7 @@ def scrap_job(id: Id, server: Server = SERVER, key: Key = "", yes: Yes = False) 
     """
     client = JobClient(server, key)
     if not yes:
-        effect = "The table is freed. Order missing copies with knifetip job rest."
-        typer.confirm(f"{effect} Scrap job {id}?", abort=True, err=True)
+        typer.confirm(in_words(Message("output.scrap-question", job=id)), abort=True, err=True)
     _print_job(client.command(id, "scrap"))
 
 
@@ -208,10 +207,18 @@ def list_tracks(id: Id, server: Server = SERVER, key: Key = "", json: Json = Fal
         return
     for row in rows:
         (x, y), edges = row["start"], ", ".join(map(str, row["edges"]))
-        print_line(
-            f"{row['number']:5}  {row['state']:7} station {row['station']}  lines "
-            f"{row['first_line']}-{row['last_line']}  from X{x:.1f} Y{y:.1f}  edges {edges}"
+        track = Message(
+            "output.track",
+            number=f"{row['number']:5}",
+            state=f"{row['state']:7}",
+            station=row["station"],
+            first=row["first_line"],
+            last=row["last_line"],
+            x=x,
+            y=y,
+            edges=edges,
         )
+        print_line(in_words(track))
 
 
 def continue_job(
@@ -269,14 +276,9 @@ def continue_job(
 def _add_command(app: typer.Typer, name: str, help_text: str) -> None:
     """Add a subcommand that sends a command about one job to the server.
 
-    Parameters
-    ----------
-    app
-        Typer application of the command ``job``.
-    name
-        Name of the subcommand and of the command to send, such as ``hold``.
-    help_text
-        Help text of the subcommand.
+    ``app``: typer application of the command ``job``.
+    ``name``: name of the subcommand and of the command to send, such as ``hold``.
+    ``help_text``: help text of the subcommand.
     """
 
     @app.command(name, help=help_text)
@@ -287,25 +289,24 @@ def _add_command(app: typer.Typer, name: str, help_text: str) -> None:
 def _print_job(row: dict[str, Any]) -> None:
     """Print a summary of a job.
 
-    Parameters
-    ----------
-    row
-        The job as JSON data.
+    ``row``: the job as JSON data.
     """
     print_line(f"{row['id']}  {row['state']}  {row['drawing_name']}")
-    print_line(f"  {row['machine']}, board {row['board']}")
+    parts = [Message("output.job-board", machine=row["machine"], board=row["board"])]
     if row["tools"]:
-        tools = ", ".join(f"{tool['name']} (station {tool['station']})" for tool in row["tools"])
-        print_line(f"  tools: {tools}")
+        tools = [
+            Message("waiting.tool", name=tool["name"], station=tool["station"])
+            for tool in row["tools"]
+        ]
+        parts.append(Message("output.job-tools", tools=tools))
     if row["lines"]:
-        print_line(
-            f"  line {row['line']} of {row['lines']}, copies {row['copies_done']} of "
-            f"{row['copies']}"
-        )
+        done = {"done": row["copies_done"], "copies": row["copies"]}
+        parts.append(Message("output.job-progress", line=row["line"], lines=row["lines"], **done))
+    texts = [in_words(part) for part in parts]
     if row["message"] is not None:
         message = from_json(row["message"])
-        for text in (render(message), hint(message)):
-            if text:
-                print_line(f"  {text}")
+        texts += filter(None, (in_words(message), advice(message)))
     if row["actions"]:
-        print_line(f"  actions: {', '.join(row['actions'])}")
+        texts.append(in_words(Message("output.actions", actions=row["actions"])))
+    for text in texts:
+        print_line(f"  {text}")

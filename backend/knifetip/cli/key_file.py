@@ -9,10 +9,10 @@ from contextlib import suppress
 from pathlib import Path
 
 from knifetip.errors import SettingsError
-from knifetip.jobs.accounts.account_tables import ApiKey
-from knifetip.jobs.accounts.key_limits import UNLIMITED, KeyLimits
-from knifetip.jobs.accounts.key_store import KeyStore
-from knifetip.jobs.accounts.scopes import AccessScope
+from knifetip.service.accounts.key_store import KeyStore
+from knifetip.service.database.account_tables import ApiKey
+from knifetip.service.database.key_limits import UNLIMITED, KeyLimits
+from knifetip.service.http.scopes import AccessScope
 
 
 def key_in(

@@ -7,10 +7,11 @@ from typing import Annotated, Any
 import typer
 
 from knifetip.cli.drawing import Json
-from knifetip.cli.terminal import print_json, print_line
+from knifetip.cli.terminal import in_words, print_json, print_line
 from knifetip.errors import LibraryError
 from knifetip.languages.registry import find_language
 from knifetip.library import load
+from knifetip.messages import Argument, Message
 from knifetip.model.machine import Gantry, Machine, Station
 from knifetip.model.tool import kind_of
 from knifetip.post.rs274.tool_table import tool_table
@@ -36,22 +37,27 @@ def _station_json(station: Station) -> dict[str, Any]:
 
 def _print_carriages(machine: Machine, gantry: Gantry) -> None:
     """Print the carriages of a machine with the letters of their axes and their stations."""
-    print_line(f"  carriages at least {gantry.min_distance:g} mm apart")
+    apart = Message("output.carriages", distance=gantry.min_distance)
+    print_line(f"  {in_words(apart)}")
     for number, carriage in enumerate(gantry.carriages, 1):
         stations = [str(one.number) for one in machine.stations if one.carriage == number]
-        print_line(
-            f"  carriage {number}: axes {' '.join(carriage.letters)}, parks at "
-            f"{carriage.letters[1]}{carriage.park:g}, stations {', '.join(stations) or 'none'}"
-        )
+        axes: dict[str, Argument] = {
+            "axes": list(carriage.letters),
+            "letter": carriage.letters[1],
+            "park": carriage.park,
+        }
+        if stations:
+            row = Message("output.carriage", number=number, **axes, stations=stations)
+        else:
+            row = Message("output.carriage-without-station", number=number, **axes)
+        print_line(f"  {in_words(row)}")
 
 
 def _setting_lines(machine: Machine) -> list[str]:
     """Return the lines that set the settings of the controller of a machine.
 
-    Raises
-    ------
-    LibraryError
-        The controllers of the machine's language have no settings that are known.
+    Raises ``LibraryError``: the controllers of the machine's language have no settings that are
+    known.
     """
     language = find_language(machine.dialect)
     if not language.setting_lines:
@@ -101,16 +107,19 @@ def register(app: typer.Typer) -> None:
         if json:
             print_json(data)
             return
-        print_line(f"{chosen.title} ({chosen.name}), language {chosen.dialect}, {chosen.feed} feed")
+        language, feed = chosen.dialect, chosen.feed
+        title = {"title": chosen.title, "name": chosen.name}
+        print_line(in_words(Message("output.machine", **title, language=language, feed=feed)))
         if chosen.gantry:
             _print_carriages(chosen, chosen.gantry)
         for zone in chosen.zones:
-            print_line(
-                f"  keep-out zone {zone.name}: X {zone.x:g} to {zone.x + zone.width:g}, "
-                f"Y {zone.y:g} to {zone.y + zone.height:g}, {zone.top:g} mm high"
-            )
+            x, y = (zone.x, zone.x + zone.width), (zone.y, zone.y + zone.height)
+            extent = {"left": x[0], "right": x[1], "bottom": y[0], "back": y[1]}
+            row = Message("output.zone", name=zone.name, **extent, top=zone.top)
+            print_line(f"  {in_words(row)}")
         for row in data["stations"]:
             tool = dict(row["tool"])
             datum = ", ".join(f"{axis} {value:g}" for axis, value in row["datum"].items())
-            print_line(f"  {row['number']}  {row['name']}: {tool.pop('kind')}, datum {datum}")
+            station = {"number": row["number"], "name": row["name"], "tool": tool.pop("kind")}
+            print_line(f"  {in_words(Message('output.station', **station, datum=datum))}")
             print_line("     " + ", ".join(f"{key} {value:g}" for key, value in tool.items()))

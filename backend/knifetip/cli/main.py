@@ -5,12 +5,13 @@ from __future__ import annotations
 import gc
 import sys
 from importlib import import_module
+from pathlib import Path
 from typing import Annotated, Any, Final, NamedTuple, NoReturn
 
 import typer
 from typer.core import TyperCommand, TyperGroup
 
-from knifetip.errors import KnifetipError
+from knifetip.errors import KnifetipError, NotADrawing
 
 
 class _Command(NamedTuple):
@@ -18,18 +19,23 @@ class _Command(NamedTuple):
 
     module: str  #: module of this package that registers the command
     help: str  #: first sentence of the help text, at most 63 characters
+    reads_file: bool = False  #: the first argument is the name of a file
 
 
 # The module of a command is imported only when that command runs.
 COMMANDS: Final[dict[str, _Command]] = {
-    "read": _Command("drawing", "Show unit, size and import report of a drawing."),
+    "read": _Command("drawing", "Show unit, size and import report of a drawing.", True),
     "classify": _Command(
-        "drawing", "Show the line type of each edge and the rule that decided it."
+        "drawing", "Show the line type of each edge and the rule that decided it.", True
     ),
-    "clean": _Command("drawing", "Show which edges cleaning merges, shortens, joins or drops."),
+    "clean": _Command(
+        "drawing", "Show which edges cleaning merges, shortens, joins or drops.", True
+    ),
     "samples": _Command("drawing", "Write the sample cartons as DXF files."),
-    "program": _Command("program", "Compile a drawing to a verified machine program."),
-    "verify": _Command("program", "Verify that a program cuts and creases what a drawing shows."),
+    "program": _Command("program", "Compile a drawing to a verified machine program.", True),
+    "verify": _Command(
+        "program", "Verify that a program cuts and creases what a drawing shows.", True
+    ),
     "machine": _Command(
         "machine", "Show the stations of a machine, with their positions and tools."
     ),
@@ -82,6 +88,18 @@ def load_command(name: str) -> Any:
     return group.commands[name]
 
 
+def _check_exists(file: Path) -> None:
+    """Raise ``NotADrawing`` if a file does not exist, before the imports of a command, which take
+    longer than the check.
+    """
+    try:
+        file.stat()
+    except OSError as reason:
+        raise NotADrawing(
+            "command.unreadable-file", path=file, reason=reason.strerror or reason
+        ) from reason
+
+
 class _Commands(TyperGroup):
     """Command group that lists all commands, and imports only the module of the invoked command."""
 
@@ -90,14 +108,12 @@ class _Commands(TyperGroup):
 
         Imports the module of the command.
 
-        Parameters
-        ----------
-        ctx
-            Context of click.
-        args
-            Arguments of the command line, with the name of the command first.
+        ``ctx``: context of click.
+        ``args``: arguments of the command line, with the name of the command first.
         """
         name, _, rest = super().resolve_command(ctx, args)
+        if name is not None and COMMANDS[name].reads_file and rest and rest[0][:1] != "-":
+            _check_exists(Path(rest[0]))
         return name, None if name is None else load_command(name), rest
 
 
@@ -151,7 +167,7 @@ def _report_database_error(error: Exception) -> NoReturn:
     if library is None or not isinstance(error, library.SQLAlchemyError):
         raise error
     from knifetip.cli.terminal import exit_code, report_error
-    from knifetip.jobs.database_damage import unusable
+    from knifetip.service.database.damage import unusable
 
     reason = unusable(error)
     report_error(reason)

@@ -20,10 +20,10 @@ from knifetip.cli.rules import (
     profile_toml,
     stored_profiles,
 )
-from knifetip.cli.terminal import print_json, print_line, read_bytes, write_bytes
+from knifetip.cli.terminal import in_words, print_json, print_line, read_bytes, write_bytes
 from knifetip.errors import LibraryError, ProfileError
 from knifetip.library import custom_profiles, load
-from knifetip.messages import with_text
+from knifetip.messages import Message, from_json, with_text
 from knifetip.model.profile import LineRules
 
 Name = Annotated[str, typer.Argument(metavar="NAME", help="Name of a profile, or its TOML file.")]
@@ -89,7 +89,8 @@ def show_profile(name: Name, database: Database = None, json: Json = False) -> N
         return
     print_line(rules.title)
     for number, rule in enumerate(about["rules"], 1):
-        print_line(f"{number:4} {rule['type']:12} {rule['conditions']['text']}")
+        conditions = in_words(from_json(rule["conditions"]))
+        print_line(f"{number:4} {rule['type']:12} {conditions}")
 
 
 def export_profile(
@@ -134,14 +135,16 @@ def import_profile(
     except UnicodeDecodeError as reason:
         raise ProfileError("profile.not-utf8", name=file) from reason
     rules = custom_profiles.parse_text(profile_name, text)
-    print_line(f"{profile_name}: {rules.title}, {len(rules.rules)} rules")
+    count = len(rules.rules)
+    checked = Message("output.profile", name=profile_name, title=rules.title, count=count)
+    print_line(in_words(checked))
     url = database_of(database)
     if url is None:
-        print_line("No database: the profile was not stored. Name one with --database.")
+        print_line(in_words(Message("output.profile-not-stored")))
         return
     if profile_name in load.names("profiles"):
         raise LibraryError("profile.shipped-command", name=profile_name)
-    from knifetip.jobs.store import Store
+    from knifetip.service.store import Store
 
     store = Store(url)
     try:
@@ -149,4 +152,4 @@ def import_profile(
         row = store.profiles.save(profile_name, rules.title, text, None, anyway=replace)
     finally:
         store.close()
-    print_line(f"stored as version {row.version}")
+    print_line(in_words(Message("output.profile-stored", version=row.version)))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import re
 from dataclasses import dataclass, replace
-from enum import Enum
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -21,6 +20,7 @@ from knifetip.cli.drawing import (
     report_json,
 )
 from knifetip.cli.exceptions import ExceptionOptions
+from knifetip.cli.job_options import NUMBER, SYNTAX
 from knifetip.cli.options import expand
 from knifetip.cli.rest import RestOptions
 from knifetip.cli.terminal import (
@@ -29,89 +29,24 @@ from knifetip.cli.terminal import (
     json_bytes,
     print_how_to_leave_out,
     print_json,
-    print_stderr,
+    print_message,
     progress,
     read_bytes,
     report_questions,
     report_warnings,
     write_bytes,
 )
-from knifetip.errors import PlanError, ProgramUnreadable
+from knifetip.errors import ProgramUnreadable
 from knifetip.languages.registry import with_language
 from knifetip.library import load
+from knifetip.messages import Message
 from knifetip.model.board import Board
-from knifetip.model.choices import Choices
-from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.drawing import Drawing
+from knifetip.model.job_options import JobOptions, VerifiedOptions
 from knifetip.model.machine import Machine
-from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Severity, Verdict
-from knifetip.planning.plan import check_corners
-from knifetip.presentation.import_warnings import import_warnings
 from knifetip.presentation.verdict import verdict_json
 from knifetip.verification.verify import read_placement
-
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,2})?"
-_CORNER = re.compile(
-    rf"\s*(?P<x>{_NUMBER})\s*,\s*(?P<y>{_NUMBER})\s*=\s*(?P<type>\w+)\s*(?::\s*(?P<k>{_NUMBER})\s*)?",
-    re.ASCII,
-)
-_SHEET = re.compile(rf"\s*({_NUMBER})\s*[xX×]\s*({_NUMBER})\s*(?::\s*({_NUMBER})\s*)?", re.ASCII)
-
-
-class CornerType(Enum):
-    """Shape of the path of a cutter round outer corners.
-
-    B is an arc, C consists of lines with a stop, D of lines with an arc between them.  ``auto`` is
-    the fastest shape for each corner.
-    """
-
-    AUTO = "auto"
-    B = "B"
-    C = "C"
-    D = "D"
-
-
-class Interference(Enum):
-    """How to treat a contour into which a cutter does not fit.
-
-    ``trim`` leaves the areas uncut that the cutter cannot reach; ``refuse`` compiles no program.
-    """
-
-    TRIM = "trim"
-    REFUSE = "refuse"
-
-
-class Lift(Enum):
-    """Height of the tool above the board in turns.
-
-    ``clearance`` is the clearance of the machine, ``least`` its turn clearance where that is
-    faster.
-    """
-
-    CLEARANCE = "clearance"
-    LEAST = "least"
-
-
-def parse_corner(text: str) -> CornerAt:
-    """Return the corner position and the corner type that an option describes.
-
-    Parameters
-    ----------
-    text
-        Value of the option ``--corner-at``: ``X,Y=TYPE`` or ``X,Y=TYPE:K``.  X and Y are in mm; K
-        is the parameter of type D, between 0 (like type B) and 1 (like type C).
-
-    Raises
-    ------
-    PlanError
-        The text does not have one of these forms.
-    """
-    match = _CORNER.fullmatch(text)
-    if match is None:
-        raise PlanError("command.bad-corner", text=text)
-    k = None if match["k"] is None else float(match["k"])
-    return CornerAt(float(match["x"]), float(match["y"]), match["type"], k)
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,144 +63,41 @@ class TargetOptions:
         return load.machine(self.machine), load.board(self.board)
 
 
-@dataclass(frozen=True, slots=True)
-class CornerOptions:
-    """Command-line options for the path of a cutter round outer corners of a contour."""
-
-    corner: Annotated[
-        CornerType | None,
-        typer.Option(
-            help="Path of the cutter at outer corners: B moves on an arc; C "
-            "moves straight and stops "
-            "at the corner; D moves straight with a small arc at the "
-            "corner; auto takes the fastest "
-            "of the three. Default: auto."
-        ),
-    ] = None
-    k: Annotated[
-        float | None,
-        typer.Option(
-            help="Shape of corners of type D, without a unit: 0 gives the "
-            "path of type B, 1 the path of "
-            "type C. Default: 0.5."
-        ),
-    ] = None
-    interference: Annotated[
-        Interference | None,
-        typer.Option(
-            help="What to do if a cutter cannot reach parts of a contour: leave these parts uncut "
-            "(trim), or write no program (refuse). Default: trim."
-        ),
-    ] = None
-    corner_at: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="X,Y=TYPE[:K]",
-            help="Type (B, C, D or auto) of the corner at the position X,Y of "
-            "the drawing, in mm; may be "
-            "repeated. Default: the type in --corner.",
-        ),
-    ] = None
-
-    def corners(self, machine: Machine) -> Corners | None:
-        """Return the corner settings that the options describe; None if no option is given.
-
-        Raises
-        ------
-        PlanError
-            An option has an invalid value, or the machine has no cutter.
-        """
-        given = (self.corner, self.k, self.interference, self.corner_at or None)
-        if all(each is None for each in given):
-            return None
-        corners = Corners(
-            type=(self.corner or CornerType.AUTO).value,
-            k=0.5 if self.k is None else self.k,
-            interference=(self.interference or Interference.TRIM).value,
-            at=tuple(parse_corner(text) for text in self.corner_at or []),
-        )
-        check_corners(corners, machine)
-        return corners
-
-
-def parse_sheet(text: str) -> Sheet | None:
-    """Return the sheet that the option ``--sheet`` describes; None for an empty text.
-
-    Parameters
-    ----------
-    text
-        ``outline``, ``WIDTHxHEIGHT`` or ``WIDTHxHEIGHT:MARGIN``, in mm.
-
-    Raises
-    ------
-    PlanError
-        The text does not have one of these forms, or a size is 0 or negative.
-    """
-    if not text:
-        return None
-    if text == "outline":
-        return Sheet()
-    match = _SHEET.fullmatch(text)
-    sheet = Sheet(*(float(each or 0.0) for each in match.groups())) if match else Sheet()
-    if not (min(sheet.width, sheet.height) > 0.0 and sheet.margin >= 0.0):
-        raise PlanError("sheet.bad-size", text=text)
-    return sheet
-
-
-@dataclass(frozen=True, slots=True)
-class SheetOptions:
-    """The command-line option that describes the sheet on the table."""
-
-    sheet: Annotated[
-        str,
-        typer.Option(
-            metavar="WxH[:MARGIN]",
-            help="The sheet was cut to this size, in mm, and the drawing lies MARGIN from its left "
-            "and lower edge; or outline: the sheet was cut to the outline of the drawing. Tools "
-            "turn without a lift beside such a sheet. Default: a sheet of unknown size.",
-        ),
-    ] = ""
-
-    def record(self) -> Sheet | None:
-        """Return the sheet that the option describes; None if it is not given."""
-        return parse_sheet(self.sheet)
-
-
 def print_verdict(verdict: Verdict) -> None:
     """Print the measurements and the first findings of a verdict of the verifier."""
-    word = "accepted" if verdict.accepted else "refused"
-    print_stderr(
-        f"{word}: deviation {verdict.deviation.max(initial=0.0):.4f} mm (tolerance "
-        f"{verdict.tolerance:g}; path {verdict.path_deviation.max(initial=0.0):.4f}, rounding by "
-        f"the controller {verdict.blending.max(initial=0.0):.4f}, curve fit "
-        f"{verdict.fit_error.max(initial=0.0):.4f}), "
-        f"overcut {verdict.overcut.max(initial=0.0):.3f} mm, "
-        f"uncut {verdict.uncut.sum():.3f} mm, setback {verdict.setback.sum():.3f} mm, "
-        f"{verdict.seconds:.1f} s at the programmed feeds",
-        "green" if verdict.accepted else "red",
+    word = Message("output.word-accepted" if verdict.accepted else "output.word-refused")
+    figures = Message(
+        "output.verdict",
+        word=word,
+        deviation=verdict.deviation.max(initial=0.0),
+        tolerance=verdict.tolerance,
+        path=verdict.path_deviation.max(initial=0.0),
+        blending=verdict.blending.max(initial=0.0),
+        fit=verdict.fit_error.max(initial=0.0),
+        overcut=verdict.overcut.max(initial=0.0),
+        uncut=verdict.uncut.sum(),
+        setback=verdict.setback.sum(),
+        seconds=verdict.seconds,
     )
+    print_message(figures, "green" if verdict.accepted else "red")
     if len(verdict.areas):
-        print_stderr(
-            f"  the cutter does not reach {verdict.areas.area.sum():.2f} mm² in "
-            f"{len(verdict.areas)} places, which remain uncut"
-        )
+        area, count = verdict.areas.area.sum(), len(verdict.areas)
+        print_message(Message("output.unreached-areas", area=area, count=count), indent=2)
     if verdict.unreached_distance.any():
-        print_stderr(
-            f"  the cutter does not reach {verdict.unreached.sum():.2f} mm of the edges; they are "
-            f"up to {verdict.unreached_distance.max():.2f} mm from the cut"
-        )
+        length, distance = verdict.unreached.sum(), verdict.unreached_distance.max()
+        unreached = Message("output.unreached-edges", length=length, distance=distance)
+        print_message(unreached, indent=2)
     if verdict.slit_length.any():
-        print_stderr(
-            f"  {verdict.slit_length.sum():.2f} mm of {(verdict.slit_length > 0.0).sum()} slits "
-            "are milled as wide as the cutter"
-        )
+        length, count = verdict.slit_length.sum(), (verdict.slit_length > 0.0).sum()
+        print_message(Message("output.wide-slits", length=length, count=count), indent=2)
     for finding in verdict.findings[:20]:
-        print_stderr(f"  {finding.text}")
+        print_message(finding.located_message, indent=2)
         if finding.acceptance is not None:
             given = finding.acceptance
-            print_stderr(f"    accepted by {given.by}: {given.reason}")
+            accepted = Message("output.accepted-by", by=given.by, reason=given.reason)
+            print_message(accepted, indent=4)
     if len(verdict.findings) > 20:
-        print_stderr(f"  and {len(verdict.findings) - 20} more")
+        print_message(Message("output.more", count=len(verdict.findings) - 20), indent=2)
     _print_how_to_accept(verdict)
 
 
@@ -279,7 +111,7 @@ def _print_how_to_accept(verdict: Verdict) -> None:
         edges.setdefault(finding.message.code, []).append(finding.edge)
     for code, rows in edges.items():
         listed = ",".join(str(row) for row in dict.fromkeys(rows))
-        print_stderr(f'  To accept: --accept {listed}:{code} --reason "..."')
+        print_message(Message("output.to-accept", edges=listed, code=code), indent=2)
 
 
 def faulty_edges(verdict: Verdict) -> list[int]:
@@ -290,7 +122,7 @@ def faulty_edges(verdict: Verdict) -> list[int]:
 
 def _parse_placement(text: str) -> tuple[float, float]:
     """Return x and y (mm) from the text "X,Y" of the option ``--placement``."""
-    match = re.fullmatch(rf"\s*({_NUMBER})\s*,\s*({_NUMBER})\s*", text, re.ASCII)
+    match = re.fullmatch(rf"\s*({NUMBER})\s*,\s*({NUMBER})\s*", text, re.ASCII)
     if match is None:
         raise typer.BadParameter(f"{text!r} is not of the form X,Y (mm).", param_hint="--placement")
     return float(match[1]), float(match[2])
@@ -301,14 +133,10 @@ def _refuse_questions(loaded: LoadedDrawing, machine: Machine) -> None:
 
     Warnings about what import left out are printed in any case.
 
-    Parameters
-    ----------
-    loaded
-        The drawing.
-    machine
-        Machine for which the drawing is to be compiled.
+    ``loaded``: the drawing.
+    ``machine``: machine for which the drawing is to be compiled.
     """
-    report_warnings(import_warnings(loaded.drawing))
+    report_warnings(loaded.warnings())
     open_questions = loaded.questions(machine)
     if open_questions:
         report_questions(open_questions)
@@ -320,17 +148,9 @@ def program(
     target: TargetOptions,
     output: Annotated[Path, typer.Option("-o", "--output", help="File to write the program to.")],
     reading: ReadingOptions,
-    corner_options: CornerOptions,
-    sheet_options: SheetOptions,
+    options: JobOptions,
     exceptions: ExceptionOptions,
     rest: RestOptions,
-    lift: Annotated[
-        Lift,
-        typer.Option(
-            help="Height of the tool above the board in turns: the clearance of the machine, or "
-            "the least lift, which leaves its turn_clearance where that is faster."
-        ),
-    ] = Lift.CLEARANCE,
     dialect: Annotated[
         str,
         typer.Option(
@@ -356,8 +176,7 @@ def program(
     refused, and with 2 while questions about the drawing are open.
     """
     machine, board = target.load()
-    choices = Choices(corner_options.corners(machine), sheet_options.record(), lift.value)
-    corners, sheet = choices.corners, choices.sheet
+    pipeline.check_options(options, machine)
     with progress(file.name) as report_progress:
         loaded = reading.load(file)
         _refuse_questions(loaded, machine)
@@ -366,7 +185,7 @@ def program(
             loaded.dieline,
             machine,
             board,
-            choices=choices,
+            options=options,
             dialect=dialect,
             progress=report_progress,
         )
@@ -377,7 +196,7 @@ def program(
                 with_language(machine, dialect),
                 board,
                 pipeline.rest_of(result, rest.choice()),
-                choices=choices,
+                options=options,
                 progress=report_progress,
             )
     result = replace(result, verdict=exceptions.apply(result.verdict))
@@ -387,9 +206,7 @@ def program(
             "machine": machine.name,
             "board": board.name,
             "profile": reading.profile,
-            "corners": None if corners is None else corners.as_json(),
-            "sheet": None if sheet is None else sheet.as_json(),
-            "lift": choices.lift,
+            **options.model_dump(mode="json"),
             **_compiled_json(result, loaded.drawing),
         }
         write_bytes(report, json_bytes(data))
@@ -398,11 +215,9 @@ def program(
         print_how_to_leave_out(edges)
     retracted = result.seconds_retracted
     if retracted > result.seconds:
-        print_stderr(
-            f"  {result.seconds:.1f} s on the machine, "
-            f"{1.0 - result.seconds / retracted:.0%} less "
-            f"than the {retracted:.1f} s with full retracts"
-        )
+        percent = 100.0 * (1.0 - result.seconds / retracted)
+        saved = {"seconds": result.seconds, "percent": percent, "retracted": retracted}
+        print_message(Message("output.time-saved", **saved), indent=2)
     if not result.verdict.accepted:
         raise typer.Exit(REFUSED)
     write_bytes(output, result.program.text)
@@ -434,7 +249,7 @@ def verify(
     drawing: Annotated[Path, typer.Option(help="Drawing with which the program is compared.")],
     target: TargetOptions,
     reading: ReadingOptions,
-    sheet_options: SheetOptions,
+    options: VerifiedOptions,
     exceptions: ExceptionOptions,
     placement_option: Annotated[
         str,
@@ -461,9 +276,7 @@ def verify(
     )
     if placement is None:
         raise ProgramUnreadable("program.no-placement", program=program.name)
-    verdict = pipeline.verify(
-        text, loaded.dieline, placement, machine, board, sheet=sheet_options.record()
-    )
+    verdict = pipeline.verify(text, loaded.dieline, placement, machine, board, options=options)
     verdict = exceptions.apply(verdict)
     if json:
         print_json(verdict_json(verdict, loaded.drawing.handles))
@@ -476,4 +289,4 @@ def verify(
 def register(app: typer.Typer) -> None:
     """Add the commands ``program`` and ``verify`` to a Typer application."""
     for command in (program, verify):
-        app.command()(expand(command))
+        app.command()(expand(command, SYNTAX))

@@ -44,7 +44,7 @@ def stored_profiles(database: str | None) -> dict[str, str]:
     url = database_of(database)
     if url is None:
         return {}
-    from knifetip.jobs.store import Store  # slow to import
+    from knifetip.service.store import Store  # slow to import
 
     store = Store(url)
     try:

@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from knifetip.cli.terminal import print_stderr
+from knifetip.cli.terminal import print_message
 from knifetip.errors import GatewayRefused, JobError, KnifetipError
 from knifetip.library import load
-from knifetip.messages import from_json
+from knifetip.messages import Message, from_json
 from knifetip.model.machine import Machine
 
 
@@ -46,7 +46,7 @@ def reload_machine(name: str, server: str, headers: Mapping[str, str], kept: Pat
         except GatewayRefused:
             raise
         except KnifetipError as error:
-            print_stderr(str(error))
+            print_message(error.message)
 
 
 def start_machine(name: str, server: str, headers: Mapping[str, str], kept: Path) -> Machine:
@@ -75,8 +75,8 @@ def start_machine(name: str, server: str, headers: Mapping[str, str], kept: Path
         found = _read_kept(name, kept)
         if found is None:
             raise
-        print_stderr(str(error))
-        print_stderr(f"Version {found.version} of the machine is used, which was loaded before.")
+        print_message(error.message)
+        print_message(Message("output.used-version", version=found.version))
         return found
 
 

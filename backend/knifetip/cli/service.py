@@ -8,7 +8,6 @@ import signal
 import threading
 from collections.abc import Coroutine
 from contextlib import closing, suppress
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -17,28 +16,23 @@ import typer
 
 from knifetip import tracing
 from knifetip.cli.access_key import KeyOptions
-from knifetip.cli.database_options import DatabaseOptions, StoreOptions
-from knifetip.cli.log_options import LogOptions
-from knifetip.cli.metrics_options import MetricsOptions
-from knifetip.cli.oidc_options import OidcOptions
 from knifetip.cli.options import expand
-from knifetip.cli.terminal import print_stderr
+from knifetip.cli.terminal import print_message, print_stderr
 from knifetip.errors import StaleVersion, StoreError
 from knifetip.library import load
+from knifetip.messages import Message
+from knifetip.service.settings import (
+    DatabaseSettings,
+    ProcessSettings,
+    Settings,
+    WorkerSettings,
+)
 
 if TYPE_CHECKING:
     from knifetip.gateway.controller import Controller, Driver, SafeState
 
 Host = Annotated[
     str, typer.Option(help="IP address or host name to listen on; 0.0.0.0 for all networks.")
-]
-Name = Annotated[
-    str,
-    typer.Option(
-        envvar="KNIFETIP_NAME",
-        help="Name of this process among those of the database; give the same name after a "
-        "restart. Default: the name of the computer and a stored random suffix.",
-    ),
 ]
 MachineName = Annotated[str, typer.Option("--machine", help="Name of a machine of the library.")]
 Speed = Annotated[
@@ -54,9 +48,6 @@ _TERMINATED = 143
 #: How often a worker is looked after, and the time without a sweep after which it is stuck (s).
 _LOOK, _STUCK = 10.0, 300.0
 
-#: All clients together may have so many times as many connections and listeners as one.
-_CLIENTS = 8
-
 Migrate = Annotated[
     bool,
     typer.Option(
@@ -67,292 +58,65 @@ Migrate = Annotated[
 ]
 
 
-@dataclass(frozen=True, slots=True)
-class PartOptions:
-    """Options of the command ``knifetip serve`` that select optional tasks of the server process.
-
-    The options state whether the process compiles jobs, whether it runs a simulated machine and at
-    which speed, whether it adds the sample drawings to a new database, and when it deletes jobs.
-    """
-
-    speed: Speed = 1.0
-    samples: Annotated[bool, typer.Option(help="Add the sample drawings to a new database.")] = True
-    simulator: Annotated[
-        bool, typer.Option(help="Also run a simulated machine with its gateway.")
-    ] = True
-    compiles: Annotated[
-        bool,
-        typer.Option(
-            help="Compile jobs in this process. With --no-compiles, the command `knifetip worker` "
-            "must run in another process."
-        ),
-    ] = True
-    keep_history: Annotated[
-        int,
-        typer.Option(
-            "--keep-jobs",
-            "--keep-history",
-            min=0,
-            max=100_000,
-            envvar=["KNIFETIP_KEEP_JOBS", "KNIFETIP_KEEP_HISTORY"],
-            help="Days after which ended jobs are deleted; events, statistics and the use of tools "
-            "remain. 0 keeps all jobs.",
-        ),
-    ] = 0
-    keep_drawings: Annotated[
-        int,
-        typer.Option(
-            min=0,
-            max=100_000,
-            envvar="KNIFETIP_KEEP_DRAWINGS",
-            help="Days after their upload after which drawings without jobs are deleted. 0 keeps "
-            "all drawings.",
-        ),
-    ] = 0
-    archive: Annotated[
-        Path | None,
-        typer.Option(
-            envvar="KNIFETIP_ARCHIVE",
-            help="Folder in which a zip file of each job and each drawing is written before it is "
-            "deleted.",
-        ),
-    ] = None
-    webhook_private: Annotated[
-        bool,
-        typer.Option(
-            envvar="KNIFETIP_WEBHOOK_PRIVATE",
-            help="Permit webhooks to loopback and private addresses, where the ERP system of a "
-            "shop usually is.",
-        ),
-    ] = True
-
-
-@dataclass(frozen=True, slots=True)
-class AccessOptions:
-    """Options of the command ``knifetip serve`` for requests from other computers.
-
-    The options state the key that such requests must send, and the permitted Host headers.
-    """
-
-    key: Annotated[
-        str,
-        typer.Option(
-            envvar="KNIFETIP_KEY",
-            help="Access key that requests from other computers must send. Default: no key; the "
-            "server then accepts only requests from this computer.",
-        ),
-    ] = ""
-    key_file: Annotated[
-        Path | None,
-        typer.Option(
-            envvar="KNIFETIP_KEY_FILE",
-            help="File that contains the access key. If the file does not "
-            "exist, the server creates "
-            "it with a random key.",
-        ),
-    ] = None
-    allow_host: Annotated[
-        list[str] | None,
-        typer.Option(
-            envvar="KNIFETIP_ALLOW_HOST",
-            help="NAME or NAME:PORT that the Host header may contain besides the server's "
-            "addresses; may be repeated.",
-        ),
-    ] = None
-
-
-@dataclass(frozen=True, slots=True)
-class LimitOptions:
-    """Options of the command ``knifetip serve`` for the limits of clients.
-
-    A client is a user, an API key, or an address that sends requests without either.
-    """
-
-    max_rate: Annotated[
-        int,
-        typer.Option(
-            min=0,
-            max=100_000,
-            envvar="KNIFETIP_MAX_RATE",
-            help="Requests of a client in a second on average; 0 for no limit. Requests of "
-            "gateways are not limited.",
-        ),
-    ] = 200
-    max_burst: Annotated[
-        int,
-        typer.Option(
-            min=1,
-            max=1_000_000,
-            envvar="KNIFETIP_MAX_BURST",
-            help="Requests that a client may send at once after a pause.",
-        ),
-    ] = 2000
-    max_listeners: Annotated[
-        int,
-        typer.Option(
-            min=1,
-            max=100_000,
-            envvar="KNIFETIP_MAX_LISTENERS",
-            help="Open pages and other streams of events of a client; all clients together may "
-            "have eight times as many.",
-        ),
-    ] = 64
-    max_connections: Annotated[
-        int,
-        typer.Option(
-            min=1,
-            max=100_000,
-            envvar="KNIFETIP_MAX_CONNECTIONS",
-            help="Connections of an address; all addresses together may have eight times as many. "
-            "Behind a proxy, all clients have its address.",
-        ),
-    ] = 256
-    max_upload: Annotated[
-        int,
-        typer.Option(
-            min=1,
-            max=1024,
-            envvar="KNIFETIP_MAX_UPLOAD",
-            help="Largest drawing that can be uploaded (MB).",
-        ),
-    ] = 64
-    min_free: Annotated[
-        int,
-        typer.Option(
-            min=0,
-            max=1_000_000,
-            envvar="KNIFETIP_MIN_FREE",
-            help="Space that is kept free on the disk for running jobs (MB): with less, uploads "
-            "and orders are refused, and /readyz reports it.",
-        ),
-    ] = 256
-
-
-def serve(
-    host: Host = "127.0.0.1",
-    port: Annotated[
-        int, typer.Option(min=0, max=65535, help="TCP port to listen on; 0 chooses a free port.")
-    ] = 8080,
-    migrate: Migrate = False,
-    name: Name = "",
-    *,
-    storage: DatabaseOptions,
-    contents: StoreOptions,
-    parts: PartOptions,
-    access: AccessOptions,
-    oidc: OidcOptions,
-    limits: LimitOptions,
-    scraping: MetricsOptions,
-    log: LogOptions,
-) -> None:
+def serve(migrate: Migrate = False, *, settings: Settings) -> None:
     """Run the server with its page, a compile worker and a simulated machine.
 
     All parts run until Ctrl-C.
     """
-    from knifetip.api import embedded  # imported here: takes a second
-    from knifetip.api.client_limits import ClientLimits
-    from knifetip.api.connections import ConnectionLimits
+    from knifetip.server import embedded  # imported here: takes a second
 
-    log.apply()
-    _prepare(storage, migrate)
+    settings.configure_log()
+    _prepare(settings, migrate)
     with tracing.exporting("knifetip-server"):
-        embedded.serve(
-            host,
-            port,
-            storage.url,
-            embedded.Parts(
-                parts.samples,
-                parts.simulator,
-                parts.speed,
-                parts.compiles,
-                parts.keep_history,
-                parts.webhook_private,
-                parts.keep_drawings,
-                parts.archive,
-            ),
-            embedded.Access(
-                access.key, access.key_file, tuple(access.allow_host or ()), oidc.settings()
-            ),
-            print_stderr,
-            name,
-            embedded.ServerLimits(
-                ConnectionLimits(
-                    per_client=limits.max_connections, total=_CLIENTS * limits.max_connections
-                ),
-                ClientLimits(
-                    limits.max_rate,
-                    limits.max_burst,
-                    limits.max_listeners,
-                    _CLIENTS * limits.max_listeners,
-                ),
-                limits.max_upload << 20,
-                limits.min_free << 20,
-            ),
-            contents.store,
-            scraping.metrics_address,
-        )
+        embedded.serve(settings, print_stderr)
 
 
-def _prepare(storage: DatabaseOptions, migrate: bool) -> None:
+def _prepare(storage: DatabaseSettings, migrate: bool) -> None:
     """Make the tables of a database ready, and print what was migrated."""
     from knifetip.cli.database import describe_migration
-    from knifetip.jobs.store import Store
+    from knifetip.service.store import Store
 
     with closing(Store(storage.url)) as store:
         done = store.prepare(migrate=migrate)
     if done is not None and done.before:
-        print_stderr(describe_migration(done))
+        print_message(describe_migration(done))
 
 
-def worker(
-    name: Name = "",
-    processes: Annotated[
-        int, typer.Option(min=1, max=64, help="Number of jobs to compile at the same time.")
-    ] = 1,
-    migrate: Migrate = False,
-    *,
-    storage: DatabaseOptions,
-    contents: StoreOptions,
-    scraping: MetricsOptions,
-    log: LogOptions,
-) -> None:
+def worker(migrate: Migrate = False, *, settings: WorkerSettings) -> None:
     """Run a compile worker for a database until Ctrl-C."""
-    from knifetip.jobs.compile_service import CompileService
-    from knifetip.jobs.metrics import CompileMetrics, add_worker
-    from knifetip.jobs.process_pool import ProcessPool
-    from knifetip.jobs.store import Store
-    from knifetip.jobs.tasks import import_stages
     from knifetip.metrics_server import serve_metrics
+    from knifetip.service.compiling.service import CompileService
+    from knifetip.service.monitoring.metrics import CompileMetrics, add_worker
+    from knifetip.service.processes.pool import ProcessPool
+    from knifetip.service.processes.tasks import import_stages
+    from knifetip.service.store import Store
 
-    log.apply()
-    _prepare(storage, migrate)
-    store = Store(storage.url, objects=contents.store)
+    settings.configure_log()
+    _prepare(settings, migrate)
+    store = Store(settings.url, objects=settings.store)
     metrics = CompileMetrics()
     service = CompileService(
         store,
-        ProcessPool(processes, prepare=import_stages, spare=1),
-        name,
+        ProcessPool(settings.processes, prepare=import_stages, spare=1),
+        settings.name,
         True,
-        processes,
+        settings.processes,
         gateways=False,
         observe=metrics.observe_stage,
         observe_compile=metrics.compiles.observe,
     )
     add_worker(metrics, service)
-    scraped = serve_metrics(scraping.metrics_address, metrics.registry)
+    scraped = serve_metrics(settings.metrics_address, metrics.registry)
     stop_requested = threading.Event()
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, lambda _number, _frame: stop_requested.set())
     with tracing.exporting("knifetip-worker"):
         service.start()
-        print_stderr(f"compile worker for {storage.shown}")
+        print_message(Message("output.worker", database=settings.shown))
         while not stop_requested.wait(_LOOK):
             silent = service.seconds_since_sweep or 0.0
             if silent > _STUCK:
-                print_stderr(
-                    f"ERROR: this worker is stuck: no sweep for {silent:.0f} s. It ends with an "
-                    "error, so that systemd or the container engine starts it again."
-                )
+                print_message(Message("output.worker-stuck", seconds=silent))
                 os._exit(1)  # its threads would not end
         service.stop()
     scraped.close()
@@ -390,15 +154,14 @@ def gateway(
     ] = None,
     *,
     access: KeyOptions,
-    scraping: MetricsOptions,
-    log: LogOptions,
+    process: ProcessSettings,
 ) -> None:
     """Fetch the jobs of a machine from the server and send them to its controller.
 
     Ctrl-C or SIGTERM stops the machine, then the gateway.  An address at which there can be no
     controller ends it at once; a controller that is switched off is waited for.
     """
-    log.apply()
+    process.configure_log()
     from knifetip.cli.served_machine import reload_machine, start_machine
     from knifetip.gateway import claim
     from knifetip.gateway.hot_folder import find_driver
@@ -412,23 +175,24 @@ def gateway(
     hide(headers.get("Authorization", "").removeprefix("Bearer "))
     record = journal or default_path(machine, server)
     kept = record.with_name(f"{record.name}.machine.json")
-    table = start_machine(machine, server, headers, kept)
-    metrics = RunMetrics(table.name)
-    serve_metrics(scraping.metrics_address, metrics.registry)  # until the process ends
+    served = start_machine(machine, server, headers, kept)
+    metrics = RunMetrics(served.name)
+    serve_metrics(process.metrics_address, metrics.registry)  # until the process ends
     with tracing.exporting("knifetip-gateway"):
         while True:
-            dial = find_driver(table, controller)
-            print_stderr(f"{table.title}: controller {controller}, server {server}")
+            dial = find_driver(served, controller)
+            address = {"controller": controller, "server": server}
+            print_message(Message("output.gateway", title=served.title, **address))
             settings = GatewaySettings(
-                server, table, name, headers=headers, journal=record, observe=metrics.observe
+                server, served, name, headers=headers, journal=record, observe=metrics.observe
             )
             connect = partial(_connect, dial, controller)
             try:
                 _run_until_terminated(claim.run_gateway(settings, connect))
             except StaleVersion as changed:
                 # No job is on the machine: the next one is made for the newest version.
-                print_stderr(str(changed))
-                table = reload_machine(machine, server, headers, kept)
+                print_message(changed.message)
+                served = reload_machine(machine, server, headers, kept)
 
 
 def _connect(
@@ -461,15 +225,17 @@ def simulator(
     speed: Speed = 1.0,
 ) -> None:
     """Run a simulated controller, to try programs without a machine."""
-    from knifetip.gateway import simulator as table
+    from knifetip.simulators import serving
 
     try:
-        table.run(
+        serving.run(
             load.machine(machine),
             host,
             port,
             speed=speed,
-            on_ready=lambda server: print_stderr(f"listening on {server.address}"),
+            on_ready=lambda server: print_message(
+                Message("output.listening", address=server.address)
+            ),
         )
     except OSError as reason:
         raise StoreError(

@@ -8,8 +8,9 @@ from typing import Any
 
 import typer
 
-from knifetip.cli.terminal import QUESTIONS, REFUSED, print_stderr
+from knifetip.cli.terminal import QUESTIONS, REFUSED, in_words, print_message, print_stderr
 from knifetip.harmless import harmless
+from knifetip.messages import Message
 
 
 def ask_checks(job: str, checks: Sequence[Mapping[str, Any]]) -> list[str]:
@@ -29,16 +30,18 @@ def ask_checks(job: str, checks: Sequence[Mapping[str, Any]]) -> list[str]:
         stdin is not a terminal.  The checks are then printed, with the options that state them.
     """
     if not sys.stdin.isatty():
-        print_stderr(f"Check at the machine before job {job} starts:", "yellow")
+        print_message(Message("output.check-first", job=job), "yellow")
         for check in checks:
             print_stderr(f"  {check['id']:17} {check['text']}")
         ids = ",".join(str(check["id"]) for check in checks)
-        print_stderr("If all of this is so:")
+        print_message(Message("output.if-so"))
         print_stderr(f"  knifetip job confirm {job} --checked {ids}")
         raise typer.Exit(QUESTIONS)
     for number, check in enumerate(checks, start=1):
-        question = harmless(f"{number} of {len(checks)}: {check['text']} Is it so?")
-        if not typer.confirm(question, default=None, err=True):
-            print_stderr(f"Job {job} was not confirmed. The machine does not start.", "yellow")
+        question = Message(
+            "output.check-question", number=number, count=len(checks), text=check["text"]
+        )
+        if not typer.confirm(harmless(in_words(question)), default=None, err=True):
+            print_message(Message("output.not-confirmed", job=job), "yellow")
             raise typer.Exit(REFUSED)
     return [str(check["id"]) for check in checks]

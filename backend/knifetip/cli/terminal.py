@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -19,15 +20,31 @@ from knifetip.errors import (
     NotADrawing,
     OpenQuestions,
 )
-from knifetip.formats.limits import Limits
 from knifetip.harmless import harmless
-from knifetip.messages import Message, from_json, hint
+from knifetip.messages import Message, from_json, hint, render
+from knifetip.messages.languages import choose_language
 from knifetip.model.question import Question
 
 REFUSED = 1
 QUESTIONS = 2
 UNUSABLE = 3
 NO_ACCESS = 4
+
+
+def user_language() -> str:
+    """Return the tag of the language of what a command prints, as the environment states it."""
+    names = (os.environ.get(name, "") for name in ("LC_ALL", "LC_MESSAGES", "LANG"))
+    return choose_language([next(filter(None, names), "")])
+
+
+def in_words(message: Message) -> str:
+    """Return the text of a message in the language of the user."""
+    return render(message, user_language())
+
+
+def advice(message: Message) -> str:
+    """Return the hint of a message in the language of the user; empty if there is no hint."""
+    return hint(message, user_language())
 
 
 def print_stderr(text: str, colour: str | None = None) -> None:
@@ -48,6 +65,21 @@ def print_line(text: str) -> None:
     typer.echo(harmless(text))
 
 
+def print_message(message: Message, colour: str | None = None, *, indent: int = 0) -> None:
+    """Print the text of a message on stderr.
+
+    Parameters
+    ----------
+    message
+        The message.
+    colour
+        Colour of the text as in ``print_stderr``.
+    indent
+        Number of blanks before the text.
+    """
+    print_stderr(" " * indent + in_words(message), colour)
+
+
 def exit_code(error: KnifetipError) -> int:
     """Return the exit code of a process that an error ends.
 
@@ -64,11 +96,11 @@ def report_error(error: KnifetipError) -> None:
     """
     if isinstance(error, OpenQuestions):
         for question in error.questions:
-            print_stderr(f"? {from_json(question)}")
+            print_stderr(f"? {in_words(from_json(question))}")
         return
-    print_stderr(f"knifetip: {error.text}", "red")
-    if error.hint:
-        print_stderr(error.hint)
+    print_stderr(f"knifetip: {in_words(error.message)}", "red")
+    if text := advice(error.message):
+        print_stderr(text)
     if error.edges:
         print_how_to_leave_out(error.edges)
 
@@ -76,20 +108,22 @@ def report_error(error: KnifetipError) -> None:
 def print_how_to_leave_out(edges: Iterable[int]) -> None:
     """Print the option that leaves out edges because of which no program is written."""
     rows = ",".join(str(row) for row in edges)
-    print_stderr(f"  To leave out these edges and make them by hand: --edge {rows}=ignored")
+    print_message(Message("output.leave-out", edges=rows), indent=2)
 
 
 def report_questions(questions: Sequence[Question]) -> None:
     """Print open questions with their possible answers on stderr."""
     for question in questions:
         print_stderr(f"? {question.text}", "yellow")
+        for edges in question.follows:
+            print_stderr(f"  {edges.message}")
         print_stderr(f"  {' | '.join(question.choices)}")
 
 
 def report_warnings(warnings: Sequence[Message]) -> None:
     """Print warnings about a drawing with their hints on stderr."""
     for warning in warnings:
-        print_stderr(f"! {warning} {hint(warning)}".rstrip(), "yellow")
+        print_stderr(f"! {in_words(warning)} {advice(warning)}".rstrip(), "yellow")
 
 
 def print_json(data: Any) -> None:
@@ -108,6 +142,8 @@ def read_bytes(path: Path) -> bytes:
     DrawingTooLarge
         The file exceeds the size limit for drawings.
     """
+    from knifetip.formats.limits import Limits  # its package imports what compiles kernels
+
     limit = Limits().bytes
     try:
         with path.open("rb") as file:

@@ -15,8 +15,9 @@ import typer
 from knifetip.cli.access_key import KeyOptions
 from knifetip.cli.job import SERVER, Server
 from knifetip.cli.options import expand
-from knifetip.cli.terminal import print_stderr
+from knifetip.cli.terminal import print_message, print_stderr
 from knifetip.errors import SettingsError
+from knifetip.messages import Message
 
 _LONGEST_PAUSE = 30.0  # seconds between two attempts to reach the server
 
@@ -97,7 +98,7 @@ def watch(
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, lambda _number, _frame: stop.set())
         arrivals = Arrivals(folder, settle, time.monotonic, drawing_wait)
-        print_stderr(f"watching {visible(str(folder))}, server {server}")
+        print_message(Message("output.watching", folder=visible(str(folder)), server=server))
         pause = interval
         while not stop.is_set():
             busy, pause = _look(arrivals, orders, pause, interval)
@@ -109,10 +110,8 @@ def watch(
 def _look(arrivals: Any, orders: Any, pause: float, interval: float) -> tuple[bool, float]:
     """Move complete files to ``working`` and advance all orders once.
 
-    Returns
-    -------
-    tuple
-        Whether a drawing is in the folder or being processed, and the time until the next poll (s).
+    Returns tuple: whether a drawing is in the folder or being processed, and the time until the
+    next poll (s).
     """
     from knifetip.cli.hot_folder.client import RetryLater
 
@@ -123,7 +122,8 @@ def _look(arrivals: Any, orders: Any, pause: float, interval: float) -> tuple[bo
             orders.take(name)
         names = orders.in_progress()
     except OSError as reason:
-        print_stderr(f"the folder cannot be read: {visible(str(reason))}", "yellow")
+        unreadable = Message("output.folder-unreadable", reason=visible(str(reason)))
+        print_message(unreadable, "yellow")
         failed = True
     for name in names:
         try:
@@ -131,7 +131,8 @@ def _look(arrivals: Any, orders: Any, pause: float, interval: float) -> tuple[bo
         except RetryLater as reason:
             failed = True
             if not reason.of_one_file:
-                print_stderr(f"the server does not answer: {visible(str(reason))}", "yellow")
+                silent = Message("output.server-silent", reason=visible(str(reason)))
+                print_message(silent, "yellow")
                 break  # the requests for the other files would fail too
             print_stderr(f"{visible(name)}: {visible(str(reason))}", "yellow")
             continue

@@ -93,11 +93,19 @@ def centre_paths(operation: Operation) -> CentrePaths:
     behind = _starts_behind_corners(operation, cutter, paths, segment, inserted)
     # A path beside a part and its hole ends on the hole, so that the hole is the last to be cut.
     on_hole = _beside_holes(operation, segment)
+    chosen = operation.fixed[operation.fixed >= 0]
+    in_chosen = np.zeros(len(paths), np.bool_)
+    in_chosen[paths.path_of[np.isin(segment, chosen)]] = True
+    behind[in_chosen] = -1
     found = behind >= 0
     approach = np.where(found | ~paths.closed, cutter.approach, 90.0)
-    notes += _replaced_lead_notes(paths.start[paths.first[:-1]][paths.closed & ~found], cutter)
+    without = paths.closed & ~found & ~in_chosen
+    notes += _replaced_lead_notes(paths.start[paths.first[:-1]][without], cutter)
     paths, turned = start_at(paths, np.where(found, behind, paths.first[:-1]))
-    longest = longest_segments(paths, on_hole[turned], operation.endable[segment[turned]])
+    is_chosen = np.isin(segment[turned], chosen)
+    longest = longest_segments(
+        paths, on_hole[turned], operation.endable[segment[turned]], is_chosen
+    )
     paths, rows = start_in_middle(paths, paths.closed & ~found, longest)
     return CentrePaths(paths, segment[turned][rows], unreached, approach, notes)
 
@@ -113,22 +121,12 @@ def _offset_contours(
     the shifted path crosses itself, as in a neck between the smaller and the larger reach, the
     smaller deflection is subtracted instead of the mean: then the cutter does not enter the neck.
 
-    Returns
-    -------
-    paths : Paths
-        Centre paths with n segments.
-    segment, inserted : (n,), (n,)
-        Segment of the operation that each segment belongs to, and whether it belongs to the
-        transition at a corner.
-    unreached : (p,) mm²
-        Area beside each path of the operation that the cutter cannot reach.
-    notes
-        What the offset changes as planned.
-
-    Raises
-    ------
-    CompensationError
-        A deflection is as large as the cutter's radius, or the contours have no offset.
+    Returns ``paths`` Paths: centre paths with n segments; ``segment, inserted`` (n,), (n,): segment
+    of the operation that each segment belongs to, and whether it belongs to the transition at a
+    corner; ``unreached`` (p,) mm²: area beside each path of the operation that the cutter cannot
+    reach; notes: what the offset changes as planned.
+    Raises ``CompensationError``: a deflection is as large as the cutter's radius, or the contours
+    have no offset.
     """
     x, y = operation.deflection
     if max(x, y) > 0.0 and max(x, y) >= cutter.radius:
@@ -153,10 +151,7 @@ def _offset(operation: Operation, distance: float, kind: U8, k: F64) -> OffsetPa
 
     ``kind`` and ``k`` are the corner type at the start of each segment and its parameter.
 
-    Raises
-    ------
-    CompensationError
-        The contours have no offset; the message has the edges.
+    Raises ``CompensationError``: the contours have no offset; the message has the edges.
     """
     paths = operation.paths
     # Open paths are offset one by one: the side beyond their ends is undefined.
@@ -206,14 +201,9 @@ def _widen_round_holes(paths: Paths, distance: float, side: int) -> Paths:
     is a point, nothing, or too small to be printed.  The radius becomes ``distance`` plus
     ``_HOLE_MARGIN``, which gives the smallest circle that a program prints.
 
-    Parameters
-    ----------
-    paths
-        Contours; those of holes have the cutter on their inner side.
-    distance : mm
-        Distance of the cutter's centre from the contours.
-    side
-        Side of the cutter: +1 left, -1 right.
+    ``paths``: contours; those of holes have the cutter on their inner side.
+    ``distance`` mm: distance of the cutter's centre from the contours.
+    ``side``: side of the cutter: +1 left, -1 right.
     """
     bent = np.abs(paths.bulge) > BULGE
     rows = np.flatnonzero(bent)
@@ -252,30 +242,29 @@ def _starts_in_segments(operation: Operation, cutter: DiscTool, paths: Paths, se
     segment of the centre path in which the operation may end.  A path beside a part and its hole
     starts on the hole.  For an open path the result has no meaning.
 
-    Parameters
-    ----------
-    paths
-        Centre paths, q in number, with n segments.
-    segment : (n,)
-        Segment of the operation that each segment belongs to.
+    ``paths``: centre paths, q in number, with n segments.
+    ``segment`` (n,): segment of the operation that each segment belongs to.
     """
     owner, on_hole = paths.path_of, _beside_holes(operation, segment)
     endable = operation.endable[segment]
     longest = longest_segments(paths, on_hole, endable)
-    stated = np.isin(segment, operation.begin) & paths.closed[owner]
+    stated = np.isin(segment, np.concatenate([operation.begin, operation.fixed]))
+    stated &= paths.closed[owner]
     stated &= on_hole == on_hole[longest][owner]
     stated &= endable == endable[longest][owner]
     rows: I32 = np.flatnonzero(stated).astype(np.int32)
     size = arc.length(paths.start[rows], paths.end[rows], paths.bulge[rows])
     # Where the cutter hardly reaches a segment, a lead would run along the one before or after it.
-    rows, size = rows[size >= SHORTEST_START], size[size >= SHORTEST_START]
+    wide = (size >= SHORTEST_START) | np.isin(segment[rows], operation.fixed)
+    rows, size = rows[wide], size[wide]
     rows = rows[np.lexsort((rows, -size, owner[rows]))]
     rows = rows[np.diff(owner[rows], prepend=-1) > 0]
     if operation.side != 0:
         length = [
             _lead_lengths(operation, cutter, paths, some) for some in (rows, longest[owner[rows]])
         ]
-        rows = rows[(length[0] >= length[1]).all(axis=1)]
+        fits = (length[0] >= length[1]).all(axis=1)
+        rows = rows[fits | np.isin(segment[rows], operation.fixed)]
     longest[owner[rows]] = rows
     return longest
 
@@ -306,14 +295,9 @@ def _starts_behind_corners(
     the one with the largest turn; if the lead-in must be halved everywhere, one with room for the
     half.  A path beside a part and its hole starts on the hole.
 
-    Parameters
-    ----------
-    paths
-        Centre paths, q in number, with n segments.
-    segment : (n,)
-        Segment of the operation that each segment belongs to.
-    inserted : (n,)
-        Whether each segment belongs to the transition at a corner.
+    ``paths``: centre paths, q in number, with n segments.
+    ``segment`` (n,): segment of the operation that each segment belongs to.
+    ``inserted`` (n,): whether each segment belongs to the transition at a corner.
     """
     turn = np.degrees(turn_angles(operation.paths, operation.side))[segment]
     before = np.arange(-1, len(segment) - 1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Final
 
 from knifetip.compensation.crease import crease_toolpath
@@ -29,4 +30,5 @@ def compensate(operation: Operation) -> Toolpath:
     CompensationError
         The tool cannot follow an edge; the error names the edge.
     """
-    return _ENGINES[kind_of(operation.tool).engine](operation)
+    toolpath = _ENGINES[kind_of(operation.tool).engine](operation)
+    return replace(toolpath, one_way=True) if operation.one_way else toolpath

@@ -75,9 +75,9 @@ def _knife_starts(operation: Operation, closed: Bool) -> ContourStarts:
     shortest = np.maximum(SHORTEST_START, _OVERRUN_FACTOR * blade.lead(1.0) * depth)
     allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth, operation.endable))
     allowed[paths.first[:-1]] |= ~closed
-    rows = _limited(allowed, paths)
+    rows = _limited(_as_fixed(allowed, operation), paths)
     entry, leave = np.empty((len(rows), 3)), np.empty((len(rows), 3))
-    in_middle = smooth[owner[rows]]
+    in_middle = (smooth & (operation.starts < 0))[owner[rows]]
     middles = np.flatnonzero(in_middle)
     entry[middles] = leave[middles] = _middles(paths, rows[middles])
     at_start = np.flatnonzero(~in_middle)
@@ -111,11 +111,11 @@ def _disc_starts(operation: Operation, cutter: DiscTool, closed: Bool) -> Contou
     smooth = closed & (np.bincount(owner[corner], minlength=len(paths)) == 0)
     allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth, operation.endable))
     allowed[paths.first[:-1]] |= ~closed
-    rows = _limited(allowed, paths)
+    rows = _limited(_as_fixed(allowed, operation), paths)
     last = paths.first[1:][owner[rows]] - 1
     entry = _middles(paths, rows)
     entry[:, 2] = 0.0
-    at_start = ~smooth[owner[rows]]
+    at_start = ~(smooth | (operation.starts >= 0))[owner[rows]]
     entry[at_start, :2] = paths.start[rows][at_start]
     is_open = ~closed[owner[rows]]
     leave = entry.copy()
@@ -139,6 +139,18 @@ def _long_segments(paths: Paths, shortest: F64, mask: Bool, endable: Bool) -> Bo
     if mask.any():
         long[longest_segments(paths, endable)[mask]] = True
     return long
+
+
+def _as_fixed(allowed: Bool, operation: Operation) -> Bool:
+    """Return a mask of n segments, (n,), with only the start that the user has chosen in each path
+    with such a start.
+    """
+    chosen = operation.fixed[operation.fixed >= 0]
+    if len(chosen) == 0:
+        return allowed
+    result = allowed & (operation.starts < 0)[operation.paths.path_of]
+    result[chosen] = True
+    return result
 
 
 def _limited(allowed: Bool, paths: Paths) -> I32:

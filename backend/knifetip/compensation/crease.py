@@ -23,8 +23,8 @@ from knifetip.model.toolpath import Toolpath
 
 #: On a shorter length the wheel does not roll (mm).
 _LEAST_LENGTH: Final = 1e-5
-#: Least depth at which the wheel is pressed (mm).
-_LEAST_DEPTH: Final = 0.001
+#: Least depth at which the wheel is pressed (mm): controllers round heights to up to 0.0025 mm.
+_LEAST_DEPTH: Final = 0.01
 
 
 def half_contact_length(depth: F64, wheel: CreaseWheel) -> F64:
@@ -54,7 +54,7 @@ def crease_toolpath(operation: Operation) -> Toolpath:
 
     A free end is one at which no other path continues, so that the wheel must not crease beyond it.
     A path too short for the setback is pressed in one position at a smaller depth.  A path that is
-    shorter than its end clearances or would be pressed by less than 0.001 mm is not made, nor is a
+    shorter than its end clearances or would be pressed by less than 0.01 mm is not made, nor is a
     short path on a board that refuses short creases (``short_crease``).  The verifier reports such
     a path as a shortfall.
     """
@@ -102,10 +102,7 @@ def _presses(operation: Operation, wheel: CreaseWheel, short_paths: I32) -> Stro
     the wheel is pressed at this end, because it may crease beyond it.  If both ends are free, it is
     pressed midway between them.
 
-    Parameters
-    ----------
-    short_paths
-        Indices of the short paths in the operation.
+    ``short_paths``: indices of the short paths in the operation.
     """
     lengths = operation.paths.lengths[short_paths]
     both_free = (operation.start[short_paths] == End.FREE) & (

@@ -192,16 +192,11 @@ def _has_jump(paths: Paths, before: I32, after: I32) -> Bool:
 def _soonest(rows: I64, left: F64, before: I32, following: I32) -> I32:
     """Return those of k segments that have no length left sooner than their neighbours.
 
-    Parameters
-    ----------
-    rows : (k,)
-        Indices of segments that have no length left after the shift.
-    left : (n,)
-        Length of each segment after the shift, divided by its length before; negative for a
-        segment that ends before it starts.  The smaller this quotient is, the sooner during the
-        shift no length is left.
-    before, following : (n,)
-        Neighbours of each segment, -1 for none.
+    ``rows`` (k,): indices of segments that have no length left after the shift.
+    ``left`` (n,): length of each segment after the shift, divided by its length before; negative
+    for a segment that ends before it starts.  The smaller this quotient is, the sooner during the
+    shift no length is left.
+    ``before``, ``following`` (n,): neighbours of each segment, -1 for none.
     """
     # The last entry is the rank of a neighbour that does not exist or is not among the segments.
     rank = np.full(len(left) + 1, len(rows))
@@ -271,17 +266,9 @@ class _ShiftedSegments:
         neighbours that both would, the one that has no length left after the smaller part of the
         shift is dropped first.  All other starts and ends are unchanged.
 
-        Parameters
-        ----------
-        paths
-            The n segments before the shift.
-
-        Returns
-        -------
-        rows : (m,)
-            Indices of the segments that are not dropped.
-        low, high : (m,)
-            Parameters at which these segments start and end after the shift.
+        ``paths``: the n segments before the shift.
+        Returns ``rows`` (m,): indices of the segments that are not dropped; ``low, high`` (m,):
+        parameters at which these segments start and end after the shift.
         """
         low, high = self.low.copy(), self.high.copy()
         count = len(low)
@@ -330,17 +317,9 @@ class _ShiftedSegments:
     def _intersect(self, before: I32, after: I32) -> tuple[F64, F64, Bool]:
         """Return the intersections of m pairs of shifted segments, extended beyond their ends.
 
-        Parameters
-        ----------
-        before, after : (m,)
-            Indices of the first and of the second segment of each pair.
-
-        Returns
-        -------
-        a, b : (m,)
-            Parameter of the intersection on the first and on the second segment.
-        met : (m,)
-            Whether the two segments intersect.
+        ``before``, ``after`` (m,): indices of the first and of the second segment of each pair.
+        Returns ``a, b`` (m,): parameter of the intersection on the first and on the second segment;
+        ``met`` (m,): whether the two segments intersect.
         """
         a, b = self.high[before].copy(), self.low[after].copy()
         gap = np.zeros((len(a), 2))
@@ -369,23 +348,12 @@ class _ShiftedSegments:
     ) -> tuple[I32, F64, F64, F64]:
         """Return the parts of k segments between two parameters as lines and circular arcs.
 
-        Parameters
-        ----------
-        segment : (k,)
-            Indices of the segments.
-        low, high : (k,)
-            Parameters at the start and the end of each of them.
-        difference : mm
-            |δx − δy|, the difference of the half axes of the elliptical arcs.
-        tolerance : mm
-            Largest distance of the circular arcs from the elliptical arcs.
-
-        Returns
-        -------
-        row : (m,)
-            Segment of which each of m lines and arcs is a part.
-        start, end, bulge : (m, 2) mm, (m, 2) mm and (m,)
-            Ends and bulges of the lines and arcs.
+        ``segment`` (k,): indices of the segments.
+        ``low``, ``high`` (k,): parameters at the start and the end of each of them.
+        ``difference`` mm: |δx − δy|, the difference of the half axes of the elliptical arcs.
+        ``tolerance`` mm: largest distance of the circular arcs from the elliptical arcs.
+        Returns ``row`` (m,): segment of which each of m lines and arcs is a part; ``start, end,
+        bulge`` (m, 2) mm, (m, 2) mm and (m,): ends and bulges of the lines and arcs.
         """
         sweep = np.where(self.curved[segment], np.abs(high - low), 0.0)
         longest = np.cbrt(_BIARC_ERROR * tolerance / max(difference, 1e-12))

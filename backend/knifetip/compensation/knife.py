@@ -58,7 +58,8 @@ def knife_toolpath(operation: Operation) -> Toolpath:
     At corners sharper than the knife's ``swivel`` angle (degrees) the blade is lifted and turned
     above the board; at other corners it turns in the board.  It is lifted, too, at the corners of
     bends (see ``bends``), and where C would leave its limits (see ``unwinding``).  A free knife
-    turns in the board at all corners.
+    turns in the board at all corners; where another knife would be lifted, it is lifted to its
+    swivel depth.
 
     A cut that ends inside a panel is left out if it is not longer than the length by which the
     slanted blade cuts the top face ahead of its tip; the verifier reports it as a shortfall.
@@ -80,10 +81,14 @@ def knife_toolpath(operation: Operation) -> Toolpath:
     begins = np.zeros(len(rows), np.bool_)
     begins[paths.first[:-1]] = True
     turned = c_start - np.roll(c_end, 1)
+    sharp = (np.abs(turned) > blade.swivel) | bend_corners(paths, c_start, c_end, blade)
+    swivel_z = np.full(len(rows), -math.inf)
     if blade.free:
         down = begins
+        if blade.swivel_depth > 0.0:
+            swivel_z[sharp] = operation.caliper - blade.swivel_depth
     else:
-        down = begins | (np.abs(turned) > blade.swivel) | bend_corners(paths, c_start, c_end, blade)
+        down = begins | sharp
         length = arc.length(paths.start, paths.end, paths.bulge)
         limits = TurnLimits(*operation.turn_limits, blade.period)
         down = lifts_to_unwind(c_start, c_end, length, down, limits)
@@ -105,7 +110,7 @@ def knife_toolpath(operation: Operation) -> Toolpath:
         motion=motion,
         slowing=_slowing(start_pose, end_pose, paths.bulge, blade),
         drags=blade.free,
-        swivel_z=operation.caliper - blade.swivel_depth if blade.swivel_depth > 0.0 else -math.inf,
+        swivel_z=swivel_z,
     ).to_toolpath(operation)
 
 
@@ -115,12 +120,8 @@ def _slowing(start: F64, end: F64, bulge: F64, blade: Knife) -> F64:
     Below ``slow_radius`` it falls in proportion to the radius, so that a blade which the machine
     turns does not turn faster.
 
-    Parameters
-    ----------
-    start, end : (n, 4)
-        Poses of the head at the ends of each segment.
-    bulge : (n,)
-        Bulge of the path of the head along each segment.
+    ``start``, ``end`` (n, 4): poses of the head at the ends of each segment.
+    ``bulge`` (n,): bulge of the path of the head along each segment.
     """
     if blade.slow_radius == 0.0 or blade.free:
         return np.ones(len(bulge))
@@ -161,17 +162,13 @@ def _begin_contours(operation: Operation, blade: Knife) -> tuple[Paths, I32, Boo
     """Return the paths of an operation, with the closed ones started at suitable points.
 
     A closed path starts with the segment that the operation states: at the start of this segment if
-    the knife is lifted at this corner anyway, else in its middle.  Without a statement it is the
-    first such corner, or the longest line of a path that has no such corner or is cut with leads.
+    the knife is lifted at this corner anyway or the user has chosen this start, else in its middle.
+    Without a statement it is the first such corner, or the longest line of a path that has no such
+    corner or is cut with leads.
 
-    Returns
-    -------
-    paths : Paths
-        The p paths, with n segments.
-    rows : (n,)
-        Segment of the operation from which each returned segment comes.
-    smooth : (p,)
-        True for each closed path that starts in the middle of a segment.
+    Returns ``paths`` Paths: the p paths, with n segments; ``rows`` (n,): segment of the operation
+    from which each returned segment comes; ``smooth`` (p,): true for each closed path that does not
+    start at a corner at which the knife is lifted.
     """
     paths, closed = operation.paths, operation.finish == End.CLOSED
     begin: I32 = np.asarray(paths.first[:-1])
@@ -185,11 +182,14 @@ def _begin_contours(operation: Operation, blade: Knife) -> tuple[Paths, I32, Boo
         after = np.append(corners, len(corner))[np.searchsorted(corners, paths.first[:-1])]
         begin = np.where(closed, longest_segments(paths), begin)
         begin = np.where(after < paths.first[1:], after, begin)
+    chosen = operation.starts >= 0
+    begin = np.where(chosen, operation.starts, begin)
     turned, rows = start_at(paths, begin)
     smooth = closed & ~corner[begin]
-    if not smooth.any():
+    in_middle = smooth & ~chosen
+    if not in_middle.any():
         return turned, rows, smooth
-    halved, segment = start_in_middle(turned, smooth, turned.first[:-1])
+    halved, segment = start_in_middle(turned, in_middle, turned.first[:-1])
     return halved, rows[segment], smooth
 
 
@@ -201,28 +201,15 @@ def _adjust_ends(
     The ends are shortened or extended, because the slanted blade cuts the top face ahead of its
     tip.
 
-    Parameters
-    ----------
-    paths, origin, smooth
-        Paths of the operation as ``_begin_contours`` returns them: p paths with m segments, the
-        segment of the operation from which each segment comes, (m,), and the mask of the closed
-        paths that start in the middle of a segment, (p,).
-
-    Returns
-    -------
-    paths : Paths
-        Paths with n segments, including lead-ins and lead-outs.
-    rows : (n,)
-        For each returned segment, the segment of the operation from which it comes; for an
-        extension, a lead-in or a lead-out, the segment of the operation that it adjoins.
-    motion : (n,)
-        ``Motion`` of each segment: LEAD_IN, FEED or LEAD_OUT.
-
-    Raises
-    ------
-    EdgeTooShort
-        A dash, or a path that ends at a bridge, is not longer than the length by which it would be
-        shortened.
+    ``paths``, ``origin``, ``smooth``: paths of the operation as ``_begin_contours`` returns them: p
+    paths with m segments, the segment of the operation from which each segment comes, (m,), and the
+    mask of the closed paths that do not start at a corner at which the knife is lifted, (p,).
+    Returns ``paths`` Paths: paths with n segments, including lead-ins and lead-outs; ``rows`` (n,):
+    for each returned segment, the segment of the operation from which it comes; for an extension, a
+    lead-in or a lead-out, the segment of the operation that it adjoins; ``motion`` (n,): ``Motion``
+    of each segment: LEAD_IN, FEED or LEAD_OUT.
+    Raises ``EdgeTooShort``: a dash, or a path that ends at a bridge, is not longer than the length
+    by which it would be shortened.
     """
     finish = operation.finish
     last = origin[paths.first[1:] - 1]
@@ -252,6 +239,8 @@ def _adjust_ends(
     exits = _quarter_circles(
         paths, np.where(led, blade.lead_out, 0.0), overrun, operation.side, False
     )
+    if not any(len(added) for added in (leads[1], more, far, exits[1])):
+        return cut, origin[rows], np.full(len(rows), Motion.FEED, np.uint8)
     parts = [
         (*leads, Motion.LEAD_IN),
         (cut, rows, Motion.FEED),
@@ -259,8 +248,6 @@ def _adjust_ends(
         (beyond, far, Motion.FEED),
         (*exits, Motion.LEAD_OUT),
     ]
-    if not any(len(part[1]) for part in parts if part[0] is not cut):
-        return cut, origin[rows], np.full(len(rows), Motion.FEED, np.uint8)
     owner = np.concatenate([part.path_of for part, _, _ in parts])
     order = np.argsort(owner, kind="stable")
     count = np.bincount(owner, minlength=len(paths))
@@ -316,19 +303,13 @@ def _quarter_circles(
     Returns p paths of one quarter circle each; a path is empty if its ``size`` is 0.  Also returns,
     for each quarter circle, the index of the segment of ``paths`` that it touches.
 
-    Parameters
-    ----------
-    paths
-        The closed paths.
-    size : (p,) mm
-        Length of each quarter circle; 0 for none.
-    overrun : (p,) mm
-        Length by which the knife runs past the start of each path before it leaves the path.
-    side
-        Side of the waste: +1 left of travel, -1 right.
-    entering
-        True for quarter circles that end at the start of a path, False for quarter circles by which
-        the knife leaves it.
+    ``paths``: the closed paths.
+    ``size`` (p,) mm: length of each quarter circle; 0 for none.
+    ``overrun`` (p,) mm: length by which the knife runs past the start of each path before it leaves
+    the path.
+    ``side``: side of the waste: +1 left of travel, -1 right.
+    ``entering``: true for quarter circles that end at the start of a path, False for quarter
+    circles by which the knife leaves it.
     """
     which = np.flatnonzero(size > 0.0).astype(np.int32)
     some, kept = select_paths(paths, which)

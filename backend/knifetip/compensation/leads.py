@@ -152,16 +152,11 @@ def _is_clear(
 ) -> Bool:
     """Return whether all checked points of straight moves keep away from contours, (m,).
 
-    Parameters
-    ----------
-    contours
-        Starts (n, 2), ends (n, 2) and bulges (n,) of the segments of all contours.
-    origin, away : (m, 2) mm
-        One end of each move, and the vector from there to the other end.
-    checks : (c,)
-        Positions of the checked points on each move, as fractions of ``away``.
-    near : mm
-        Distance from the contours that each point must keep.
+    ``contours``: starts (n, 2), ends (n, 2) and bulges (n,) of the segments of all contours.
+    ``origin``, ``away`` (m, 2) mm: one end of each move, and the vector from there to the other
+    end.
+    ``checks`` (c,): positions of the checked points on each move, as fractions of ``away``.
+    ``near`` mm: distance from the contours that each point must keep.
     """
     points = (origin[:, None] + checks[None, :, None] * away[:, None]).reshape(-1, 2)
     hit = find_points_on_segments(

@@ -70,11 +70,13 @@ def radius_toolpath(operation: Operation) -> Toolpath:
         up[at] = (place == size[owner] - 1) & ((number == passes - 1) | ~stays_down[owner])
     kept = np.ones(total, np.bool_)
     hole = _is_hole(operation, centre.paths)
+    made = np.isfinite(operation.depth[rows[paths.first[:-1]]]).sum(axis=1)
     for number in range(passes):
         at = passes * paths.first[:-1][owner] + number * size[owner] + place
         # A lead-out beside the lead-in would be cut by the earlier passes only.
-        stops = hole & ((number == passes - 1) | (centre.approach != 90.0))
+        stops = hole & ((number == made - 1) | (centre.approach != 90.0))
         kept[at] = ~stops[owner] | (motion != Motion.LEAD_OUT)
+    kept &= np.isfinite(z)
     # The tool lifts from the last segment of a track.
     up[:-1] |= kept[:-1] & ~kept[1:]
     upright = np.zeros(total)
@@ -106,10 +108,8 @@ def _add_bridge_gaps(
     than the width of its bridge by the diameter of the cutter, so that the bridge remains between
     two positions of the disc.
 
-    Raises
-    ------
-    CompensationError
-        A bridge has no centre path beside it in which a gap could be made.
+    Raises ``CompensationError``: a bridge has no centre path beside it in which a gap could be
+    made.
     """
     if len(operation.bridges) == 0:
         return centre, np.zeros(len(centre.paths), np.bool_)
@@ -164,17 +164,10 @@ def _add_leads(
     Paths with bridges, marked by ``bridged``, get no leads, since a lead-in would make the bridge
     narrower.  Nothing is added to an operation without a side, which is milled on its centre line.
 
-    Returns
-    -------
-    paths : Paths
-        Paths with n segments, including leads.
-    segment : (n,)
-        For each returned segment, the segment of the operation beside which it runs; for a lead,
-        the segment of the operation at which it starts or ends.
-    motion : (n,)
-        ``Motion`` of each segment: LEAD_IN, FEED or LEAD_OUT.
-    notes
-        A message about the contours without room for a lead, if there are any.
+    Returns ``paths`` Paths: paths with n segments, including leads; ``segment`` (n,): for each
+    returned segment, the segment of the operation beside which it runs; for a lead, the segment of
+    the operation at which it starts or ends; ``motion`` (n,): ``Motion`` of each segment: LEAD_IN,
+    FEED or LEAD_OUT; notes: a message about the contours without room for a lead, if there are any.
     """
     paths = centre.paths
     fed = np.full(len(paths.bulge), Motion.FEED, np.uint8)

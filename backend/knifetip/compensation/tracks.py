@@ -92,8 +92,9 @@ class Strokes:
     #: default
     slowing: F64 = field(default_factory=lambda: np.zeros(0))
     drags: bool = False  #: the swing drags the tool round at its feed; no axis turns it
-    #: height of the tip from which a tool that drags is turned, if it is above the stroke (mm)
-    swivel_z: float = -math.inf
+    #: (n,) height to which a tool that drags is lifted where it turns before the segment, if it is
+    #: above the segment (mm); -inf by default
+    swivel_z: F64 = field(default_factory=lambda: np.zeros(0))
 
     def __post_init__(self) -> None:
         count = len(self.bulge)
@@ -101,6 +102,8 @@ class Strokes:
             object.__setattr__(self, "swing", np.zeros(count))
         if len(self.slowing) != count:
             object.__setattr__(self, "slowing", np.ones(count))
+        if len(self.swivel_z) != count:
+            object.__setattr__(self, "swivel_z", np.full(count, -math.inf))
         if len(self.motion) != count:
             object.__setattr__(self, "motion", np.full(count, Motion.FEED, np.uint8))
 
@@ -178,7 +181,7 @@ def _write_moves(
     plunge: float,
     swivel: float,
     swivel_motion: int,
-    swivel_z: float,
+    swivel_z: F64_1,
 ) -> Any:
     """Return the moves of n strokes as columns of a ``Toolpath``.
 
@@ -186,35 +189,25 @@ def _write_moves(
     has up to eight moves.  Where a tool turns and changes its depth between two strokes, it turns
     at the smaller depth.
 
-    Parameters
-    ----------
-    start, end : (n, 4) x y z in mm, c in degrees
-        Poses of the head at the start and the end of each stroke.
-    bulge, motion : (n,)
-        Bulge of the path of the head along each stroke, and the ``Motion`` of its feed move.
-    above_start, above_end : (n, 4)
-        Poses above the board, from which the tool plunges and to which it is lifted.
-    down, up : (n,)
-        Whether the tool plunges before each stroke, and whether it is lifted after it.
-    track, source : (n,)
-        Number of the track, and row of the edge in the dieline.
-    swing : (n,)
-        Bulge of the path of the head while the tool turns in the board before the stroke.
-    feed : (n,) mm/min
-        Feed of each stroke.
-    plunge, swivel
-        Feeds for plunges and lifts (mm/min), and for swivels (degrees/min; mm/min if the swing
-        drags the tool round).
-    swivel_motion
-        ``Motion`` of swivels.
-    swivel_z : mm
-        Height to which the tip is lifted for a swivel, if it is above the strokes on both sides.
-
-    Returns
-    -------
-    pose, bulge, motion, feed, source, track : (m, 4) and (m,) each
-        Pose of the head at the end of each move, and the attributes of the move, as in
-        ``Toolpath``.
+    ``start``, ``end`` (n, 4) x y z in mm, c in degrees: poses of the head at the start and the end
+    of each stroke.
+    ``bulge``, ``motion`` (n,): bulge of the path of the head along each stroke, and the ``Motion``
+    of its feed move.
+    ``above_start``, ``above_end`` (n, 4): poses above the board, from which the tool plunges and to
+    which it is lifted.
+    ``down``, ``up`` (n,): whether the tool plunges before each stroke, and whether it is lifted
+    after it.
+    ``track``, ``source`` (n,): number of the track, and row of the edge in the dieline.
+    ``swing`` (n,): bulge of the path of the head while the tool turns in the board before the
+    stroke.
+    ``feed`` (n,) mm/min: feed of each stroke.
+    ``plunge``, ``swivel``: feeds for plunges and lifts (mm/min), and for swivels (degrees/min;
+    mm/min if the swing drags the tool round).
+    ``swivel_motion``: ``Motion`` of swivels.
+    ``swivel_z`` (n,) mm: height to which the tip is lifted for the swivel before each stroke, if it
+    is above the strokes on both sides.
+    Returns ``pose, bulge, motion, feed, source, track`` (m, 4) and (m,) each: pose of the head at
+    the end of each move, and the attributes of the move, as in ``Toolpath``.
     """
     count = len(bulge)
     travels = (start[:, 0] != end[:, 0]) | (start[:, 1] != end[:, 1])
@@ -225,7 +218,7 @@ def _write_moves(
         if not down[i]:
             depth_changes[i] = abs(start[i, 2] - end[i - 1, 2]) > _MIN_CHANGE
             turns[i] = abs(start[i, 3] - end[i - 1, 3]) > _MIN_CHANGE
-            lifts[i] = turns[i] and swivel_z > max(start[i, 2], end[i - 1, 2])
+            lifts[i] = turns[i] and swivel_z[i] > max(start[i, 2], end[i - 1, 2])
             depth_changes[i] = depth_changes[i] and not lifts[i]
     rows = (
         2 * lifts.sum()
@@ -258,13 +251,13 @@ def _write_moves(
             row += 1
         if lifts[i]:
             poses[row] = end[i - 1]
-            poses[row, 2] = swivel_z
+            poses[row, 2] = swivel_z[i]
             kind[row], speed[row] = _LIFT, plunge
             row += 1
         if turns[i]:
             poses[row] = start[i]
             if lifts[i]:
-                poses[row, 2] = swivel_z
+                poses[row, 2] = swivel_z[i]
             if turns_first:
                 poses[row, 2] = end[i - 1, 2]
             kind[row], speed[row], bent[row] = swivel_motion, swivel, swing[i]

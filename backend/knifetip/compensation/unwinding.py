@@ -76,14 +76,10 @@ def _first_part(least: F64, greatest: F64, length: F64, turned: F64, limits: Tur
     (to 0.1°) it is the one farthest from the ends of the pass.  Otherwise the first part is as long
     as possible.
 
-    Parameters
-    ----------
-    least, greatest : (m,) degrees
-        Least and greatest heading of each segment.
-    length, turned : (m,) mm and (m,) degrees
-        Length of each segment, and angle of the corner at its start.
-    limits
-        Limits of C.
+    ``least``, ``greatest`` (m,) degrees: least and greatest heading of each segment.
+    ``length``, ``turned`` (m,) mm and (m,) degrees: length of each segment, and angle of the corner
+    at its start.
+    ``limits``: limits of C.
     """
     count = len(length)
     low, high = np.minimum.accumulate(least), np.maximum.accumulate(greatest)

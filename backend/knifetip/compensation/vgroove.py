@@ -210,32 +210,19 @@ def _write_passes(
     second pass, in which the head runs back.  The head turns by half a turn between the two passes
     and back again, so C does not accumulate.
 
-    Parameters
-    ----------
-    first
-        Index of the first segment of each path, and at the end the number n of segments.
-    start, end : (n, 2) mm
-        Positions of the tip at the start and at the end of each segment.
-    offset : (n, 2) mm
-        Position of the head relative to the tip in the first pass.
-    sideways : (n, 2)
-        Sideways movement of the head per mm by which the tip rises (mm/mm).
-    heading : (n,) degrees
-        Heading C of the head in the first pass.
-    depth : (n, k) mm
-        Depth of each segment in each of k double passes.
-    source : (n,)
-        Edge of each segment.
-    caliper, clearance : mm
-        Thickness of the board, and height of the tip above the board in air moves.
-
-    Returns
-    -------
-    start, end, above_start, above_end : (m, 4) each
-        Poses of the head at both ends of each of m = 2 n k strokes, in the board and above it.
-    down, up, track, source : (m,) each
-        Whether the tool plunges before each stroke, whether it is lifted after the stroke, and the
-        track and the edge of the stroke.
+    ``first``: index of the first segment of each path, and at the end the number n of segments.
+    ``start``, ``end`` (n, 2) mm: positions of the tip at the start and at the end of each segment.
+    ``offset`` (n, 2) mm: position of the head relative to the tip in the first pass.
+    ``sideways`` (n, 2): sideways movement of the head per mm by which the tip rises (mm/mm).
+    ``heading`` (n,) degrees: heading C of the head in the first pass.
+    ``depth`` (n, k) mm: depth of each segment in each of k double passes.
+    ``source`` (n,): edge of each segment.
+    ``caliper``, ``clearance`` mm: thickness of the board, and height of the tip above the board in
+    air moves.
+    Returns ``start, end, above_start, above_end`` (m, 4) each: poses of the head at both ends of
+    each of m = 2 n k strokes, in the board and above it; ``down, up, track, source`` (m,) each:
+    whether the tool plunges before each stroke, whether it is lifted after the stroke, and the
+    track and the edge of the stroke.
     """
     passes = depth.shape[1]
     rows = 2 * passes * len(source)
@@ -281,15 +268,11 @@ def _write_passes(
 def _check_paths(operation: Operation, cutter: VCutter) -> None:
     """Raise an error if a path of a V-groove operation cannot be cut.
 
-    Raises
-    ------
-    CurvedGroove
-        A path contains an arc.
-    EdgeTooShort
-        A path is shorter than the blade is wide.
-    GrooveTooDeep
-        The depth of a groove is not less than the thickness of the board, or a path has an end
-        inside a panel and the blade is wider than the overrun that the board allows there.
+    Raises ``CurvedGroove``: a path contains an arc.
+    Raises ``EdgeTooShort``: a path is shorter than the blade is wide.
+    Raises ``GrooveTooDeep``: the depth of a groove is not less than the thickness of the board, or
+    a path has an end inside a panel and the blade is wider than the overrun that the board allows
+    there.
     """
     paths = operation.paths
     curved = np.flatnonzero(np.abs(paths.bulge) >= BULGE)

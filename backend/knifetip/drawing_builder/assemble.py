@@ -29,7 +29,7 @@ from knifetip.model.drawing import (
     ImportReport,
     LocationBoxes,
 )
-from knifetip.model.unit import UnitHint
+from knifetip.model.unit import UnitHint, factor
 from knifetip.model.words import Repeated
 
 
@@ -44,6 +44,36 @@ class KnownUnit(NamedTuple):
     evidence: Message
     stated: str  #: unit in the header, empty if none
     hints: tuple[UnitHint, ...] = ()  #: other evidence in the header
+
+    @classmethod
+    def choose(
+        cls,
+        given: str | None,
+        stated: str,
+        evidence: Message,
+        hints: tuple[UnitHint, ...] = (),
+    ) -> KnownUnit:
+        """Return the unit that the user gives, or else the unit that the file states.
+
+        Parameters
+        ----------
+        given
+            The unit that the user gives; None or "" if the user gives no unit.
+        stated
+            The unit that the file states; "" if it states none.
+        evidence
+            Evidence for the unit that the file states, or the reason why it states none.
+        hints
+            Other evidence in the header.
+
+        Raises
+        ------
+        NoSuchUnit
+            ``given`` is not a unit.
+        """
+        unit = given or stated
+        source = Message("unit.given") if given else evidence
+        return cls(factor(unit) if unit else 0.0, unit, source, stated, hints)
 
 
 #: Bulges that differ by less than this are equal.
@@ -186,18 +216,12 @@ def _survivors(ends: F64, bulge: F64, style_number: I64, no_length: Bool, point:
     The index is the segment's own if no segment before it is equal.  Segments with the same
     geometry are also equal if they have opposite directions.
 
-    Parameters
-    ----------
-    ends : (n, 2, 2)
-        Ends of the segments (file units).
-    bulge : (n,)
-        Bulges of the segments.
-    style_number : (n,)
-        Number of the style of each segment; equal segments have the same number.
-    no_length : (n,)
-        Mask of segments without length, which are not compared with other segments.
-    point
-        Size of the grid to which coordinates are rounded before they are compared (file units).
+    ``ends`` (n, 2, 2): ends of the segments (file units).
+    ``bulge`` (n,): bulges of the segments.
+    ``style_number`` (n,): number of the style of each segment; equal segments have the same number.
+    ``no_length`` (n,): mask of segments without length, which are not compared with other segments.
+    ``point``: size of the grid to which coordinates are rounded before they are compared (file
+    units).
     """
     slots = np.zeros(1 << max(4, (2 * len(bulge)).bit_length()), np.uint64)
     first = np.arange(len(bulge))
@@ -219,21 +243,15 @@ def _find_survivors(
 
     Segments with the same geometry are also equal if they have opposite directions.
 
-    Parameters
-    ----------
-    ends : (n, 2, 2)
-        Ends of the segments (file units).
-    bulge, style_number : (n,)
-        Bulge and number of the style of each segment; equal segments have the same number.
-    no_length : (n,)
-        Mask of segments that are not compared; their entries in ``first`` are not changed.
-    points
-        1 divided by the size of the grid to which coordinates are rounded (1 / file unit).
-    slots
-        Working array for a hash table, filled with zeros; its length is a power of two.  The
-        function changes it.
-    first : (n,)
-        On entry, entry i must be i.
+    ``ends`` (n, 2, 2): ends of the segments (file units).
+    ``bulge``, ``style_number`` (n,): bulge and number of the style of each segment; equal segments
+    have the same number.
+    ``no_length`` (n,): mask of segments that are not compared; their entries in ``first`` are not
+    changed.
+    ``points``: 1 divided by the size of the grid to which coordinates are rounded (1 / file unit).
+    ``slots``: working array for a hash table, filled with zeros; its length is a power of two.  The
+    function changes it.
+    ``first`` (n,): on entry, entry i must be i.
     """
     mask, low = np.uint64(len(slots) - 1), np.uint64(0xFFFFFFFF)
     for row in range(len(bulge)):
@@ -283,19 +301,12 @@ def _outcomes(
 
     The reason of a kept entity contains the notes about changes that were made to it.
 
-    Parameters
-    ----------
-    sheet
-        The import report, with one row for each of the m entities.
-    segments
-        n segments of the entities, with the report row of each segment.
-    length : (n,)
-        Length of each segment (file units).
-    no_length, duplicate : (n,)
-        Mask of the segments without length, and mask of the segments that are equal to an earlier
-        segment.
-    first : (n,)
-        Index of the first segment that is equal to each segment.
+    ``sheet``: the import report, with one row for each of the m entities.
+    ``segments``: n segments of the entities, with the report row of each segment.
+    ``length`` (n,): length of each segment (file units).
+    ``no_length``, ``duplicate`` (n,): mask of the segments without length, and mask of the segments
+    that are equal to an earlier segment.
+    ``first`` (n,): index of the first segment that is equal to each segment.
     """
     rows = len(sheet.handle)
     outcome = np.full(rows, ImportOutcome.KEPT, np.uint8)
@@ -352,16 +363,11 @@ def _location_boxes(
 ) -> LocationBoxes:
     """Return the bounding boxes (mm) of dropped report rows whose location is known.
 
-    Parameters
-    ----------
-    sheet
-        The m rows of the import report.
-    outcome : (m,)
-        ImportOutcome of each report row.
-    short_segments
-        Ends (s, 2, 2) in file units and report rows (s,) of s segments without length.
-    size
-        Millimetres per file unit.
+    ``sheet``: the m rows of the import report.
+    ``outcome`` (m,): ImportOutcome of each report row.
+    ``short_segments``: ends (s, 2, 2) in file units and report rows (s,) of s segments without
+    length.
+    ``size``: millimetres per file unit.
     """
     ends, row = short_segments
     segment_boxes = np.concatenate([ends.min(axis=1), ends.max(axis=1)], axis=1)
@@ -399,15 +405,11 @@ def _duplicate_handles(
 
     Entities with the most repeated segments come first.
 
-    Parameters
-    ----------
-    row
-        Report row of the entity that repeats segments.  If it repeats its own segments, its handle
-        is replaced by "itself".
-    equal_segments
-        Report row of each entity whose segments are repeated, and the number of these segments.
-    handles
-        Handle of the entity of each report row.
+    ``row``: report row of the entity that repeats segments.  If it repeats its own segments, its
+    handle is replaced by "itself".
+    ``equal_segments``: report row of each entity whose segments are repeated, and the number of
+    these segments.
+    ``handles``: handle of the entity of each report row.
     """
     names = [
         "itself" if other_row == row else handles[other_row]

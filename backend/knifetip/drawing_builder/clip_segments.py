@@ -118,14 +118,11 @@ def _compare_boxes(
 ) -> tuple[I64, I64]:
     """Return the segments that are wholly visible, and those that an edge of a region may cross.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        The segments.
-    regions, region_of
-        The regions, and the index of the region of each segment, (n,), -1 for none.
-    margin
-        Distance from the edge of a region within which a point counts as inside (file units).
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): the segments.
+    ``regions``, ``region_of``: the regions, and the index of the region of each segment, (n,), -1
+    for none.
+    ``margin``: distance from the edge of a region within which a point counts as inside (file
+    units).
     """
     low_x, low_y, high_x, high_y = _boxes(ends, bulge)
     box = np.array([one.box for one in regions])[region_of]
@@ -189,25 +186,13 @@ def _clip_to_region(
 ) -> Any:
     """Return the parts of segments that lie inside a region, and the number of comparisons.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        Ends and bulges of segments.
-    rows : (k,)
-        The segments to clip.
-    edges, part, even_odd
-        The region, as in ``Region``.
-    margin
-        Distance from an edge within which a point counts as inside (file units).
-    budget
-        Number of comparisons after which the function stops; its parts are then incomplete.
-
-    Returns
-    -------
-    row, first, last : (p,)
-        Segment of each part, and the fractions of the segment at which the part starts and ends.
-    cost
-        Number of comparisons.
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): ends and bulges of segments.
+    ``rows`` (k,): the segments to clip.
+    ``edges``, ``part``, ``even_odd``: the region, as in ``Region``.
+    ``margin``: distance from an edge within which a point counts as inside (file units).
+    ``budget``: number of comparisons after which the function stops; its parts are then incomplete.
+    Returns ``row, first, last`` (p,): segment of each part, and the fractions of the segment at
+    which the part starts and ends; cost: number of comparisons.
     """
     low, height, strip, first_edge = _strips(edges, margin)
     capacity = len(rows) + 16

@@ -81,11 +81,9 @@ def _centre_form(numbers: F64) -> tuple[F64, F64, F64, F64, F64]:
 
     Source: SVG 1.1, appendix F.6.5 and F.6.6.
 
-    Parameters
-    ----------
-    numbers : (n, 8)
-        For each arc: x and y of the start, x and y of the end, both radii, the angle of the first
-        radius (degrees), and flags: 1 for a sweep above 180° plus 2 for increasing angles.
+    ``numbers`` (n, 8): for each arc: x and y of the start, x and y of the end, both radii, the
+    angle of the first radius (degrees), and flags: 1 for a sweep above 180° plus 2 for increasing
+    angles.
     """
     angle = np.radians(numbers[:, 6])
     cosine, sine = np.cos(angle), np.sin(angle)
@@ -194,14 +192,9 @@ def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
 
     A curve is straight if all its control points are near its chord, or are equal.
 
-    Parameters
-    ----------
-    control : (n, 4, 2)
-        Control points of each curve (file units).
-    chord : (n, 2)
-        Vector from the start to the end of each curve.
-    tolerance
-        Maximum distance of a control point from the chord (file units).
+    ``control`` (n, 4, 2): control points of each curve (file units).
+    ``chord`` (n, 2): vector from the start to the end of each curve.
+    ``tolerance``: maximum distance of a control point from the chord (file units).
     """
     size = np.hypot(chord[:, 0], chord[:, 1])
     ahead = chord / np.where(size > 0.0, size, 1.0)[:, None]
@@ -220,22 +213,12 @@ def _are_straight(control: F64, chord: F64, tolerance: float) -> Bool:
 def _circular_arcs(placed: PlacedSegments, indices: I64, off: F64) -> tuple[F64, F64, F64, I64]:
     """Return the circular arcs among the segments; an arc longer than 180° is split in two.
 
-    Parameters
-    ----------
-    placed
-        Segments of the paths of the file.
-    indices
-        Indices into ``placed.arc`` of the arcs that are circular.
-    off
-        Distance of each arc of ``placed.arc`` from a circular one (file units).
-
-    Returns
-    -------
-    ends, bulge, error : (m, 2, 2), (m,) and (m,)
-        Ends (file units) and bulges of m arcs, and their distance from the arc of the file (file
-        units).
-    source : (m,)
-        Index of the segment in ``placed`` from which each arc was made.
+    ``placed``: segments of the paths of the file.
+    ``indices``: indices into ``placed.arc`` of the arcs that are circular.
+    ``off``: distance of each arc of ``placed.arc`` from a circular one (file units).
+    Returns ``ends, bulge, error`` (m, 2, 2), (m,) and (m,): ends (file units) and bulges of m arcs,
+    and their distance from the arc of the file (file units); ``source`` (m,): index of the segment
+    in ``placed`` from which each arc was made.
     """
     rows = placed.arc[indices]
     u, v, first, turn = (
@@ -271,10 +254,7 @@ def _bezier(control: F64) -> tuple[EvaluateEach, EvaluateEach]:
     Both functions take indices of curves (k,) and parameters 0 … 1 (k,), and return an array (k,
     2).
 
-    Parameters
-    ----------
-    control : (n, 4, 2)
-        Control points of n curves.
+    ``control`` (n, 4, 2): control points of n curves.
     """
     step = np.diff(control, axis=1)
     # The tangent at the start points to the first control point that differs from the start.
@@ -328,34 +308,17 @@ def _fit_arcs(
 
     The messages about curves that cannot be fitted are written to ``placed.failed``.
 
-    Parameters
-    ----------
-    placed
-        Segments of the paths of the file.
-    indices
-        Numbers of the curves to fit, as ``point`` and ``tangent`` take them.
-    numbers
-        ``numbers[i]`` is the index in ``placed`` of the curve with number i.
-    point, tangent
-        Functions that take numbers of curves and parameters 0 … 1, and return points and
-        derivatives.
-    tolerance
-        Maximum distance between a curve and its arcs (file units).
-    max_pieces
-        Largest number of pieces of the curves, each of which becomes one or two arcs.
-
-    Returns
-    -------
-    ends, bulge, error : (m, 2, 2), (m,) and (m,)
-        Ends (file units) and bulges of m arcs, and their greatest distance from the curve (file
-        units).
-    source : (m,)
-        Index in ``placed`` of the curve that each arc approximates.
-
-    Raises
-    ------
-    GeometryError
-        The curves need too many pieces.
+    ``placed``: segments of the paths of the file.
+    ``indices``: numbers of the curves to fit, as ``point`` and ``tangent`` take them.
+    ``numbers``: ``numbers[i]`` is the index in ``placed`` of the curve with number i.
+    ``point``, ``tangent``: functions that take numbers of curves and parameters 0 … 1, and return
+    points and derivatives.
+    ``tolerance``: maximum distance between a curve and its arcs (file units).
+    ``max_pieces``: largest number of pieces of the curves, each of which becomes one or two arcs.
+    Returns ``ends, bulge, error`` (m, 2, 2), (m,) and (m,): ends (file units) and bulges of m arcs,
+    and their greatest distance from the curve (file units); ``source`` (m,): index in ``placed`` of
+    the curve that each arc approximates.
+    Raises ``GeometryError``: the curves need too many pieces.
     """
     (start, end, bulge, error), origin, failed = fit_many(
         lambda k, s: point(indices[k], s),

@@ -92,16 +92,10 @@ def _clip(
 ) -> ClippedSegments:
     """Return the parts of n segments that are visible, and write to ``sheet`` what was removed.
 
-    Parameters
-    ----------
-    sheet
-        Import report of the file.
-    paths
-        Report row and clip of each path.
-    ends, bulge, path_of : (n, 2, 2), (n,) and (n,)
-        The segments, and the path of each.
-    scale
-        Millimetres per file unit, 0 if unknown.
+    ``sheet``: import report of the file.
+    ``paths``: report row and clip of each path.
+    ``ends``, ``bulge``, ``path_of`` (n, 2, 2), (n,) and (n,): the segments, and the path of each.
+    ``scale``: millimetres per file unit, 0 if unknown.
     """
     index = {id(clip): number for number, clip in enumerate(paths.clip)}
     clip_of = np.array([index[id(clip)] for clip in paths.clip], np.int64)
@@ -140,10 +134,7 @@ def _tolerance_without_unit(start: F64, end: F64) -> float:
     It is 1 / 250,000 of the diagonal of the drawing, at most ``CURVE``, and ``CURVE`` for a drawing
     without extent.
 
-    Parameters
-    ----------
-    start, end : (n, 2)
-        Ends of the segments of the drawing (file units).
+    ``start``, ``end`` (n, 2): ends of the segments of the drawing (file units).
     """
     if not len(start):
         return CURVE

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from itertools import chain
 from typing import TypeAlias
 
 import numpy as np
 
+from knifetip.drawing_builder.assemble import KnownUnit, assemble
 from knifetip.drawing_builder.clip import UNCLIPPED, Clip
 from knifetip.drawing_builder.columns import Style
 from knifetip.drawing_builder.path_segments import too_many
 from knifetip.drawing_builder.path_table import ARC, CUBIC, LINE, Paths, Table
+from knifetip.drawing_builder.paths import columns
+from knifetip.drawing_builder.report import ReportWriter
 from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix
 from knifetip.geometry.columns import F64, I64
+from knifetip.model.drawing import Annotation, Drawing
 
 #: The eight numbers of an arc or a Bézier curve in a path table.
 Numbers: TypeAlias = tuple[float, float, float, float, float, float, float, float]
@@ -105,6 +110,26 @@ class ShapePaths:
         self._arc_path += [path] * len(shape.arcs)
         self._curves += shape.curves
         self._curve_path += [path] * len(shape.curves)
+
+    def drawing(
+        self, report: ReportWriter, annotations: Iterable[Annotation], known_unit: KnownUnit
+    ) -> Drawing:
+        """Return the drawing of all shapes.
+
+        Parameters
+        ----------
+        report
+            Rows of the import report; the reasons for dropped shapes are added.
+        annotations
+            Texts in file units.
+        known_unit
+            Unit of length of the file.
+        """
+        scale = known_unit.scale
+        segments = columns(
+            report, self.table(), self.paths(), scale, self._limits, self._format_name
+        )
+        return assemble(report, segments, self.styles, annotations, known_unit)
 
     def table(self) -> Table:
         """Return the segments of all shapes; within a shape first lines, then arcs and curves."""

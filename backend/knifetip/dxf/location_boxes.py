@@ -143,17 +143,13 @@ def _write_box(
 
     Nothing is written if the entity has no points.
 
-    Parameters
-    ----------
-    codes, numbers, count
-        Group codes and numbers of the tags of the entity, and the number of tags.
-    rules : (k, 4)
-        One rule for each of k entities, which determines the tags that are coordinates of its
-        points.  Column 0: set of the group codes of x, one bit per code.  Column 1: group code
-        after which points are read, -1 to read them from the start.  Column 2: group code at which
-        reading stops, -1 for none.  Column 3: 1 if an extrusion of −Z mirrors the points, else 0.
-    row
-        Index of the entity in ``rules`` and ``box``.
+    ``codes``, ``numbers``, ``count``: group codes and numbers of the tags of the entity, and the
+    number of tags.
+    ``rules`` (k, 4): one rule for each of k entities, which determines the tags that are
+    coordinates of its points.  Column 0: set of the group codes of x, one bit per code.  Column 1:
+    group code after which points are read, -1 to read them from the start.  Column 2: group code at
+    which reading stops, -1 for none.  Column 3: 1 if an extrusion of −Z mirrors the points, else 0.
+    ``row``: index of the entity in ``rules`` and ``box``.
     """
     bits, since, stop = rules[row, _BITS], rules[row, _SINCE], rules[row, _UNTIL]
     low_x = low_y = np.inf
@@ -194,15 +190,11 @@ def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
     The second array, (k,), is False for an entity with a tag that cannot be parsed, or with a
     number that ``decimals`` cannot round with certainty; the caller then computes the box again.
 
-    Parameters
-    ----------
-    data
-        Bytes of the file.
-    spans : (k, 2)
-        Range of each entity in ``data``: position of its first byte, and of the byte after its last
-        tag or, for a polyline, after its last vertex.
-    rules : (k, 4)
-        For each entity a rule that determines which group codes are coordinates of its points.
+    ``data``: bytes of the file.
+    ``spans`` (k, 2): range of each entity in ``data``: position of its first byte, and of the byte
+    after its last tag or, for a polyline, after its last vertex.
+    ``rules`` (k, 4): for each entity a rule that determines which group codes are coordinates of
+    its points.
     """
     box, sure = np.full((len(spans), 4), np.nan), np.ones(len(spans), np.bool_)
     longest = 0

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from typing import Final
 
 from knifetip.drawing_builder.assemble import KnownUnit
+from knifetip.dxf.writers import writer_hints
 from knifetip.messages import Message
 from knifetip.model.unit import UnitHint, factor
 
@@ -94,13 +95,15 @@ def hints(variables: Mapping[str, str]) -> tuple[UnitHint, ...]:
     return tuple(evidence)
 
 
-def known_unit(unit: str, variables: Mapping[str, str]) -> KnownUnit:
+def known_unit(unit: str, data: bytes, variables: Mapping[str, str]) -> KnownUnit:
     """Return ``unit`` if it is not empty, otherwise the unit that the header variables specify.
 
-    ``variables`` contains the values of the header variables by name.
+    ``data`` is the content of the file, and ``variables`` contains the first values of its header
+    variables by name.
     """
     written, evidence = header_unit(variables)
+    other = (*writer_hints(data, variables), *hints(variables))
     if unit:
-        return KnownUnit(factor(unit), unit, Message("unit.given"), written, hints(variables))
+        return KnownUnit(factor(unit), unit, Message("unit.given"), written, other)
     scale = factor(written) if written else 0.0
-    return KnownUnit(scale, written, evidence, written, hints(variables))
+    return KnownUnit(scale, written, evidence, written, other)

@@ -2,6 +2,15 @@
 
 from __future__ import annotations
 
-from knifetip.formats.registry import FORMATS, Format, format_of, read_file
+from knifetip.formats.opening import OpenFile, choose_page, open_file, read_each_page
+from knifetip.formats.registry import FORMATS, Format, format_of
 
-__all__ = ["FORMATS", "Format", "format_of", "read_file"]
+__all__ = [
+    "FORMATS",
+    "Format",
+    "OpenFile",
+    "choose_page",
+    "format_of",
+    "open_file",
+    "read_each_page",
+]

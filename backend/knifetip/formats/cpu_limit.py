@@ -19,6 +19,8 @@ from knifetip.errors import DrawingTooLarge
 READING: Final = 20.0
 #: Processor time after which the error is raised again, if a reader has caught it (s).
 _AGAIN: Final = 1.0
+#: Least time after which a timer ends (s).
+_LEAST: Final = 1e-3
 
 
 @contextmanager
@@ -44,3 +46,35 @@ def limit_cpu(seconds: float = READING) -> Iterator[None]:
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         signal.signal(signal.SIGPROF, before)
+
+
+def remaining() -> float:
+    """Return the processor time that is left for a child process of the reading (s).
+
+    It is ``READING`` if no reading is limited.
+    """
+    return signal.getitimer(signal.ITIMER_PROF)[0] or READING
+
+
+def charge(seconds: float) -> None:
+    """Count the processor time of a child process as time of the reading, if one is limited.
+
+    ``seconds`` is the time that the child process has used (s).
+    """
+    left = signal.getitimer(signal.ITIMER_PROF)[0]
+    if left > 0.0:
+        signal.setitimer(signal.ITIMER_PROF, max(left - seconds, _LEAST), _AGAIN)
+
+
+@contextmanager
+def pause() -> Iterator[None]:
+    """Do not end the reading in the body of the ``with`` statement, whose time does not count.
+
+    It is for what must not be left half done, such as the removal of temporary files.
+    """
+    left, _ = signal.setitimer(signal.ITIMER_PROF, 0.0)
+    try:
+        yield
+    finally:
+        if left > 0.0:
+            signal.setitimer(signal.ITIMER_PROF, left, _AGAIN)

@@ -101,6 +101,10 @@ _FOREIGN_ROOTS: Final = {
 }
 #: Text in UTF-16 without a byte order mark.
 _WIDE_TEXT: Final = re.compile(rb"(?:[\t\r\n -~]\x00){8}|(?:\x00[\t\r\n -~]){8}")
+#: DWG from release 11 on.  Coordinates of older versions are not always converted correctly.
+_DWG: Final = re.compile(rb"AC10(?:09|[1-9]\d)")
+#: Kinds of files that are programs in PostScript.
+_POSTSCRIPT: Final = frozenset({"file.eps", "file.illustrator", "file.postscript"})
 _BINARY_DXF: Final = b"AutoCAD Binary DXF"
 _GZIP: Final = b"\x1f\x8b"
 _BYTE_ORDER_MARK: Final = b"\xef\xbb\xbf"
@@ -158,8 +162,21 @@ def is_lightburn(file: Beginning) -> bool:
     return file.head.startswith(b"<") and _root_element(file.data).lower() == "lightburnproject"
 
 
+def is_postscript(file: Beginning) -> bool:
+    """Return whether a file is a program in PostScript: EPS, or an Illustrator file without PDF."""
+    kind = foreign_kind(file)
+    return kind is not None and kind.code in _POSTSCRIPT
+
+
+def is_dwg(file: Beginning) -> bool:
+    """Return whether a file is a DWG drawing of release 11 or newer."""
+    return _DWG.match(file.head) is not None
+
+
 def foreign_kind(file: Beginning) -> Message | None:
-    """Return a message that names the format of a file that cannot be imported, such as PNG.
+    """Return a message that names a format that no reader reads, such as PNG.
+
+    A file of such a format can be imported only if another program converts it.
 
     The result is None if the format is unknown.
     """

@@ -85,11 +85,8 @@ _PASSING = (ConnectionLost, ControllerReset, ControllerSilent)
 def _cause_of(error: KnifetipError | OSError) -> Message:
     """Return the message that the gateway reports as the cause of the end of a job.
 
-    Parameters
-    ----------
-    error
-        Exception that ended the job.  For an ``OSError``, the result is a message that quotes the
-        exception; otherwise it is the message that the exception contains.
+    ``error``: exception that ended the job.  For an ``OSError``, the result is a message that
+    quotes the exception; otherwise it is the message that the exception contains.
     """
     if isinstance(error, KnifetipError):
         return error.message
@@ -130,11 +127,8 @@ class _GatewayLoop:
     async def run(self, jobs: int | None) -> None:
         """Claim and run the jobs of the machine, one after another.
 
-        Parameters
-        ----------
-        jobs
-            Number of jobs to claim; the method returns when the last one has ended with any
-            outcome.  None to run until cancelled.
+        ``jobs``: number of jobs to claim; the method returns when the last one has ended with any
+        outcome.  None to run until cancelled.
         """
         await self._take_over()
         while jobs is None or jobs > 0:
@@ -196,12 +190,8 @@ class _GatewayLoop:
     async def _wait_until_idle(self) -> None:
         """Wait until the controller is connected and idle; connect to it if necessary.
 
-        Raises
-        ------
-        NoSuchController
-            The address of the controller is wrong.
-        GatewayRefused
-            The server refuses the key of this gateway.
+        Raises ``NoSuchController``: the address of the controller is wrong.
+        Raises ``GatewayRefused``: the server refuses the key of this gateway.
         """
         pause = FIRST_PAUSE
         while True:
@@ -289,15 +279,10 @@ class _GatewayLoop:
 
         During the wait a person may use the machine, for example jog it.
 
-        Raises
-        ------
-        JobReturned
-            The controller is not idle or cannot be reached, or the server refuses the key of this
-            gateway, so the job must return to the queue.
-        JobWithdrawn
-            The server withdrew the job.
-        JobCancelled
-            The operator cancelled the job.
+        Raises ``JobReturned``: the controller is not idle or cannot be reached, or the server
+        refuses the key of this gateway, so the job must return to the queue.
+        Raises ``JobWithdrawn``: the server withdrew the job.
+        Raises ``JobCancelled``: the operator cancelled the job.
         """
         while run.waiting:
             run.answered.clear()

@@ -164,12 +164,8 @@ class CopyRunner:
         Without these records the server, when the lease expires, and the next gateway return the
         job to the queue.
 
-        Raises
-        ------
-        JobWithdrawn, JobCancelled, GatewayRefused, OSError
-            As for ``run``.
-        JobReturned
-            The server did not answer within the lease.
+        Raises ``JobWithdrawn, JobCancelled, GatewayRefused, OSError``: as for ``run``.
+        Raises ``JobReturned``: the server did not answer within the lease.
         """
         run.begins = True
         while copy == 0:
@@ -190,14 +186,9 @@ class CopyRunner:
 
         Z is that of the last progress report, because the tool has been lifted since.
 
-        Parameters
-        ----------
-        run
-            State of the job; changed in place.
-        last
-            Last progress report.
-        controller
-            Controller of the machine.
+        ``run``: state of the job; changed in place.
+        ``last``: last progress report.
+        ``controller``: controller of the machine.
         """
         status = controller.last_status if isinstance(controller, OperableController) else None
         if status is not None and status.located and controller.fault is None:
@@ -225,15 +216,10 @@ class CopyRunner:
 
         The machine also holds if the lease of the job has expired.
 
-        Parameters
-        ----------
-        run
-            State of the job, with the request of the server.  The request is deleted from ``run``
-            as soon as a status report shows that the controller has carried it out.
-        progress
-            Progress of the machine, with the state of the controller.
-        controller
-            Controller of the machine.
+        ``run``: state of the job, with the request of the server.  The request is deleted from
+        ``run`` as soon as a status report shows that the controller has carried it out.
+        ``progress``: progress of the machine, with the state of the controller.
+        ``controller``: controller of the machine.
         """
         if _now() > run.lease_end and progress.state is State.RUN:
             run.begin_phase()
@@ -261,14 +247,9 @@ class CopyRunner:
 
         During the wait, the heartbeats report the job as held.
 
-        Raises
-        ------
-        JobWithdrawn
-            The server withdrew the job.
-        JobCancelled
-            The operator cancelled the job.
-        GatewayRefused
-            The server refuses the key of this gateway.
+        Raises ``JobWithdrawn``: the server withdrew the job.
+        Raises ``JobCancelled``: the operator cancelled the job.
+        Raises ``GatewayRefused``: the server refuses the key of this gateway.
         """
         run.begin_phase()
         run.held, run.requested, run.between_copies = True, "", True
@@ -290,12 +271,9 @@ class CopyRunner:
         It is the position of the axes, x, y, z (mm) and c (degrees), minus the tool offset (datum)
         of the station in use.  If no station is in use, nothing is subtracted.
 
-        Parameters
-        ----------
-        axes
-            Position of the axes.
-        output
-            Digital output that is switched on, which identifies the station in use; -1 for none.
+        ``axes``: position of the axes.
+        ``output``: digital output that is switched on, which identifies the station in use; -1 for
+        none.
         """
         x, y, z, c = axes
         station = self._station_of(output)

@@ -124,10 +124,7 @@ class Corridor:
     def _take(self, sent: int) -> None:
         """Read the program lines sent since the last call, and store their moves.
 
-        Parameters
-        ----------
-        sent
-            Number of program lines sent so far.
+        ``sent``: number of program lines sent so far.
         """
         for block in itertools.islice(self._blocks, max(sent - self._read, 0)):
             self._read += 1
@@ -144,10 +141,7 @@ class Corridor:
         when at least that number of moves after it have been answered, and the machine was seen on
         a later one: some controllers execute their steps later than their planner states.
 
-        Parameters
-        ----------
-        answered
-            Number of program lines answered so far.
+        ``answered``: number of program lines answered so far.
         """
         while len(self._moves) > self._held and self._moves[self._held][0] <= answered:
             if not (self._near or self._blind):

@@ -16,6 +16,7 @@ import re
 from collections.abc import Iterator, Mapping
 from itertools import zip_longest
 
+from knifetip.contract.operations import LEAST_SHARE
 from knifetip.errors import ControllerError
 from knifetip.gateway.interpreter import (
     Block,
@@ -30,8 +31,6 @@ from knifetip.model.machine import Machine, Station
 
 #: Modes of a program of this module; see ``post.rs274.program.HEADER``.
 HEADER = b"G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1"
-#: Smallest share of the feeds of a program.
-LEAST_SHARE = 0.05
 #: Largest difference between the moves of a program and of its dry program (mm or degrees).
 _ROUNDING = 1e-6
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 
+from knifetip.contract.operations import Operation, OperationName
 from knifetip.errors import ControllerError
 from knifetip.gateway.dry_program import (
     check_dry_program,
@@ -17,7 +18,6 @@ from knifetip.gateway.interpreter import tool_offsets
 from knifetip.gateway.job_run import Lease
 from knifetip.gateway.job_server import JobServer
 from knifetip.gateway.motion import Pose
-from knifetip.gateway.operations import Operation, OperationName
 from knifetip.model.machine import Machine
 
 

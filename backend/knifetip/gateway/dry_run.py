@@ -10,63 +10,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import aclosing
 from dataclasses import dataclass, replace
-from enum import StrEnum
 
+from knifetip.contract.station_report import Activity, ActivityState
 from knifetip.errors import ControllerError, KnifetipError
 from knifetip.gateway.controller import Controller, OverridingController, State
 from knifetip.gateway.interpreter import tool_offsets
-from knifetip.gateway.motion import Limits, Pose
+from knifetip.gateway.motion import Limits
 from knifetip.gateway.stream import Progress, stream
-from knifetip.messages import Message, with_text
+from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station
 
 #: Time between two progress reports (s).
 _INTERVAL = 0.1
-
-
-class ActivityState(StrEnum):
-    """State of an activity of the machine for a person."""
-
-    RUNNING = "running"
-    HELD = "held"
-    DONE = "done"
-    STOPPED = "stopped"  #: by a person, or because the job or the server did not stay
-    FAILED = "failed"
-
-    @property
-    def is_over(self) -> bool:
-        """Whether the machine has ended the activity."""
-        return self not in (ActivityState.RUNNING, ActivityState.HELD)
-
-
-@dataclass(frozen=True, slots=True)
-class Activity:
-    """What the machine does for a person while a job waits, as it is reported to the server."""
-
-    kind: str  #: name of the operation: ``dry_run``, ``frame`` or ``tool_check``
-    job: str  #: id of the job that waits
-    state: ActivityState
-    line: int = 0  #: executed lines of the program; those of a dry run are those of the job
-    progress: float = 0.0  #: share of the lines that are executed, 0 to 1
-    seconds_left: float | None = None
-    position: Pose | None = None  #: on the sheet, as in the heartbeats of a job
-    station: int | None = None  #: number of the station whose path is shown
-    message: Message | None = None  #: why it has failed, or what it has left out
-
-    def as_json(self) -> dict[str, object]:
-        """Return the fields of the report to the server."""
-        message = None if self.message is None else with_text(self.message)
-        return {
-            "kind": self.kind,
-            "job": self.job,
-            "state": self.state.value,
-            "line": self.line,
-            "progress": self.progress,
-            "seconds_left": self.seconds_left,
-            "position": self.position,
-            "station": self.station,
-            "message": message,
-        }
 
 
 @dataclass(frozen=True, slots=True)

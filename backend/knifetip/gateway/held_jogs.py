@@ -14,11 +14,12 @@ import asyncio
 from contextlib import suppress
 from dataclasses import dataclass
 
+from knifetip.contract.operations import JOG_RENEWAL, Operation
 from knifetip.errors import KnifetipError
 from knifetip.gateway.controller import State
 from knifetip.gateway.machine_link import MachineLink
 from knifetip.gateway.motion import Pose
-from knifetip.gateway.operations import AXES, JOG_RENEWAL, OperableController, Operation, jog_piece
+from knifetip.gateway.operations import AXES, OperableController, jog_piece
 
 #: Time between two looks at a jog, and between two attempts to stop it (s).
 _PAUSE = 0.1

@@ -251,12 +251,8 @@ class Interpreter:
 
         Removes the words of the tool and of the path tolerance from ``words``.
 
-        Parameters
-        ----------
-        words
-            Number in each word of the line, by letter.
-        groups
-            Number of the command in each modal group of the line.
+        ``words``: number in each word of the line, by letter.
+        ``groups``: number of the command in each modal group of the line.
         """
         if self._tools is None:
             return 0, _NONE
@@ -279,16 +275,10 @@ class Interpreter:
 
         Removes the axis words from ``words``.
 
-        Parameters
-        ----------
-        words
-            Number in each word of the line, by letter.
-        scale
-            Millimetres per length unit of the program: 1 or 25.4.
-        offset
-            Offset of the tool, which is added to the axis words.
-        relative
-            Whether the axis words are distances from the present position (G91).
+        ``words``: number in each word of the line, by letter.
+        ``scale``: millimetres per length unit of the program: 1 or 25.4.
+        ``offset``: offset of the tool, which is added to the axis words.
+        ``relative``: whether the axis words are distances from the present position (G91).
         """
         named = [letter for letter in _AXES if letter in words]
         if not named:
@@ -343,24 +333,11 @@ def _split(text: bytes, letters: str) -> tuple[dict[str, float], list[tuple[str,
 
     A word is a letter with a number, such as ``X10.5`` or ``G1``.
 
-    Parameters
-    ----------
-    text
-        The line without comments and blanks, in capital letters.
-    letters
-        Letters of the words that are not commands.
-
-    Returns
-    -------
-    words
-        Number in each word except G and M words, by letter.
-    commands
-        Letter and number of each G and M word, in the order of the line.
-
-    Raises
-    ------
-    LineRefused
-        The line is too long, or a word is invalid or occurs twice.
+    ``text``: the line without comments and blanks, in capital letters.
+    ``letters``: letters of the words that are not commands.
+    Returns words: number in each word except G and M words, by letter; commands: letter and number
+    of each G and M word, in the order of the line.
+    Raises ``LineRefused``: the line is too long, or a word is invalid or occurs twice.
     """
     if len(text) > LINE:
         raise LineRefused(11)

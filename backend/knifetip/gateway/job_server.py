@@ -17,11 +17,11 @@ from urllib.parse import urljoin
 import httpx
 
 from knifetip import tracing
+from knifetip.contract.operations import EXPIRY
+from knifetip.contract.station_report import OperationResult, StationAnswer, StationReport
 from knifetip.errors import GatewayRefused, ProgramError, StaleVersion
 from knifetip.gateway.job_run import JobEnd, JobRun, Lease
 from knifetip.gateway.journal import Journal
-from knifetip.gateway.operations import EXPIRY
-from knifetip.gateway.station_report import OperationResult, StationAnswer, StationReport
 from knifetip.model.machine import Machine
 
 #: Longest pause between two attempts to connect (s).

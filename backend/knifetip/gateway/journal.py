@@ -383,13 +383,9 @@ def _apply(unfinished: Unfinished | None, row: dict[str, Any]) -> Unfinished | N
 
     Returns None if no job is unfinished after the event.
 
-    Parameters
-    ----------
-    unfinished
-        Job that was unfinished before the event; None if there was none.  It may be changed in
-        place.
-    row
-        JSON object of the event.
+    ``unfinished``: job that was unfinished before the event; None if there was none.  It may be
+    changed in place.
+    ``row``: JSON object of the event.
     """
     event = row["event"]
     if event == "begin":

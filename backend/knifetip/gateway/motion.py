@@ -322,14 +322,9 @@ class Planner:
 
         The speed follows the trapezoidal profile of the move.  Lengths are in mm and degrees alike.
 
-        Parameters
-        ----------
-        block
-            The current move with its planned speeds.
-        remaining
-            Length from the point to the end of the move.
-        seconds
-            Available time (s).
+        ``block``: the current move with its planned speeds.
+        ``remaining``: length from the point to the end of the move.
+        ``seconds``: available time (s).
         """
         a, v0 = block.acceleration, self.speed
         v1 = self._queue[1].entry if len(self._queue) > 1 else 0.0
@@ -360,16 +355,10 @@ def _brake(
     Lengths are in mm and degrees alike.  The time used is less than ``seconds`` if the point comes
     to rest or reaches the end of its move earlier.
 
-    Parameters
-    ----------
-    remaining
-        Length from the point to the end of its move.
-    speed
-        Present speed (length per s).
-    deceleration
-        Deceleration (length per s²).
-    seconds
-        Available time (s).
+    ``remaining``: length from the point to the end of its move.
+    ``speed``: present speed (length per s).
+    ``deceleration``: deceleration (length per s²).
+    ``seconds``: available time (s).
     """
     if speed * speed / (2.0 * deceleration) <= remaining:
         stop = speed / deceleration

@@ -11,10 +11,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
-from enum import StrEnum
 from typing import Protocol, runtime_checkable
 
+from knifetip.contract.operations import EXPIRY, Operation, OperationName
 from knifetip.errors import ControllerError, OperationExpired
 from knifetip.gateway.controller import (
     Controller,
@@ -28,14 +27,8 @@ from knifetip.gateway.obstacle import RELEASABLE
 from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station
 
-#: Seconds after which an operation that was not executed yet expires.
-EXPIRY = 3.0
-#: Seconds after which a jog is stopped that the person does not state anew to hold.
-JOG_RENEWAL = 1.0
 #: Seconds of motion in one piece of a jog, for controllers that do not stop without their gateway.
 JOG_PIECE = 0.5
-#: Seconds for which the statement counts that hands are clear of the machine.
-HANDS_CLEAR = 60.0
 #: Letters of the axes of a head, in the order of a pose.
 AXES = "XYZC"
 #: Least distance of a piece of a jog (mm or degrees), which no controller rounds to nothing.
@@ -44,92 +37,8 @@ _SHORTEST_PIECE = 0.01
 _TOLERANCE = 1e-3
 
 
-class OperationName(StrEnum):
-    """Operations that a person at the machine can ask for."""
-
-    UNLOCK = "unlock"  #: clear an alarm without motion
-    HOME = "home"  #: find the zero of all axes by their switches
-    JOG = "jog"  #: move one axis by a distance
-    STOP_JOG = "stop_jog"  #: stop the jog or the homing cycle that is running
-    ZERO = "zero"  #: set the work coordinates of axes to zero at the present position
-    PARK = "park"  #: lift the tool, then move it to the corner of the table
-    SWITCH = "switch"  #: switch a digital output on or off
-    SPINDLE = "spindle"  #: switch the spindle or the oscillation of a station on or off
-    DRY_RUN = "dry_run"  #: run the program of the waiting job above the board
-    FRAME = "frame"  #: move round the box of the sheet or of the work, above the board
-    TOOL_CHECK = "tool_check"  #: move a station above a point, and lower it almost to the board
-    LIFT = "lift"  #: lift the tool straight up, and switch everything off
-    RELEASE = "release"  #: discard what the controller holds, and switch everything off
-    HOLD = "hold"  #: hold a dry run
-    RESUME = "resume"  #: resume a dry run
-    FEED_OVERRIDE = "feed_override"  #: change the feed of the program that runs
-
-
-#: Operations that run a program above the board while a job waits (``station``).
-RUNS = frozenset({OperationName.DRY_RUN, OperationName.FRAME, OperationName.TOOL_CHECK})
-#: Operations that change such a run, and are executed while it uses the machine.
-OF_RUNS = frozenset({OperationName.HOLD, OperationName.RESUME, OperationName.STOP_JOG})
-#: Operations that are executed while a job runs.
-DURING_JOBS = frozenset({OperationName.FEED_OVERRIDE})
-#: Operations that free a controller while a job waits for its next sheet; it keeps waiting.
-BETWEEN_COPIES = frozenset(
-    {
-        OperationName.UNLOCK,
-        OperationName.HOME,
-        OperationName.RELEASE,
-        OperationName.LIFT,
-        OperationName.STOP_JOG,
-    }
-)
-#: Operations that move the machine by themselves: hands must be clear.  A jog is not among them: it
-#: moves only while the person holds its button.
-_MOVING = frozenset(
-    {
-        *RUNS,
-        OperationName.HOME,
-        OperationName.ZERO,
-        OperationName.PARK,
-        OperationName.RESUME,
-    }
-)
-#: Operations that lower a station or turn a tool when they switch something on.
-_SWITCHING = frozenset({OperationName.SWITCH, OperationName.SPINDLE})
 #: Operations that an alarm does not prevent.
 _IN_ALARM = frozenset({OperationName.UNLOCK, OperationName.HOME})
-
-
-def needs_clear_hands(name: str, on: bool) -> bool:
-    """Return whether an operation may only be asked for with hands clear of the machine.
-
-    Parameters
-    ----------
-    name
-        Name of the operation.
-    on
-        Whether the operation switches something on.
-    """
-    return name in _MOVING or (on and name in _SWITCHING)
-
-
-@dataclass(frozen=True, slots=True)
-class Operation:
-    """One operation that a person at the machine has asked for, with its arguments."""
-
-    name: OperationName
-    axis: str = ""  #: letter of the axis to jog
-    distance: float = 0.0  #: signed distance of the jog (mm or degrees)
-    feed: float = 0.0  #: speed of the jog (mm/min or degrees/min)
-    axes: str = ""  #: letters of the axes to set to zero
-    output: int = -1  #: number of the output to switch
-    on: bool = False
-    station: int = 0  #: number of the station that is checked, or whose spindle is switched
-    share: float = 1.0  #: share of the feeds of a dry run
-    percent: int = 100  #: feed override (%)
-    box: tuple[float, float, float, float] | None = None  #: x0, y0, x1, y1 of a frame (mm)
-    point: tuple[float, float] | None = None  #: of a tool check, as in programs (mm)
-    height: float = 0.0  #: of the tip above the mat in a tool check (mm)
-    #: trial correction of the datum in a tool check: X, Y, Z (mm) and C (degrees)
-    shift: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
 
 
 @runtime_checkable
@@ -422,16 +331,10 @@ def _check_release(controller: OperableController) -> None:
 def _check(operation: Operation, name: str, status: Status, machine: Machine) -> None:
     """Raise ``ControllerError`` if the machine cannot do an operation in its present state.
 
-    Parameters
-    ----------
-    operation
-        The operation.
-    name
-        Address of the controller, for messages.
-    status
-        Status of the controller.
-    machine
-        The machine.
+    ``operation``: the operation.
+    ``name``: address of the controller, for messages.
+    ``status``: status of the controller.
+    ``machine``: the machine.
     """
     if status.state is not State.IDLE:
         raise ControllerError("operation.not-at-rest", name=name, state=status.state.value)
@@ -462,10 +365,8 @@ def _check(operation: Operation, name: str, status: Status, machine: Machine) ->
 def _spindle_station(operation: Operation, machine: Machine) -> Station:
     """Return the station whose spindle an operation switches.
 
-    Raises
-    ------
-    ControllerError
-        The machine has no such station, its tool has no spindle, or it is a laser.
+    Raises ``ControllerError``: the machine has no such station, its tool has no spindle, or it is a
+    laser.
     """
     for station in machine.stations:
         if station.number == operation.station and station.speed and not station.is_beam:

@@ -136,10 +136,7 @@ class ProgramFollower:
         answered only when all earlier motion has ended.  The answer to such a line proves that the
         line and all lines before it are executed.
 
-        Parameters
-        ----------
-        acknowledged
-            Number of lines of this program that the controller has answered.
+        ``acknowledged``: number of lines of this program that the controller has answered.
         """
         for read in itertools.islice(self._blocks, max(acknowledged - self._read, 0)):
             block = read or EMPTY_BLOCK
@@ -152,10 +149,8 @@ class ProgramFollower:
     def _release(self, max_moves: int) -> None:
         """Count the oldest stored lines as executed until at most ``max_moves`` moves remain.
 
-        Parameters
-        ----------
-        max_moves
-            Greatest number of answered moves that can still be queued or running in the controller.
+        ``max_moves``: greatest number of answered moves that can still be queued or running in the
+        controller.
         """
         while self._moves > max_moves:
             self._drop(1)

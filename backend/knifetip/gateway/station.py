@@ -28,6 +28,22 @@ from dataclasses import dataclass
 
 import httpx
 
+from knifetip.contract.operations import (
+    BETWEEN_COPIES,
+    DURING_JOBS,
+    EXPIRY,
+    OF_RUNS,
+    RUNS,
+    Operation,
+    OperationName,
+)
+from knifetip.contract.station_report import (
+    UNREPORTED,
+    OperationRequest,
+    OperationResult,
+    StationAnswer,
+    StationReport,
+)
 from knifetip.errors import (
     ControllerAlarm,
     ControllerError,
@@ -46,26 +62,7 @@ from knifetip.gateway.journal import Journal
 from knifetip.gateway.machine_link import MachineLink
 from knifetip.gateway.obstacle import notice_of, obstacle_in_job, obstacle_of
 from knifetip.gateway.open_loop import OpenLoop
-from knifetip.gateway.operations import (
-    BETWEEN_COPIES,
-    DURING_JOBS,
-    EXPIRY,
-    OF_RUNS,
-    RUNS,
-    OperableController,
-    Operation,
-    OperationName,
-    override_feed,
-    perform,
-    require_possible,
-)
-from knifetip.gateway.station_report import (
-    UNREPORTED,
-    OperationRequest,
-    OperationResult,
-    StationAnswer,
-    StationReport,
-)
+from knifetip.gateway.operations import OperableController, override_feed, perform, require_possible
 from knifetip.gateway.tool_check import CheckedPoint, ToolCheck
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
@@ -263,12 +260,8 @@ class MachineStation:
     async def _carry_out(self, pending: _Pending, stops: int) -> None:
         """Carry out an operation and record its result.
 
-        Parameters
-        ----------
-        pending
-            The operation.
-        stops
-            Number of stops that were asked before the operation.
+        ``pending``: the operation.
+        ``stops``: number of stops that were asked before the operation.
         """
         id, operation = pending.request.id, pending.request.operation
 
@@ -340,10 +333,7 @@ class MachineStation:
     async def _change_run(self, name: OperationName) -> bool:
         """Hold, resume or stop the dry run; return False if none runs that could be stopped.
 
-        Raises
-        ------
-        ControllerError
-            No dry run can be held or resumed, or the controller has failed.
+        Raises ``ControllerError``: no dry run can be held or resumed, or the controller has failed.
         """
         run = self._link.dry_run
         if run is None or not self._link.runs_dry:
@@ -364,21 +354,12 @@ class MachineStation:
 
         The result of the operation is recorded when the program begins.
 
-        Parameters
-        ----------
-        id
-            Id of the operation.
-        operation
-            The operation.
-        is_late
-            Returns whether the operation has expired.
-
-        Raises
-        ------
-        OperationExpired
-            The operation has expired; nothing was sent.
-        KnifetipError
-            The machine cannot do it now, or the program cannot be run above the board.
+        ``id``: id of the operation.
+        ``operation``: the operation.
+        ``is_late``: returns whether the operation has expired.
+        Raises ``OperationExpired``: the operation has expired; nothing was sent.
+        Raises ``KnifetipError``: the machine cannot do it now, or the program cannot be run above
+        the board.
         """
         async with self._link.in_use:
             self._refuse_during_job(operation.name)
@@ -388,7 +369,7 @@ class MachineStation:
             if job is None or not job.is_waiting:
                 raise ControllerError("dry-run.no-job")
             await require_possible(operation, controller, self._machine)
-            run = await self._prepared(operation, job, controller)
+            run = await self._prepare_run(operation, job, controller)
             if is_late():
                 raise OperationExpired("operation.expired", seconds=EXPIRY)
             if self._link.run is not job or not job.is_waiting:
@@ -406,7 +387,7 @@ class MachineStation:
                     with suppress(OSError):  # recorded when the machine is next seen idle
                         self._journal.rest()
 
-    async def _prepared(
+    async def _prepare_run(
         self, operation: Operation, job: JobRun, controller: OperableController
     ) -> DryRun:
         """Return the run of an operation for the job that waits; nothing is sent."""

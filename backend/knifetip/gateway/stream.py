@@ -231,14 +231,9 @@ async def _require_travel(controller: LimitedController, blocks: ProgramBlocks) 
 def _check_state(controller: Controller, status: Status, base: Status) -> None:
     """Raise ``ControllerError`` if the state of a controller shows that the program has ended.
 
-    Parameters
-    ----------
-    controller
-        Controller of the machine.
-    status
-        Last report.
-    base
-        Report before the first line of the program was sent.
+    ``controller``: controller of the machine.
+    ``status``: last report.
+    ``base``: report before the first line of the program was sent.
     """
     if status.state is State.ALARM:
         raise controller.fault or ControllerAlarm("controller.reports-alarm", name=controller.name)
@@ -263,19 +258,12 @@ async def _stop(
 ) -> ControllerError:
     """Bring the machine into its safe state; return the error to raise for an interrupted program.
 
-    Parameters
-    ----------
-    controller
-        Controller of the machine.
-    error
-        Error that interrupted the program; the returned error has its type.
-    follower
-        Follower with the number of executed lines, which the returned error contains.
-    base
-        Status before the first line of the program was sent.  ``base.sent``, the number of lines
-        sent before the program, is subtracted from the present number of lines sent.
-    lines
-        Number of lines of the program.
+    ``controller``: controller of the machine.
+    ``error``: error that interrupted the program; the returned error has its type.
+    ``follower``: follower with the number of executed lines, which the returned error contains.
+    ``base``: status before the first line of the program was sent.  ``base.sent``, the number of
+    lines sent before the program, is subtracted from the present number of lines sent.
+    ``lines``: number of lines of the program.
     """
 
     def progress() -> Message:
@@ -313,14 +301,9 @@ def _states_same_alarm(error: Message, unsafe: Message) -> bool:
 def _progress_message(executed: int, sent: int, lines: int) -> Message:
     """Return a message about how far a program was executed.
 
-    Parameters
-    ----------
-    executed
-        Number of lines that were certainly executed.
-    sent
-        Number of lines sent; the lines between ``executed`` and ``sent`` may be executed too.
-    lines
-        Number of lines of the program.
+    ``executed``: number of lines that were certainly executed.
+    ``sent``: number of lines sent; the lines between ``executed`` and ``sent`` may be executed too.
+    ``lines``: number of lines of the program.
     """
     rest = sent - executed
     if sent == 0:

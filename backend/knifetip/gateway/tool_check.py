@@ -16,11 +16,12 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 
+from knifetip.contract.operations import LARGEST_SHIFT, Operation, OperationName
 from knifetip.errors import ControllerError
 from knifetip.gateway.controller import Controller, State
 from knifetip.gateway.dry_program import travel_program
 from knifetip.gateway.dry_run import DryProgram, DryRun
-from knifetip.gateway.operations import OperableController, Operation, OperationName
+from knifetip.gateway.operations import OperableController
 from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station
 
@@ -28,8 +29,6 @@ from knifetip.model.machine import Machine, Station
 SHARE = 0.1
 #: Speed at which Z is lowered (mm/min).
 LOWER_FEED = 600.0
-#: Largest trial correction of X, Y and Z (mm) and of C (degrees).
-LARGEST_SHIFT = 20.0
 #: Time between two status requests while Z moves (s).
 _POLL = 0.05
 #: Time beyond that of its travel until Z must be at rest (s).

@@ -155,19 +155,15 @@ def _link_ends(
     The turn between two ends is measured by its cosine, which is minus the scalar product of their
     directions.
 
-    Parameters
-    ----------
-    outward : (2n, 2)
-        Unit directions from the vertices into the edges, one per end; end 2i is the start of edge
-        i.
-    by_node : (2n,)
-        The ends, sorted by vertex.
-    bounds : (v + 1,)
-        Position in ``by_node`` of the first end of each of v vertices; the last entry is 2n.
-    any_turn
-        Least cosine of the turn at which two ends are connected if no third end meets them.
-    straight
-        Least cosine of the turn at which two ends are connected if three or more ends meet.
+    ``outward`` (2n, 2): unit directions from the vertices into the edges, one per end; end 2i is
+    the start of edge i.
+    ``by_node`` (2n,): the ends, sorted by vertex.
+    ``bounds`` (v + 1,): position in ``by_node`` of the first end of each of v vertices; the last
+    entry is 2n.
+    ``any_turn``: least cosine of the turn at which two ends are connected if no third end meets
+    them.
+    ``straight``: least cosine of the turn at which two ends are connected if three or more ends
+    meet.
     """
     link = np.full(len(outward), -1, np.int64)
     for node in range(len(bounds) - 1):
@@ -207,17 +203,12 @@ def _continues_straight(outward: F64_2, by_node: I64_1, bounds: I64_1, straight:
     The other edge has an end at the same vertex.  The path from one edge to the other turns there
     by an angle whose cosine is at least ``straight``.
 
-    Parameters
-    ----------
-    outward : (2n, 2)
-        Unit directions from the ends into the edges; end 2i is the start of edge i, end 2i + 1 its
-        end.
-    by_node : (2n,)
-        The ends, sorted by vertex.
-    bounds : (v + 1,)
-        Position in ``by_node`` of the first end of each of v vertices; the last entry is 2n.
-    straight
-        Least cosine of a turn that counts as straight.
+    ``outward`` (2n, 2): unit directions from the ends into the edges; end 2i is the start of edge
+    i, end 2i + 1 its end.
+    ``by_node`` (2n,): the ends, sorted by vertex.
+    ``bounds`` (v + 1,): position in ``by_node`` of the first end of each of v vertices; the last
+    entry is 2n.
+    ``straight``: least cosine of a turn that counts as straight.
     """
     straight_on = np.zeros(len(outward), np.bool_)
     for node in range(len(bounds) - 1):

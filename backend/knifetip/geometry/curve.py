@@ -15,10 +15,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from typing import Final, NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from knifetip.errors import GeometryError
 from knifetip.geometry.azimuth import tan_half_angle
@@ -34,8 +34,6 @@ from knifetip.kernels import (
     kernel,
 )
 
-#: Function from parameters (m,) to points or directions (m, 2).
-Evaluate: TypeAlias = Callable[[F64], F64]
 #: Function from numbers of curves (m,) and their parameters (m,) to points or directions (m, 2).
 EvaluateEach: TypeAlias = Callable[[I64, F64], F64]
 #: Start (n, 2), end (n, 2) and bulge (n,) of n segments, and their greatest distance from the
@@ -75,59 +73,46 @@ class ManyFits(NamedTuple):
     failed: Mapping[int, GeometryError]  #: reason by number of a curve without lines and arcs
 
 
-class _Pieces(NamedTuple):
+class Pieces(NamedTuple):
     """m pieces of curves: the parts between two parameters of a curve."""
 
     first: F64  #: (m,) parameter at which the piece starts
     last: F64  #: (m,) parameter at which the piece ends
     curve: I64  #: (m,) number of the curve of the piece
 
-    def select(self, rows: I64 | Bool | slice) -> _Pieces:
+    def select(self, rows: I64 | Bool | slice) -> Pieces:
         """Return the pieces in ``rows``, which are indices or a mask."""
-        return _Pieces(self.first[rows], self.last[rows], self.curve[rows])
+        return Pieces(self.first[rows], self.last[rows], self.curve[rows])
 
 
-def fit(
-    point: Evaluate, tangent: Evaluate, breaks: ArrayLike, tolerance: float = CURVE
-) -> Segments:
-    """Return lines and arcs that approximate a parametric curve within a tolerance.
+#: Lines and arcs that approximate one curve, or the reason why there are none.
+Fit: TypeAlias = Segments | GeometryError
 
-    Parameters
-    ----------
-    point, tangent
-        Functions from parameters (m,) to points (m, 2) mm and to derivatives (m, 2) of any length.
-    breaks : (k,), increasing
-        Parameters of the start and the end of the curve, and of points between at which the curve
-        may have a corner or a jump in curvature.  A segment ends exactly at each of these points,
-        unless the curve is straight there.
-    tolerance : float, mm
-        Largest distance of a point of the curve from the segments.
 
-    Returns
-    -------
-    start, end : (n, 2) float64, mm
-    bulge : (n,) float64, |bulge| ≤ 0.5
-        The segments, lines or arcs.  The end of segment i and the start of segment i + 1 have equal
-        coordinates.
-    error : (n,) float64, mm
-        Greatest distance of the curve from each segment: measured at 24 points of every biarc, and
-        increased by 3 % because the maximum may be between two of them.
+def fitted(fit: Fit) -> Segments:
+    """Return the lines and arcs of a curve.
 
     Raises
     ------
     GeometryError
-        The curve has no finite points, or needs more than a hundred thousand pieces.
+        The curve has none.
     """
-    knots = np.asarray(breaks, dtype=np.float64)
-    if len(knots) < 2 or not np.isfinite(knots).all() or not (np.diff(knots) > 0.0).all():
-        raise GeometryError("curve.parameters")
-    spans = _Pieces(knots[:-1], knots[1:], np.zeros(len(knots) - 1, np.int64))
-    found = fit_spans(
-        lambda _, t: point(t), lambda _, t: tangent(t), spans, 1, tolerance, MAX_PIECES
-    )
-    if found.failed:
-        raise found.failed[0]
-    return found.segments
+    if isinstance(fit, GeometryError):
+        raise fit
+    return fit
+
+
+def split_fits(fits: ManyFits, count: int) -> list[Fit]:
+    """Return the lines and arcs of each of ``count`` curves, as views of those of all curves."""
+    first = np.searchsorted(fits.curve, np.arange(count + 1)).tolist()
+    start, end, bulge, error = fits.segments
+    found: list[Fit] = [
+        (start[low:high], end[low:high], bulge[low:high], error[low:high])
+        for low, high in pairwise(first)
+    ]
+    for number, reason in fits.failed.items():
+        found[number] = reason
+    return found
 
 
 def fit_many(
@@ -155,8 +140,10 @@ def fit_many(
     -------
     ManyFits
         Ends (mm) of the n lines and arcs, their bulges (|bulge| ≤ 0.5), and the greatest distance
-        of the curve from each of them (mm), as in ``fit``.  A curve without length has no line or
-        arc.
+        of the curve from each of them (mm).  The distance is measured at 24 points of every biarc,
+        and increased by 3 % because the maximum may be between two of them.  The end of a segment
+        and the start of the next one have equal coordinates.  A curve without length has no line
+        or arc.
 
     Raises
     ------
@@ -171,7 +158,7 @@ def fit_many(
     return fit_spans(
         lambda k, t: point(k, parameter(k, t)),
         lambda k, t: tangent(k, parameter(k, t)),
-        _Pieces(first, first + 1.0, np.arange(count)),
+        Pieces(first, first + 1.0, np.arange(count)),
         count,
         tolerance,
         max_pieces,
@@ -181,7 +168,7 @@ def fit_many(
 def fit_spans(
     point: EvaluateEach,
     tangent: EvaluateEach,
-    spans: _Pieces,
+    spans: Pieces,
     count: int,
     tolerance: float,
     max_pieces: int,
@@ -237,7 +224,7 @@ def fit_spans(
 def _fit_pieces(
     point: EvaluateEach,
     tangent: EvaluateEach,
-    pieces: _Pieces,
+    pieces: Pieces,
     tolerance: float,
     max_pieces: int,
     failed: dict[int, GeometryError],
@@ -247,12 +234,9 @@ def _fit_pieces(
     The pieces are halved until the biarc of each piece is within the tolerance (mm).  The reason
     for each curve that cannot be fitted is added to ``failed``.
 
-    Raises
-    ------
-    GeometryError
-        The curves need more than ``max_pieces`` pieces.
+    Raises ``GeometryError``: the curves need more than ``max_pieces`` pieces.
     """
-    done: list[tuple[_Pieces, F64, F64, F64]] = []
+    done: list[tuple[Pieces, F64, F64, F64]] = []
     base = int(pieces.curve[0])
     made = np.zeros(int(pieces.curve[-1]) - base + 1, np.int64)
     for halvings in range(_MAX_HALVINGS + 1):
@@ -283,7 +267,7 @@ def _fit_pieces(
         made += np.bincount(finished.curve - base, minlength=len(made))
         first, last, curve = pieces.select(~good)
         middle = (first + last) / 2.0
-        pieces = _Pieces(
+        pieces = Pieces(
             np.concatenate([first, middle]),
             np.concatenate([middle, last]),
             np.concatenate([curve, curve]),
@@ -334,33 +318,22 @@ def _merge_collinear(segments: Segments, curve: I64, min_length: float) -> tuple
 def _divide_spans(
     point: EvaluateEach,
     tangent: EvaluateEach,
-    spans: _Pieces,
+    spans: Pieces,
     count: int,
     tolerance: float,
     max_pieces: int,
     failed: dict[int, GeometryError],
-) -> _Pieces:
+) -> Pieces:
     """Return pieces of the spans of curves whose biarcs have nearly equal errors.
 
-    Parameters
-    ----------
-    point, tangent
-        Functions from numbers of curves and parameters to points and to derivatives.
-    spans
-        The smooth spans of the curves, in the order of the curves.
-    count
-        Number of curves.
-    tolerance : mm
-        Largest distance of a biarc from the curve.
-    max_pieces
-        Largest number of pieces of all curves.
-    failed
-        The reason for each curve that cannot be divided is added to it.
-
-    Raises
-    ------
-    GeometryError
-        The curves together need too many pieces.
+    ``point``, ``tangent``: functions from numbers of curves and parameters to points and to
+    derivatives.
+    ``spans``: the smooth spans of the curves, in the order of the curves.
+    ``count``: number of curves.
+    ``tolerance`` mm: largest distance of a biarc from the curve.
+    ``max_pieces``: largest number of pieces of all curves.
+    ``failed``: the reason for each curve that cannot be divided is added to it.
+    Raises ``GeometryError``: the curves together need too many pieces.
     """
     spans_of = np.bincount(spans.curve, minlength=count)
     for one in np.flatnonzero(spans_of > MAX_PIECES).tolist():
@@ -399,10 +372,10 @@ def _divide_spans(
         last = np.append(start[1:], 0.0)
         ends = np.cumsum(number[number > 0]) - 1
         last[ends] = block.last[number > 0]
-        parts.append(_Pieces(start, last, block.curve[row]).select(start < last))
+        parts.append(Pieces(start, last, block.curve[row]).select(start < last))
     if not parts:
         return spans
-    pieces = _Pieces(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+    pieces = Pieces(*(np.concatenate(column) for column in zip(*parts, strict=True)))
     if failed:
         return pieces.select(~np.isin(pieces.curve, list(failed)))
     return pieces
@@ -426,12 +399,8 @@ def _evaluate_grid(
 def _wanted_pieces(place: F64, ahead: F64, tolerance: float) -> F64:
     """Return how many pieces the cells of n spans need, (n, c - 1), as fractions of a piece.
 
-    Parameters
-    ----------
-    place, ahead : (n, c, 2)
-        Points and derivatives of each span at the borders of its cells.
-    tolerance : mm
-        Largest distance of a biarc from the curve.
+    ``place``, ``ahead`` (n, c, 2): points and derivatives of each span at the borders of its cells.
+    ``tolerance`` mm: largest distance of a biarc from the curve.
     """
     step = np.diff(place, axis=1)
     along = np.hypot(step[..., 0], step[..., 1])
@@ -481,7 +450,7 @@ def spread(sums: F64_2, grid: F64_2, number: I64_1, start: OutF64_1) -> None:
 
 
 def _biarcs(
-    point: EvaluateEach, tangent: EvaluateEach, pieces: _Pieces, tolerance: float
+    point: EvaluateEach, tangent: EvaluateEach, pieces: Pieces, tolerance: float
 ) -> tuple[F64, F64, F64, Bool]:
     """Return the biarc of each of m pieces of curves, its error, and whether it is good.
 
@@ -489,16 +458,9 @@ def _biarcs(
     its arcs are at most ``_MAX_BULGE``.  ``point`` and ``tangent`` are functions from numbers of
     curves and parameters to points and derivatives.
 
-    Returns
-    -------
-    joint : (m, 2) mm
-        Point at which the two arcs of each biarc meet.
-    bulge : (m, 2)
-        Bulges of the two arcs.
-    error : (m,) mm
-        Greatest distance of each good biarc from the curve.
-    good : (m,)
-        Whether each biarc is good.
+    Returns ``joint`` (m, 2) mm: point at which the two arcs of each biarc meet; ``bulge`` (m, 2):
+    bulges of the two arcs; ``error`` (m,) mm: greatest distance of each good biarc from the curve;
+    ``good`` (m,): whether each biarc is good.
     """
     first, last, curve = pieces
     a, b = point(curve, first), point(curve, last)

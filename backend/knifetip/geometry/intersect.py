@@ -213,18 +213,14 @@ def _add_point(
     The point must be on the lines or circles of both segments.  It is left out if ``points``
     already has a point within ``touch`` mm of (x, y), or if ``points`` has no free row.
 
-    Parameters
-    ----------
-    one, i, two, j
-        The segments are row i of ``one`` and row j of ``two``: x0, y0, x1, y1, bulge.
-    x, y : mm
-        The point.
-    touch : mm
-        Distance beyond an end of a segment up to which the point still counts as on the segment.
-    points
-        Receives in one row x, y, and the parameters on the first and on the second segment (0 … 1).
-    count
-        Number of points in ``points`` before the call.
+    ``one``, ``i``, ``two``, ``j``: the segments are row i of ``one`` and row j of ``two``: x0, y0,
+    x1, y1, bulge.
+    ``x``, ``y`` mm: the point.
+    ``touch`` mm: distance beyond an end of a segment up to which the point still counts as on the
+    segment.
+    ``points``: receives in one row x, y, and the parameters on the first and on the second segment
+    (0 … 1).
+    ``count``: number of points in ``points`` before the call.
     """
     for k in range(count):
         if abs(points[k, 0] - x) <= touch and abs(points[k, 1] - y) <= touch:

@@ -119,18 +119,12 @@ def _mark_by_grid(
 
     Returns False and sets nothing if no grid suits the segments.
 
-    Parameters
-    ----------
-    points : (m, 2) mm
-        The points.
-    owner : (m,)
-        Number of the segment that each point belongs to, -1 for none.
-    segments, boxes : (n,) and (n, 4)
-        The segments, and their bounding boxes in the order of ``segments.order``.
-    reach : mm
-        Distance from a point within which bounding boxes are searched.
-    gap : mm
-        Largest distance of a point that counts as on a segment.
+    ``points`` (m, 2) mm: the points.
+    ``owner`` (m,): number of the segment that each point belongs to, -1 for none.
+    ``segments``, ``boxes`` (n,) and (n, 4): the segments, and their bounding boxes in the order of
+    ``segments.order``.
+    ``reach`` mm: distance from a point within which bounding boxes are searched.
+    ``gap`` mm: largest distance of a point that counts as on a segment.
     """
     suits, grid = build_grid(boxes)
     if suits:

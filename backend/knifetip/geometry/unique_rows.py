@@ -43,17 +43,9 @@ def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
 def _distinct_rows(table: I64_2) -> Any:
     """Return the distinct rows of a table, and which of them each row of the table equals.
 
-    Parameters
-    ----------
-    table : (n, k)
-        Rows of integers.
-
-    Returns
-    -------
-    first : (d,)
-        Number of the first row that is equal to each of the d distinct rows, ascending.
-    kind : (n,)
-        Number of the distinct row that each row equals, 0 … d - 1.
+    ``table`` (n, k): rows of integers.
+    Returns ``first`` (d,): number of the first row that is equal to each of the d distinct rows,
+    ascending; ``kind`` (n,): number of the distinct row that each row equals, 0 … d - 1.
     """
     rows = len(table)
     first = np.empty(rows, np.int64)

@@ -145,10 +145,7 @@ def _skip_command(data: bytes, position: int) -> int:
     If the command ends the plot, the result is the index at which the next plot of the file begins;
     without another plot, it is the length of the file.
 
-    Raises
-    ------
-    NotADrawing
-        There is no command at ``position``.
+    Raises ``NotADrawing``: there is no command at ``position``.
     """
     for pattern in (_TO_INTERFACE, _TO_PLOT):
         if match := pattern.match(data, position):

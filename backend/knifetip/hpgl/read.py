@@ -8,14 +8,12 @@ that draws.  Lines are distinguished by the pen, which is their layer, and by li
 
 from __future__ import annotations
 
-from knifetip.drawing_builder.assemble import KnownUnit, assemble
-from knifetip.drawing_builder.paths import columns
-from knifetip.errors import KnifetipError, NotADrawing
+from knifetip.drawing_builder.assemble import KnownUnit
 from knifetip.formats.limits import Limits
+from knifetip.formats.refusals import refuse_unexpected
 from knifetip.hpgl.trace import trace
 from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
-from knifetip.model.unit import factor
 
 
 def read(
@@ -53,23 +51,9 @@ def read(
     NoSuchUnit
         ``unit`` is not a unit.
     """
-    millimetres = factor(unit) if unit else 0.0
-    limits.admit(len(data))
-    try:
+    with refuse_unexpected(data, unit, limits, "HPGL"):
         plot = trace(data, limits)
         stated = "mm" if plot.stated_scale else ""
-        chosen = unit or stated
-        scale = millimetres or (1.0 if stated else 0.0)
-        segments = columns(
-            plot.report, plot.paths.table(), plot.paths.paths(), scale, limits, "HPGL"
-        )
         evidence = Message("unit.plotter" if stated else "unit.plotter-page")
-        source = Message("unit.given") if unit else evidence
-        known = KnownUnit(scale, chosen, source, stated)
-        return assemble(plot.report, segments, plot.paths.styles, plot.annotations, known)
-    except KnifetipError:
-        raise
-    except (ValueError, ArithmeticError, LookupError) as error:
-        raise NotADrawing(
-            "reading.unexpected", reason=type(error).__name__, format="HPGL"
-        ) from error
+        known = KnownUnit.choose(unit, stated, evidence)
+        return plot.paths.drawing(plot.report, plot.annotations, known)

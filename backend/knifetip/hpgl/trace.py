@@ -364,14 +364,9 @@ class _Plotter:
     def _emit(self, one: Instruction, shape: PlottedShape, *, is_lost: bool | None = None) -> None:
         """Add a shape to the plot, or to the polygon in polygon mode.
 
-        Parameters
-        ----------
-        one
-            Instruction that draws the shape.
-        shape
-            The shape, which may be empty.
-        is_lost
-            Whether its position depends on the plotter; None if that of the pen counts.
+        ``one``: instruction that draws the shape.
+        ``shape``: the shape, which may be empty.
+        ``is_lost``: whether its position depends on the plotter; None if that of the pen counts.
         """
         if not (shape.polylines or shape.arcs or shape.curves):
             return

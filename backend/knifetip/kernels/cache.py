@@ -52,13 +52,9 @@ class _LoadedLibrary(JITCodeLibrary):
     def load(cls, codegen: Any, stored: tuple[str, str, tuple[bytes, bytes]]) -> _LoadedLibrary:
         """Return the library of a cache file, with its machine code ready to run.
 
-        Parameters
-        ----------
-        codegen
-            Code generator of the processor, which owns the memory of machine code.
-        stored
-            What numba's ``serialize_using_object_code`` wrote: the name of the library, the text
-            ``"object"``, and a pair of its machine code and its LLVM code.
+        ``codegen``: code generator of the processor, which owns the memory of machine code.
+        ``stored``: what numba's ``serialize_using_object_code`` wrote: the name of the library, the
+        text ``"object"``, and a pair of its machine code and its LLVM code.
         """
         name, _kind, (machine_code, bitcode) = stored
         library = cls(codegen, name)
@@ -79,10 +75,7 @@ class _ReadOnlyCacheLocator(InTreeCacheLocator):
     def ensure_cache_path(self) -> None:
         """Require that the folder exists.
 
-        Raises
-        ------
-        FileNotFoundError
-            The folder does not exist.
+        Raises ``FileNotFoundError``: the folder does not exist.
         """
         if not Path(self.get_cache_path()).is_dir():
             raise FileNotFoundError(self.get_cache_path())
@@ -178,10 +171,8 @@ class _KernelFiles(IndexDataCacheFile):
     def _load_data(self, name: str) -> Any:
         """Return the content of the file ``name``, which contains machine code.
 
-        Raises
-        ------
-        FileNotFoundError
-            The file is missing or cannot be read; numba then compiles the kernel again.
+        Raises ``FileNotFoundError``: the file is missing or cannot be read; numba then compiles the
+        kernel again.
         """
         try:
             return _KernelUnpickler(io.BytesIO(Path(self._data_path(name)).read_bytes())).load()

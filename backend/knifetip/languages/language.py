@@ -39,7 +39,7 @@ class Language:
     driver: str = ""  #: path of a ``knifetip.gateway.controller.Driver``, or empty
     no_driver: Message | None = None  #: advice how to send a program without the gateway
     #: path of the function that serves a simulated controller on a TCP port
-    simulator: str = "knifetip.gateway.simulator:serve"
+    simulator: str = "knifetip.simulators.grbl.simulator:serve"
     settings: str = ""  #: path of the function that reads ``[controller]``, or empty
     settings_table: str = ""  #: path of the pydantic model of ``[controller]``, for editors
     #: path of the function that returns the lines that set the settings of a machine's controller

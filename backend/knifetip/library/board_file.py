@@ -8,6 +8,7 @@ from annotated_types import Gt, Le
 from pydantic import Field, ValidationInfo, field_validator
 
 from knifetip.fields import LISTED, Table, field_error
+from knifetip.library.machine_properties import group
 from knifetip.model.board import Board, Deflection, ToolLimits
 from knifetip.model.tool import KINDS
 from knifetip.model.tool.base import NotNegative, Positive
@@ -19,6 +20,17 @@ _LEAST_SPACING: Final = 10.0
 
 #: An angle by which a board can fold (degrees).
 FoldAngle: TypeAlias = Annotated[float, Gt(0), Le(180)]
+
+
+# Groups of the page's form, in their order.
+_BOARD: Final = group("Board")
+_CREASES: Final = group("Creases")
+_BENDS: Final = group("Bends of cuts")
+_LIMITS: Final = group("Limits of tools")
+_GROOVES: Final = group("V-grooves")
+_HALF_CUTS: Final = group("Half-cuts and perforations")
+_BRIDGES: Final = group("Bridges")
+_DEFLECTION: Final = group("Deflection of cutters")
 
 
 class DeflectionTable(Table):
@@ -34,7 +46,9 @@ class DeflectionTable(Table):
 class LimitsTable(Table):
     """The TOML table with limits for the tools of one kind in the board."""
 
-    feed: NotNegative = Field(0.0, description="greatest feed (mm/min); 0: no limit")
+    feed: NotNegative = Field(
+        0.0, title="Feed rate", description="greatest feed (mm/min); 0: no limit"
+    )
     step: NotNegative = Field(
         0.0, description="greatest depth of one pass of a cutter or a knife (mm); 0: no limit"
     )
@@ -53,61 +67,114 @@ class LimitsTable(Table):
 class BoardFile(Table):
     """The fields of the TOML file of a board: one material in one thickness."""
 
-    title: str
+    title: str = Field(json_schema_extra=_BOARD)
     material: str = Field(
-        description="corrugated, folding boxboard, solid board, greyboard or foam board"
+        json_schema_extra=_BOARD,
+        description="corrugated, folding boxboard, solid board, greyboard or foam board",
     )
-    caliper: Positive = Field(description="thickness (mm)")
-    grain: float = Field(description="direction of flute or grain on the sheet (degrees)")
-    crease_along: Positive = Field(description="depth of a crease along flute or grain (mm)")
-    crease_across: Positive = Field(description="depth of a crease across flute or grain (mm)")
+    caliper: Positive = Field(json_schema_extra=_BOARD, description="thickness (mm)")
+    grain: float = Field(
+        title="Direction of flute or grain",
+        json_schema_extra=_BOARD,
+        description="direction of flute or grain on the sheet (degrees)",
+    )
+    crease_along: Positive = Field(
+        json_schema_extra=_CREASES, description="depth of a crease along flute or grain (mm)"
+    )
+    crease_across: Positive = Field(
+        json_schema_extra=_CREASES, description="depth of a crease across flute or grain (mm)"
+    )
     end_clearance: NotNegative = Field(
-        description="distance between the end of a crease and the end of its line (mm)"
+        json_schema_extra=_CREASES,
+        description="distance between the end of a crease and the end of its line (mm)",
     )
-    groove_depth: Positive = Field(description="depth of a V-groove below the top face (mm)")
-    groove_overcut: NotNegative = Field(description="largest overcut of a V-groove (mm)")
-    half_cut_depth: Positive = Field(description="depth of a half-cut below the top face (mm)")
+    groove_depth: Positive = Field(
+        json_schema_extra=_GROOVES, description="depth of a V-groove below the top face (mm)"
+    )
+    groove_overcut: NotNegative = Field(
+        json_schema_extra=_GROOVES, description="largest overcut of a V-groove (mm)"
+    )
+    half_cut_depth: Positive = Field(
+        title="Half-cut depth",
+        json_schema_extra=_HALF_CUTS,
+        description="depth of a half-cut below the top face (mm)",
+    )
     perforation: list[Positive] = Field(
-        min_length=2, max_length=2, description="length of cuts and of gaps (mm)"
+        min_length=2,
+        max_length=2,
+        json_schema_extra={**_HALF_CUTS, "itemTitles": ["Length of cuts", "Length of gaps"]},
+        description="length of cuts and of gaps (mm)",
     )
     short_crease: Annotated[Literal["press", "refuse"], LISTED] = Field(
+        title="Creases shorter than the wheel",
+        json_schema_extra=_CREASES,
         description="whether a crease too short for the wheel is pressed at a smaller depth, "
-        "or refused"
+        "or refused",
     )
-    bridge_width: NotNegative = Field(0.0, description="width of a bridge that holds the part (mm)")
+    bridge_width: NotNegative = Field(
+        0.0, json_schema_extra=_BRIDGES, description="width of a bridge that holds the part (mm)"
+    )
     bridge_spacing: NotNegative = Field(
-        0.0, description="largest distance between two bridges (mm)"
+        0.0, json_schema_extra=_BRIDGES, description="largest distance between two bridges (mm)"
     )
     double_crease: NotNegative = Field(
-        0.0, description="distance between the two lines of a double crease (mm); 0: single"
+        0.0,
+        json_schema_extra=_CREASES,
+        description="distance between the two lines of a double crease (mm); 0: single",
     )
     groove_pass: NotNegative = Field(
-        0.0, description="largest depth of one pass of a groove (mm); 0: one pass"
+        0.0,
+        title="Depth of one groove pass",
+        json_schema_extra=_GROOVES,
+        description="largest depth of one pass of a groove (mm); 0: one pass",
     )
     groove_curve: NotNegative = Field(
-        0.0, description="largest distance between an arc and its chords in a groove (mm)"
+        0.0,
+        title="Tolerance of curved grooves",
+        json_schema_extra=_GROOVES,
+        description="largest distance between an arc and its chords in a groove (mm)",
     )
     groove_shift: NotNegative = Field(
-        0.3, description="largest shift of a V-groove away from a cut beside it (mm); 0: none"
+        0.3,
+        title="Shift of grooves beside cuts",
+        json_schema_extra=_GROOVES,
+        description="largest shift of a V-groove away from a cut beside it (mm); 0: none",
     )
     fold_angle: FoldAngle = Field(
-        90.0, description="angle by which the board must fold at a V-groove (degrees)"
+        90.0,
+        json_schema_extra=_GROOVES,
+        description="angle by which the board must fold at a V-groove (degrees)",
     )
     crease_tolerance: Positive = Field(
-        0.25, description="largest distance at which the wheel may press beside a bent crease (mm)"
+        0.25,
+        title="Tolerance of bent creases",
+        json_schema_extra=_CREASES,
+        description="largest distance at which the wheel may press beside a bent crease (mm)",
     )
     cut_tolerance: Positive = Field(
         0.1,
+        title="Tolerance of bent cuts",
+        json_schema_extra=_BENDS,
         description="largest distance between a bent cut in the top face and its line (mm)",
     )
     least_radius: NotNegative = Field(
-        0.0, description="smallest radius of a bend that a knife cuts (mm); 0: no limit"
+        0.0,
+        title="Least radius of a bend",
+        json_schema_extra=_BENDS,
+        description="smallest radius of a bend that a knife cuts (mm); 0: no limit",
     )
     deflection: dict[str, DeflectionTable] = Field(
-        {}, description="deflection of each tool, by the name of its station"
+        {},
+        json_schema_extra={**_DEFLECTION, "propertyNames": {"title": "Name of the station"}},
+        description="deflection of each tool, by the name of its station",
     )
     limits: dict[str, LimitsTable] = Field(
-        {}, description="limits of each kind of tool, such as knife or cutter, in the board"
+        {},
+        json_schema_extra={
+            **_LIMITS,
+            "propertyNames": {"title": "Kind of tool", "enum": [kind.name for kind in KINDS]},
+        },
+        description="limits of each kind of tool, such as knife or cutter, in the board",
     )
 
     @field_validator("crease_along", "crease_across", "groove_depth", "half_cut_depth")

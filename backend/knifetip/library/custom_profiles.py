@@ -7,7 +7,6 @@ is not trusted: its size is limited, it cannot refer to files, and it is either 
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any
@@ -90,7 +89,7 @@ def parse_fields(text: str) -> dict[str, Any]:
     ``text`` must be valid TOML, otherwise ``tomllib.TOMLDecodeError`` is raised.  The fields are
     not checked.
     """
-    return tomllib.loads(text)
+    return read_toml(text)
 
 
 def inherited_rules(fields: Mapping[str, Any], rules: LineRules) -> list[bool]:

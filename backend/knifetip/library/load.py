@@ -163,22 +163,13 @@ def _load_file(
 ) -> Record:
     """Return the machine, board or profile that a TOML file of the user describes.
 
-    Parameters
-    ----------
-    shelf
-        Kind of the record: "machines", "boards" or "profiles".
-    name
-        Path of the file.
-    files
-        Whether files of the user may be read.
-    parse
-        Function that makes the machine, board or profile from three arguments: its name, the fields
-        in the file, and the path of the file.
-
-    Raises
-    ------
-    LibraryError
-        ``files`` is False, or ``name`` is not the path of a readable TOML file.
+    ``shelf``: kind of the record: "machines", "boards" or "profiles".
+    ``name``: path of the file.
+    ``files``: whether files of the user may be read.
+    ``parse``: function that makes the machine, board or profile from three arguments: its name, the
+    fields in the file, and the path of the file.
+    Raises ``LibraryError``: ``files`` is False, or ``name`` is not the path of a readable TOML
+    file.
     """
     if files and name.endswith(".toml"):
         return _parse_file(shelf, Path(name), name, parse)
@@ -218,20 +209,12 @@ def _name_document(
 ) -> Iterator[None]:
     """Context manager that replaces an ``InvalidFields`` error by an error that names the document.
 
-    Parameters
-    ----------
-    shelf
-        Kind of the document: "machine", "board" or "profile".
-    name
-        Name of the document, of which the error contains the first 200 characters.
-    error
-        Class of the error that is raised instead, by default ``LibraryError``.
-
-    Raises
-    ------
-    KnifetipError
-        An error of class ``error``: the code inside the ``with`` statement found a missing, invalid
-        or unknown field.  The attribute ``source`` is the path of the first such field.
+    ``shelf``: kind of the document: "machine", "board" or "profile".
+    ``name``: name of the document, of which the error contains the first 200 characters.
+    ``error``: class of the error that is raised instead, by default ``LibraryError``.
+    Raises ``KnifetipError``: an error of class ``error``: the code inside the ``with`` statement
+    found a missing, invalid or unknown field.  The attribute ``source`` is the path of the first
+    such field.
     """
     try:
         yield

@@ -24,6 +24,13 @@ from pydantic import (
 from knifetip.errors import LibraryError
 from knifetip.fields import LISTED, Table, field_error
 from knifetip.languages.registry import find_language, language_names
+from knifetip.library.machine_properties import (
+    CONTROLLER,
+    STATIONS,
+    TABLE,
+    MachineProperties,
+    group,
+)
 from knifetip.model.machine import (
     NO_HEADING,
     Axis,
@@ -39,6 +46,8 @@ from knifetip.model.tool.base import NotNegative, Positive
 
 #: Feed override with which every program begins (%).
 _NOMINAL: Final = 100
+
+AXES: Final = group("Axes and travel")
 
 
 class AxisTable(Table):
@@ -112,8 +121,9 @@ class CarriageTable(Table):
     """
 
     park: float = Field(
+        title="Parking position",
         description="position of y while another carriage is in use, at the carriage's own end of "
-        "the gantry (mm)"
+        "the gantry (mm)",
     )
     y: LetteredAxis
     z: LetteredAxis | None = Field(
@@ -144,10 +154,12 @@ class GantryTable(Table):
     """
 
     min_distance: Positive = Field(
-        description="least distance along Y between the positions of two carriages (mm)"
+        title="Least distance of carriages",
+        description="least distance along Y between the positions of two carriages (mm)",
     )
     park: float = Field(
-        description="position of y of the first carriage while another is in use (mm)"
+        title="Parking position",
+        description="position of y of the first carriage while another is in use (mm)",
     )
     carriage: list[CarriageTable] = Field(
         min_length=1, description="second and further carriages, in the order of their numbers"
@@ -241,10 +253,7 @@ def _check_kind(tool: Any) -> Any:
 
     ``tool`` is the value in the TOML file.  Values without a field ``kind`` are not checked.
 
-    Raises
-    ------
-    PydanticCustomError
-        The field ``kind`` is not the name of a kind of tool.
+    Raises ``PydanticCustomError``: the field ``kind`` is not the name of a kind of tool.
     """
     if isinstance(tool, dict) and "kind" in tool and tool["kind"] not in list(_CLASSES):
         raise field_error(
@@ -275,7 +284,7 @@ class StationTable(Table):
 
     number: int = Field(gt=0, lt=256, description="tool number in programs (T word)")
     name: str
-    datum: Datum
+    datum: Datum = Field(title="Offset of the station")
     output: int = Field(
         -1,
         description="digital output that lowers the station or switches its tool on; -1 for none",
@@ -285,11 +294,13 @@ class StationTable(Table):
     )
     envelope: NotNegative = Field(
         0.0,
+        title="Radius of the holder",
         description="radius about the axis of the station of its holder at the height of the tip, "
         "for keep-out zones (mm); 0: the tool only",
     )
     life: NotNegative = Field(
         0.0,
+        title="Tool life",
         description="length that the tool may work in the board before it is changed (m); 0: no "
         "limit",
     )
@@ -354,61 +365,53 @@ class ZoneTable(Table):
         return Zone(**self.model_dump())
 
 
-class MachineFile(Table):
+class MachineFile(MachineProperties):
     """The fields of the TOML file of a flatbed sample-maker.
 
     Z = 0 is the top of the cutting mat, and Z is positive upwards.
     """
 
-    title: str
-    width: Positive = Field(description="width of the table, along X (mm)")
-    height: Positive = Field(description="height of the table, along Y (mm)")
-    dialect: str = Field(description="controller language")
     origin: list[float] = Field(
         min_length=2,
         max_length=2,
-        description="default position of the lower left corner of a drawing (mm)",
+        title="Place of the drawing",
+        description="Default position of the lower left corner of a drawing (mm)",
+        json_schema_extra={**TABLE, "itemTitles": ["Place in X", "Place in Y"]},
     )
-    travel_z: Positive = Field(
-        description="travel height: height of the tip above the mat in air moves (mm)"
+    axes: Axes = Field(json_schema_extra=AXES)
+    gantry: GantryTable | None = Field(
+        None,
+        title="Gantry with several carriages",
+        description="Carriages, if the machine has more than one",
+        json_schema_extra=AXES,
     )
-    clearance: Positive = Field(description="height above the board at which plunging starts (mm)")
-    turn_clearance: NotNegative = Field(
-        0.0,
-        description="least distance of the lowest point of a tool from the board in turns, for "
-        "jobs with the least lift (mm); 0: such jobs are refused",
-    )
-    into_mat: NotNegative = Field(description="depth of a through cut in the mat (mm)")
-    settle: NotNegative = Field(description="waiting time after an output is switched (s)")
-    feed: Annotated[Literal["manual", "automatic"], LISTED] = Field(
-        "manual", description="whether an operator or a feeder loads the sheet"
-    )
-    output_count: int = Field(
-        0,
-        ge=0,
-        le=256,
-        description="number of digital outputs of the controller, for example num_dio of "
-        "LinuxCNC's motmod; 0: not stated (LinuxCNC: 4)",
+    station: list[StationTable] = Field(json_schema_extra=STATIONS)
+    zone: list[ZoneTable] = Field(
+        [],
+        max_length=50,
+        description="Keep-out zones on the table",
+        json_schema_extra=group("Keep-out zones"),
     )
     arcs: Annotated[Literal["arcs", "chords"], LISTED] = Field(
         "arcs",
-        description="whether programs may contain arcs (G2, G3); chords: the controller has none, "
+        description="Whether programs may contain arcs (G2, G3). chords: the controller has none, "
         "or does not turn the tool in them",
+        json_schema_extra=CONTROLLER,
     )
     feed_override: list[Annotated[int, Field(ge=10, le=200)]] = Field(
         [10, 200],
         min_length=2,
         max_length=2,
-        description="least and greatest feed override while a program runs (%), of a controller "
+        description="Least and greatest feed override while a program runs (%), of a controller "
         "that has one; programs begin with 100",
+        json_schema_extra={
+            **CONTROLLER,
+            "itemTitles": ["Least feed override", "Greatest feed override"],
+        },
     )
-    axes: Axes
-    gantry: GantryTable | None = Field(
-        None, description="carriages, if the machine has more than one"
+    controller: dict[str, Any] = Field(
+        {}, description="Settings of the controller's language", json_schema_extra=CONTROLLER
     )
-    station: list[StationTable]
-    zone: list[ZoneTable] = Field([], max_length=50, description="keep-out zones on the table")
-    controller: dict[str, Any] = Field({}, description="settings of the controller's language")
 
     @field_validator("dialect")
     @classmethod

@@ -35,10 +35,7 @@ def _as_list(value: Any) -> Any:
 def _colour(value: Any) -> int | str:
     """Return a valid colour unchanged: a colour index 1…255, or a true colour "#rrggbb".
 
-    Raises
-    ------
-    PydanticCustomError
-        The value is not a colour.
+    Raises ``PydanticCustomError``: the value is not a colour.
     """
     if isinstance(value, str) and re.fullmatch("#[0-9a-fA-F]{6}", value):
         return value

@@ -13,6 +13,11 @@ from knifetip.errors import LibraryError
 
 _BARE_KEY: Final = re.compile(r"[A-Za-z0-9_-]+")
 _MAX_DEPTH: Final = 32  # tables and lists in each other; a machine has 6
+#: Parts of dotted keys, and the dots between them.
+_KEY_TOKEN: Final = re.compile(
+    r"""(?P<part>[\w-]++|"(?:[^"\\\n]|\\.)*+"?|'[^'\n]*+'?)|(?P<dot>\.)|[ \t]++|(?P<other>.)""",
+    re.DOTALL,
+)
 _INTEGER_LIMIT: Final = 1 << 63  # a TOML integer has 64 bits
 
 
@@ -28,6 +33,8 @@ def read_toml(text: str) -> dict[str, Any]:
     RecursionError
         Tables and lists are nested too deeply.
     """
+    if _is_key_deep(text):  # tomllib would take memory for the square of the number of its parts
+        raise RecursionError
     fields = tomllib.loads(text)
     level: list[Any] = [fields]
     for _ in range(_MAX_DEPTH):
@@ -37,6 +44,21 @@ def read_toml(text: str) -> dict[str, Any]:
         if not level:
             return fields
     raise RecursionError
+
+
+def _is_key_deep(text: str) -> bool:
+    """Return whether a dotted key has more parts than tables may be nested."""
+    parts, dotted = 0, False
+    for token in _KEY_TOKEN.finditer(text):
+        if token["part"]:
+            parts, dotted = parts + 1 if dotted else 1, False
+            if parts > _MAX_DEPTH:
+                return True
+        elif token["dot"]:
+            dotted = True
+        elif token["other"]:
+            parts, dotted = 0, False
+    return False
 
 
 def _inner(value: Any) -> Iterable[Any]:
@@ -80,12 +102,8 @@ def write_toml(fields: Mapping[str, Any]) -> str:
 def _lines(table: Mapping[str, Any], path: tuple[str, ...]) -> Iterator[str]:
     """Yield the lines of a table: first its values, then its tables.
 
-    Parameters
-    ----------
-    table
-        Values by name.
-    path
-        Keys that lead to the table, as TOML text.
+    ``table``: values by name.
+    ``path``: keys that lead to the table, as TOML text.
     """
     present = {key: value for key, value in table.items() if value is not None}
     for key, value in present.items():
@@ -109,10 +127,7 @@ def _is_table_list(value: Any) -> bool:
 def _value(value: Any) -> str:
     """Return a value as TOML text on one line.
 
-    Raises
-    ------
-    TypeError
-        TOML has no such type.
+    Raises ``TypeError``: TOML has no such type.
     """
     match value:
         case bool():

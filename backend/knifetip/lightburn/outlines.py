@@ -239,10 +239,7 @@ def _joined(vertices: Sequence[Vertex], primitives: Iterable[tuple[str, int, int
 def _matches(pattern: re.Pattern[str], text: str) -> Iterable[re.Match[str]]:
     """Yield the matches of a pattern, which must cover the whole text.
 
-    Raises
-    ------
-    InvalidShape
-        A part of the text does not match.
+    Raises ``InvalidShape``: a part of the text does not match.
     """
     position = 0
     while position < len(text):
@@ -275,10 +272,7 @@ def _legacy_control(
 def _value(attributes: dict[str, str], name: str, default: float | None = None) -> float:
     """Return an attribute that is a number.
 
-    Raises
-    ------
-    InvalidShape
-        The attribute is missing and has no default, or is not a number.
+    Raises ``InvalidShape``: the attribute is missing and has no default, or is not a number.
     """
     text = attributes.get(name)
     if text is None:

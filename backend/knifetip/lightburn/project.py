@@ -14,11 +14,10 @@ from dataclasses import dataclass, field
 from typing import Final
 from xml.parsers import expat
 
-from knifetip.errors import DrawingTooLarge, NotADrawing
+from knifetip.errors import NotADrawing
 from knifetip.formats.limits import Limits
+from knifetip.formats.xml_builder import XmlBuilder
 
-#: Deepest nesting of elements.
-_MAX_DEPTH: Final = 256
 #: Elements of a shape whose text is kept.
 _TEXTS: Final = frozenset(("XForm", "VertList", "PrimList"))
 #: Beginning of the names of elements with the settings of a layer: CutSetting, CutSetting_Img.
@@ -63,67 +62,29 @@ def parse_project(data: bytes, limits: Limits) -> Project:
         The number or depth of elements exceeds the limits.
     """
     builder = _Builder(limits)
-    parser = expat.ParserCreate()
-    parser.buffer_text = True
-    parser.StartElementHandler = builder.start
-    parser.EndElementHandler = builder.end
-    parser.CharacterDataHandler = builder.text
-    parser.StartDoctypeDeclHandler = builder.doctype
-    try:
-        parser.Parse(data, True)
-    except (LookupError, ValueError) as error:
-        # An encoding that the XML declaration names and Python does not have.
-        raise NotADrawing("lightburn.damaged-at", line=1, column=0, reason=error) from None
-    except expat.ExpatError as error:
-        if error.code in _TRUNCATED:
-            raise NotADrawing("reading.truncated", format="LightBurn") from None
-        reason = expat.ErrorString(error.code) or "damaged"
-        raise NotADrawing(
-            "lightburn.damaged-at", line=error.lineno, column=error.offset, reason=reason
-        ) from None
+    builder.parse(data)
     return builder.project
 
 
-_TRUNCATED: Final = frozenset(
-    expat.errors.codes[text]
-    for text in (
-        expat.errors.XML_ERROR_NO_ELEMENTS,
-        expat.errors.XML_ERROR_UNCLOSED_TOKEN,
-        expat.errors.XML_ERROR_PARTIAL_CHAR,
-        expat.errors.XML_ERROR_UNCLOSED_CDATA_SECTION,
-    )
-)
-
-
-class _Builder:
-    """Builds a project with the handlers that Expat calls."""
+class _Builder(XmlBuilder):
+    """Builds the layers and shapes of one project."""
 
     def __init__(self, limits: Limits) -> None:
+        super().__init__(limits, "LightBurn")
         self.project = Project()
-        self._limits = limits
-        self._open: list[str] = []
-        self._count = 0
         self._shapes = 0
         self._stack: list[ProjectShape] = []  # open shapes, the outermost first
         self._outside: list[int] = []  # depth of open outlines of texts, which are not read
         self._setting: dict[str, str] | None = None
         self._text: list[str] | None = None
 
-    def doctype(self, *_arguments: object) -> None:
-        raise NotADrawing("lightburn.doctype")
+    def restrict(self, parser: expat.XMLParserType) -> None:
+        parser.StartDoctypeDeclHandler = _refuse_doctype
 
     def start(self, name: str, attributes: dict[str, str]) -> None:
-        self._open.append(name)
-        self._count += 1
-        if len(self._open) > _MAX_DEPTH:
-            raise DrawingTooLarge("reading.nested-too-deep", limit=_MAX_DEPTH, format="LightBurn")
-        if self._count > self._limits.entities:
-            raise DrawingTooLarge(
-                "reading.too-many-elements", limit=self._limits.entities, format="LightBurn"
-            )
         if self._outside:
             return
-        if len(self._open) == 1:
+        if self.depth == 1:
             mirror_x, mirror_y = (
                 attributes.get(key, "").lower() == "true" for key in ("MirrorX", "MirrorY")
             )
@@ -134,10 +95,10 @@ class _Builder:
             (self._stack[-1].children if self._stack else self.project.shapes).append(shape)
             self._stack.append(shape)
         elif name == "BackupPath":
-            self._outside.append(len(self._open))
+            self._outside.append(self.depth)
         elif self._stack:
             self._start_in_shape(name, attributes)
-        elif name.startswith(_SETTING) and len(self._open) == 2:
+        elif name.startswith(_SETTING) and self.depth == 2:
             self._setting = dict(attributes)
             self.project.settings.append(self._setting)
         elif self._setting is not None and "Value" in attributes:
@@ -153,17 +114,20 @@ class _Builder:
 
     def end(self, name: str) -> None:
         if self._outside:
-            if len(self._open) == self._outside[-1]:
+            if self.depth == self._outside[-1]:
                 self._outside.pop()
         elif name == "Shape" and self._stack:
             self._stack.pop()
         elif self._text is not None and name in _TEXTS:
             self._stack[-1].texts[name] = "".join(self._text)
             self._text = None
-        elif self._setting is not None and len(self._open) == 2:
+        elif self._setting is not None and self.depth == 2:
             self._setting = None
-        self._open.pop()
 
     def text(self, text: str) -> None:
         if self._text is not None:
             self._text.append(text)
+
+
+def _refuse_doctype(*_arguments: object) -> None:
+    raise NotADrawing("lightburn.doctype")

@@ -10,20 +10,19 @@ from __future__ import annotations
 
 import math
 
-from knifetip.drawing_builder.assemble import KnownUnit, assemble
+from knifetip.drawing_builder.assemble import KnownUnit
 from knifetip.drawing_builder.columns import Style
-from knifetip.drawing_builder.paths import columns
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.drawing_builder.shape_paths import Shape, ShapePaths
-from knifetip.errors import KnifetipError, NotADrawing
+from knifetip.errors import NotADrawing
 from knifetip.formats.limits import Limits
+from knifetip.formats.refusals import refuse_unexpected
 from knifetip.geometry.affine import Matrix, compose
 from knifetip.lightburn.layers import Layers
 from knifetip.lightburn.outlines import InvalidShape, Outlines, parse_matrix
 from knifetip.lightburn.project import Project, ProjectShape, parse_project
 from knifetip.messages import Message
 from knifetip.model.drawing import Annotation, Drawing
-from knifetip.model.unit import factor
 
 
 def read(
@@ -58,9 +57,7 @@ def read(
     NoSuchUnit
         ``unit`` is not a unit.
     """
-    millimetres = factor(unit) if unit else 1.0
-    limits.admit(len(data))
-    try:
+    with refuse_unexpected(data, unit, limits, "LightBurn"):
         project = parse_project(data, limits)
         if not project.shapes:
             raise NotADrawing("lightburn.empty")
@@ -68,23 +65,8 @@ def read(
         for one in project.shapes:
             reader.add(one, reader.root)
         reader.add_areas()
-        segments = columns(
-            reader.report,
-            reader.paths.table(),
-            reader.paths.paths(),
-            millimetres,
-            limits,
-            "LightBurn",
-        )
-        source = Message("unit.given" if unit else "unit.lightburn")
-        known = KnownUnit(millimetres, unit or "mm", source, "mm")
-        return assemble(reader.report, segments, reader.paths.styles, reader.annotations, known)
-    except KnifetipError:
-        raise
-    except (ValueError, ArithmeticError, LookupError) as error:
-        raise NotADrawing(
-            "reading.unexpected", reason=type(error).__name__, format="LightBurn"
-        ) from error
+        known = KnownUnit.choose(unit, "mm", Message("unit.lightburn"))
+        return reader.paths.drawing(reader.report, reader.annotations, known)
 
 
 class _ShapeReader:
@@ -105,14 +87,9 @@ class _ShapeReader:
     def add(self, one: ProjectShape, outer: Matrix, broken: Message | None = None) -> None:
         """Add a shape, or all shapes of a group.
 
-        Parameters
-        ----------
-        one
-            The shape.
-        outer
-            Matrix of the groups that contain the shape.
-        broken
-            Reason why the position of a group that contains the shape is not known.
+        ``one``: the shape.
+        ``outer``: matrix of the groups that contain the shape.
+        ``broken``: reason why the position of a group that contains the shape is not known.
         """
         matrix = outer
         try:

@@ -2,8 +2,8 @@
 
 ``catalogue`` has one module for each area of knifetip, such as ``cleaning`` or ``job``; it contains
 the code, English text, hint and types of the arguments of each message.  ``codes`` and ``english``
-contain tables made from the catalogue.  Each further language needs a module with the same tables
-as ``english``.
+contain tables made from the catalogue.  ``german`` has the texts of another language in modules of
+the same names; ``languages`` lists the languages.
 """
 
 from knifetip.messages.characters import printable

@@ -28,6 +28,7 @@ class CleaningReason(IntEnum):
     NO_WORK = 8  #: not cleaned because it is ignored or not classified
     OFF_PANEL = 9  #: dropped, or kept in part; the rest is outside all panels
     NEAR = 10  #: nearly coincides with other edges along its whole length
+    LOOP = 11  #: dropped because it belongs to a loop of short edges at a corner
 
     @property
     def message(self) -> Message:
@@ -47,6 +48,7 @@ _MESSAGES = {
     CleaningReason.NO_WORK: Message("cleaning.as-drawn"),
     CleaningReason.OFF_PANEL: Message("cleaning.off-panel"),
     CleaningReason.NEAR: Message("cleaning.near"),
+    CleaningReason.LOOP: Message("cleaning.loop"),
 }
 
 
@@ -145,6 +147,8 @@ class Cleaned:
         match CleaningReason(self.reason[row]):
             case CleaningReason.SPECK:
                 return Message("cleaning.dropped-speck", length=self.dropped[row])
+            case CleaningReason.LOOP:
+                return Message("cleaning.loop")
             case CleaningReason.NO_WORK:
                 return Message("cleaning.no-work")
             case CleaningReason.TWICE:

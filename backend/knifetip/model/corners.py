@@ -2,50 +2,67 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass
-from typing import Any, Final
+from typing import Annotated, Final, Literal, get_args
 
+from pydantic import Field
+
+from knifetip.fields import LISTED, Table
+
+_Type = Literal["B", "C", "D", "auto"]
 #: Corner types; a code in a column is an index into this tuple.
-TYPES: Final = ("B", "C", "D", "auto")
+TYPES: Final[tuple[str, ...]] = get_args(_Type)
 #: Code in a column: the corner has the corner type of its operation.
 AS_OTHERS: Final = 255
-#: Reaction if a cutter does not fit: leave the area uncut, or refuse the job.
-INTERFERENCES: Final = ("trim", "refuse")
+CornerType = Annotated[_Type, LISTED]
+CornerParameter = Annotated[
+    float, Field(gt=0.0, lt=1.0, description="Parameter k of type D: 0 is like B, 1 is like C")
+]
 
 
-@dataclass(frozen=True, slots=True)
-class CornerAt:
-    """The corner type of one corner, which is identified by its position in the drawing."""
+class CornerAt(Table):
+    """Corner type of one corner, which is selected by its position."""
 
-    x: float  #: mm
-    y: float  #: mm
-    type: str  #: one of ``TYPES``
-    k: float | None = None  #: parameter of type D; None: the parameter of the job
+    x: float = Field(
+        description="X in the drawing (mm); the point must be within 0.5 mm of a corner"
+    )
+    y: float = Field(
+        description="Y in the drawing (mm); the point must be within 0.5 mm of a corner"
+    )
+    type: CornerType = Field(
+        description="Corner type of this corner; auto: the type that is fastest on the machine"
+    )
+    k: CornerParameter | None = Field(
+        default=None,
+        description="Parameter k of this corner, if it has type D; null for the `k` of the job",
+    )
 
 
-@dataclass(frozen=True, slots=True)
-class Corners:
-    """Corner types of a job: one for all corners, and exceptions for single corners."""
+class Corners(Table):
+    """Types of the outer corners of a job.
 
-    type: str = "auto"  #: one of ``TYPES``
-    k: float = 0.5  #: parameter of type D, from 0 (like B) to 1 (like C)
-    interference: str = "trim"  #: one of ``INTERFERENCES``
-    at: tuple[CornerAt, ...] = ()  #: corners with a type of their own
-    placement: tuple[float, float] = (0.0, 0.0)  #: offset of the drawing on the sheet (mm)
+    At an outer corner the cutter or laser stays on the waste side of the contour and so moves
+    around the corner.  The type is the shape of this path.  Type B is an arc.  Type C consists of
+    straight lines with a stop at each bend.  Type D consists of a line, an arc and a line.
+    ``auto`` chooses for each corner the type that is fastest on the machine.
+    """
 
-    def as_json(self) -> dict[str, Any]:
-        """Return the corner types as JSON data, with positions in coordinates of the drawing."""
-        plain = asdict(self)
-        del plain["placement"]
-        return plain
-
-    @classmethod
-    def from_json(cls, plain: Mapping[str, Any]) -> Corners:
-        """Return the corner types from JSON data that ``as_json`` made."""
-        return cls(
-            plain["type"],
-            plain["k"],
-            plain["interference"],
-            tuple(CornerAt(one["x"], one["y"], one["type"], one["k"]) for one in plain["at"]),
-        )
+    type: CornerType = Field(
+        default="auto",
+        description="Type of all corners that are not in `at`; auto: for each corner the type "
+        "that is fastest on the machine",
+    )
+    k: CornerParameter = Field(
+        default=0.5,
+        description="Parameter k of corners of type D, between 0 (like type B) and 1 (like type C)",
+    )
+    interference: Annotated[Literal["trim", "refuse"], LISTED] = Field(
+        default="trim",
+        description="What happens if the cutter does not fit into a place: trim leaves the area "
+        "uncut, refuse refuses the job",
+    )
+    at: tuple[CornerAt, ...] = Field(
+        default=(),
+        strict=False,  # JSON has lists
+        max_length=1000,
+        description="Corners with a type of their own; empty if there are none",
+    )

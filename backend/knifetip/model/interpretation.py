@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.geometry.columns import U8
-from knifetip.model.choices import Choices
+from knifetip.model.job_options import JobOptions
 
 #: In a column of overrides: the edge keeps the line type of its classification.
 NO_OVERRIDE: Final = 255
@@ -16,7 +16,7 @@ NO_OVERRIDE: Final = 255
 
 @dataclass(frozen=True, slots=True)
 class Interpretation:
-    """The user's decisions about a drawing: unit, profile, overrides, and choices for a job.
+    """The user's decisions about a drawing: unit, profile, overrides, and options of a job.
 
     An override is a line type that the user has set for one edge.  The record contains only plain
     data, so that it can be stored and sent to another process.
@@ -27,9 +27,9 @@ class Interpretation:
     rules: str = ""  #: TOML text of a customer's profile; "" for a profile of the library
     #: one byte per edge, ``NO_OVERRIDE`` or a LineType; b"" if no edge is overridden
     overrides: bytes = b""
-    choices: Choices = field(
-        default_factory=Choices
-    )  #: corner types, sheet and height of turns of a job
+    options: JobOptions = field(default_factory=JobOptions)  #: options of a job
+    #: answers from earlier drawings of the customer, see ``customer_answers.learned_text``
+    learned: str = ""
 
     @property
     def override_column(self) -> U8 | None:

@@ -165,6 +165,7 @@ class Machine:
     #: least and greatest feed override that a person may choose while a program runs (%)
     feed_override: tuple[int, int] = (10, 200)
     arcs: str = "arcs"  #: ``chords`` if programs must not contain arcs, otherwise ``arcs``
+    max_caliper: float = 0.0  #: greatest thickness of a board (mm); 0 for no limit
 
     @property
     def carriages(self) -> tuple[Carriage, ...]:
@@ -236,6 +237,16 @@ class Machine:
         limited = [_limited(station, board) for station in self.stations]
         stations = tuple(sorted(limited, key=lambda station: not suits(station.tool, board)))
         return self if stations == self.stations else replace(self, stations=stations)
+
+    def at_feed(self, factor: float) -> Machine:
+        """Return the machine with the feeds of its tools multiplied by a factor."""
+        if factor == 1.0:
+            return self
+        stations = []
+        for station in self.stations:
+            tool: Any = station.tool
+            stations.append(replace(station, tool=replace(tool, feed=factor * tool.feed)))
+        return replace(self, stations=tuple(stations))
 
     def carriage_of(self, station: Station) -> Carriage:
         """Return the carriage that carries a station."""

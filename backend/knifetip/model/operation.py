@@ -45,7 +45,8 @@ class Operation:
     tool: Tool
     station: int  #: number of the station in the T word
     #: (n, passes) depth of each pass below the top face of the board (mm); a knife makes only the
-    #: first of these passes, and the next ones are operations of their own
+    #: first of these passes, and the next ones are operations of their own; a cutter makes those
+    #: that are not NaN
     depth: F64
     caliper: float  #: thickness of the board (mm)
     clearance: float  #: height of the tip above the board where plunging begins (mm)
@@ -81,6 +82,10 @@ class Operation:
     obstacles: Paths = NO_PATHS
     #: (p,) segment with which a closed path should begin (``ContourStarts``); (0,) for any
     begin: I32 = field(default_factory=lambda: np.zeros(0, np.int32))
+    #: (p,) segment with which a closed path must begin, at its start for a knife and in its middle
+    #: for a cutter; -1 where the user has chosen no start; (0,) if there is none, see ``starts``
+    fixed: I32 = field(default_factory=lambda: np.zeros(0, np.int32))
+    one_way: bool = False  #: the paths must be cut from their start to their end
     #: (n,) whether a cutter may begin and end a closed path in each segment; default all
     endable: Bool = field(default_factory=lambda: np.zeros(0, np.bool_))
 
@@ -100,7 +105,15 @@ class Operation:
         put(self, "bridges", freeze(self.bridges, np.float64, -1, 2))
         put(self, "source", freeze(self.source, np.int32, count))
         put(self, "begin", freeze(self.begin, np.int32, -1))
+        put(self, "fixed", freeze(self.fixed, np.int32, -1))
         put(self, "endable", freeze(endable, np.bool_, count))
+
+    @property
+    def starts(self) -> I32:
+        """Segment with which each closed path must begin, (p,); -1 for the planner's choice."""
+        if len(self.fixed):
+            return self.fixed
+        return np.full(len(self.paths), -1, np.int32)
 
     def with_paths(self, kept: I32) -> Operation:
         """Return the operation with selected paths only; ``kept`` are their indices, ascending.
@@ -111,6 +124,9 @@ class Operation:
         begin = self.begin
         if len(begin):
             begin = np.searchsorted(rows, begin[kept]).astype(np.int32)
+        fixed = self.fixed
+        if len(fixed):
+            fixed = np.where(fixed < 0, -1, np.searchsorted(rows, fixed))[kept]
         return replace(
             self,
             paths=paths,
@@ -123,5 +139,6 @@ class Operation:
             k_at=self.k_at[rows],
             corner_at=self.corner_at[rows],
             begin=begin,
+            fixed=fixed,
             endable=self.endable[rows],
         )

@@ -2,45 +2,52 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any
+from typing import Annotated
+
+from pydantic import Field, model_validator
+
+from knifetip.fields import Table, field_error
+
+SheetSize = Annotated[float, Field(gt=0.0, le=10_000.0)]
 
 
-@dataclass(frozen=True, slots=True)
-class Sheet:
-    """A sheet that was cut to size before the job, so that no board lies outside its outline.
+class Sheet(Table):
+    """A sheet that was cut to size before the job.
 
-    The sheet is a rectangle if ``width`` and ``height`` are greater than 0.  If both are 0, it was
-    cut to the outline of the drawing: to the outer contours of the cuts.
+    No board lies outside it, so tools turn without a lift beside it.  The sheet is a rectangle if
+    it has a size.  Without a size, it was cut to the outline of the drawing.
     """
 
-    width: float = 0.0  #: along X (mm)
-    height: float = 0.0  #: along Y (mm)
-    #: distance of the drawing from the left and from the lower edge of a rectangle (mm)
-    margin: float = 0.0
+    width: SheetSize | None = Field(
+        default=None,
+        description="Size along X (mm); null for a sheet that was cut to the outline of the "
+        "drawing",
+    )
+    height: SheetSize | None = Field(
+        default=None, description="Size along Y (mm); null exactly if `width` is null"
+    )
+    margin: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=10_000.0,
+        description="Distance of the drawing from the left and from the lower edge of the sheet "
+        "(mm); 0 for a sheet without a size",
+    )
+
+    @model_validator(mode="after")
+    def _whole(self) -> Sheet:
+        if (self.width is None) != (self.height is None) or (self.width is None and self.margin):
+            raise field_error("field.sheet-size")
+        return self
 
     @property
-    def is_rectangle(self) -> bool:
-        """Whether the sheet is a rectangle, and not cut to the outline of the drawing."""
-        return self.width > 0.0
+    def size(self) -> tuple[float, float] | None:
+        """Width and height (mm); None if the sheet was cut to the outline of the drawing."""
+        return None if self.width is None or self.height is None else (self.width, self.height)
 
     @property
     def note(self) -> str:
         """The sheet as a comment for the head of a program."""
-        if not self.is_rectangle:
+        if self.size is None:
             return "sheet cut to the outline of the drawing"
-        return f"sheet {self.width:g} x {self.height:g} margin {self.margin:g}"
-
-    def as_json(self) -> dict[str, Any]:
-        """Return the sheet as JSON data; the size is null if the sheet is no rectangle."""
-        return {
-            "width": self.width or None,
-            "height": self.height or None,
-            "margin": self.margin,
-        }
-
-    @classmethod
-    def from_json(cls, plain: Mapping[str, Any]) -> Sheet:
-        """Return the sheet from JSON data that ``as_json`` made."""
-        return cls(plain["width"] or 0.0, plain["height"] or 0.0, plain["margin"])
+        return f"sheet {self.size[0]:g} x {self.size[1]:g} margin {self.margin:g}"

@@ -45,6 +45,7 @@ class Toolpath:
     track: I32  #: (n,) number of the track, -1 between tracks
     #: what the moves leave out or change as planned, such as the type of a corner
     notes: tuple[Message, ...] = ()
+    one_way: bool = False  #: the tracks must be run from their start to their end
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -63,7 +64,8 @@ class Toolpath:
 
         ``columns`` are the arrays by the names of the fields.  They become read-only.
         """
-        return cls(**{name: hand_over(column) for name, column in columns.items()}, notes=notes)
+        owned: dict[str, Any] = {name: hand_over(column) for name, column in columns.items()}
+        return cls(**owned, notes=notes)
 
     def __len__(self) -> int:
         return len(self.bulge)

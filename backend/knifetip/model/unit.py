@@ -46,8 +46,9 @@ def factor(unit: str) -> float:
 class UnitHint:
     """A setting in the header of a file that makes one unit likely, without naming the unit."""
 
-    #: "metric", "imperial", "inches", "pixels", or "shown × 25.4": the factor between
-    #: lengths and the values that dimensions show
+    #: "metric", "imperial", "inches", "pixels", "written in mm" and "modelled in mm" by the program
+    #: that wrote the file, or "shown × 25.4": the factor between lengths and the values that
+    #: dimensions show
     kind: str
     message: Message  #: the setting, as it is in the file
 

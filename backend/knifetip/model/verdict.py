@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import Final
 
 import numpy as np
 
 from knifetip.geometry.columns import F64, I32, freeze
 from knifetip.messages import Message, render
+from knifetip.model.edge_figures import EDGE_FIGURES
 
 
 class Severity(StrEnum):
@@ -22,29 +22,6 @@ class Severity(StrEnum):
     SHORTFALL = "shortfall"
     #: The program leaves out or changes something as planned.  It is not refused.
     NOTE = "note"
-
-
-#: Columns of a verdict with one row per edge.
-EDGE_COLUMNS: Final = (
-    "deviation",
-    "path_deviation",
-    "blending",
-    "fit_error",
-    "overcut",
-    "uncut",
-    "setback",
-    "width",
-    "web",
-    "flank",
-    "unreached",
-    "bottom_uncut",
-    "top_overcut",
-    "unreached_distance",
-    "slit_length",
-    "tidied",
-)
-#: Those of these columns that the verifier always measures; the others are 0 if they are empty.
-_REQUIRED: Final = ("deviation", "overcut", "uncut", "setback")
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,7 +131,8 @@ class Unreached:
 class Verdict:
     """The verifier's verdict on a program: accepted or refused, with findings and measurements.
 
-    The measurements, such as the deviation, have one value for each of n edges.
+    The measurements, such as the deviation, have one value for each of n edges: the columns that
+    ``EDGE_FIGURES`` describes.
     """
 
     accepted: bool
@@ -194,8 +172,8 @@ class Verdict:
         put = object.__setattr__
         put(self, "deviation", freeze(self.deviation, np.float64, -1))
         rows = len(self.deviation)
-        for name in EDGE_COLUMNS:
+        for name, figure in EDGE_FIGURES.items():
             column = getattr(self, name)
-            if name not in _REQUIRED and len(column) == 0:
+            if not figure.is_always_measured and len(column) == 0:
                 column = np.zeros(rows)
             put(self, name, freeze(column, np.float64, rows))

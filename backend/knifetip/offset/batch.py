@@ -86,20 +86,12 @@ def offset_on_all_cores(
 def _split_groups(first: I32, member: I32, group_first: I32, number: int) -> list[I32]:
     """Split the groups of paths into at most ``number`` runs with nearly equal numbers of segments.
 
-    Parameters
-    ----------
-    first : (p + 1,)
-        First segment of each path.
-    member : (p,)
-        Path numbers in the order of their groups.
-    group_first : (g + 1,)
-        Position in ``member`` at which each group begins; the last entry is p.
-
-    Returns
-    -------
-    list of arrays
-        For each run, the positions in ``member`` at which its groups begin, then the end of its
-        last group.
+    ``first`` (p + 1,): first segment of each path.
+    ``member`` (p,): path numbers in the order of their groups.
+    ``group_first`` (g + 1,): position in ``member`` at which each group begins; the last entry is
+    p.
+    Returns list of arrays: for each run, the positions in ``member`` at which its groups begin,
+    then the end of its last group.
     """
     segments_before = np.append(0, np.cumsum(np.diff(first)[member]))[group_first]
     count = int(min(number, segments_before[-1] // _MIN_SEGMENTS, len(group_first) - 1))

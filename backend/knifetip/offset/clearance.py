@@ -72,17 +72,11 @@ def _in_transition(
     A transition is the path of the tool's centre round a corner.  It consists of two or three lines
     (corner type C), or of a line, an arc and a line (corner type D).
 
-    Parameters
-    ----------
-    kind, k
-        Corner type, and the parameter k of type D: from 0 (one arc) to 1 (lines only).
-    table, row_before, row_after
-        Table of the segments that were moved by the tool radius, and its rows for the segments
-        before and after the corner.
-    vx, vy : mm
-        Position of the point relative to the corner's vertex.
-    signed : mm
-        Radius of the tool, positive left of travel.
+    ``kind``, ``k``: corner type, and the parameter k of type D: from 0 (one arc) to 1 (lines only).
+    ``table``, ``row_before``, ``row_after``: table of the segments that were moved by the tool
+    radius, and its rows for the segments before and after the corner.
+    ``vx``, ``vy`` mm: position of the point relative to the corner's vertex.
+    ``signed`` mm: radius of the tool, positive left of travel.
     """
     u1x = table[row_before, U2X]
     u1y = table[row_before, U2Y]

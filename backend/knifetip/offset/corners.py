@@ -200,14 +200,9 @@ def _contact_point(
 
     Coordinates are relative to the corner (mm).
 
-    Parameters
-    ----------
-    gx, gy : mm
-        Centre of the disc, on the line or circle of the moved segment.
-    table, row
-        Moved segments, and the row of the segment.
-    ux, uy
-        Unit tangent of the segment at the corner.
+    ``gx``, ``gy`` mm: centre of the disc, on the line or circle of the moved segment.
+    ``table``, ``row``: moved segments, and the row of the segment.
+    ``ux``, ``uy``: unit tangent of the segment at the corner.
     """
     radius = table[row, RADIUS]
     if radius == 0.0:

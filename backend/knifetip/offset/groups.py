@@ -81,24 +81,15 @@ def _copy_paths(
     Stops at the first path that has a segment without length or with a coordinate that is not a
     number.  Paths without segments are omitted.
 
-    Parameters
-    ----------
-    contours, paths
-        Input contours, and the indices in them of the paths to append.
-    segments
-        Scratch rows for the moved segments of one path.
-    out, segment_count
-        Columns for the segments of all offsets, and the number of segments written before.
-    chains, chain_count
-        Columns for the chains of all offsets, and the number of chains written before.
-
-    Returns
-    -------
-    segment_count, chain_count
-        Number of segments and number of chains written so far, including those before the call.
-    code, segment
-        ``NO_FAILURE`` or another failure code of ``raw_segments``, and the contour segment that
-        failed.
+    ``contours``, ``paths``: input contours, and the indices in them of the paths to append.
+    ``segments``: scratch rows for the moved segments of one path.
+    ``out``, ``segment_count``: columns for the segments of all offsets, and the number of segments
+    written before.
+    ``chains``, ``chain_count``: columns for the chains of all offsets, and the number of chains
+    written before.
+    Returns segment_count, chain_count: number of segments and number of chains written so far,
+    including those before the call; code, segment: ``NO_FAILURE`` or another failure code of
+    ``raw_segments``, and the contour segment that failed.
     """
     for path in paths:
         low, high = contours.first[path], contours.first[path + 1]
@@ -138,14 +129,11 @@ def _copy_region(
 
     The chains of the region are appended in the order of their paths.
 
-    Parameters
-    ----------
-    region
-        Offset of one region, as connected chains of segments.
-    out, segment_count
-        Columns for the segments of all offsets, and the number of segments written before.
-    chains, chain_count
-        Columns for the chains of all offsets, and the number of chains written before.
+    ``region``: offset of one region, as connected chains of segments.
+    ``out``, ``segment_count``: columns for the segments of all offsets, and the number of segments
+    written before.
+    ``chains``, ``chain_count``: columns for the chains of all offsets, and the number of chains
+    written before.
     """
     line, tag, bounds = region.line, region.tag, region.bounds
     for c in np.argsort(tag[bounds[: region.chains], 2], kind="mergesort"):

@@ -153,18 +153,10 @@ def _offset(
 ) -> tuple[OffsetPaths | None, tuple[int, int, int, float]]:
     """Return the offset of n segments, None if it failed, and the failure.
 
-    Parameters
-    ----------
-    requested, k : (n,) each, or (1,) each for type B at all corners
-        Types of the transitions, and the parameter k of type D.
-
-    Returns
-    -------
-    offset
-        The offset, or None.
-    failure
-        Failure code, the two contour segments concerned, and the depth by which the tool would cut
-        into the contour (mm).
+    ``requested``, ``k`` (n,) each, or (1,) each for type B at all corners: types of the
+    transitions, and the parameter k of type D.
+    Returns offset: the offset, or None; failure: failure code, the two contour segments concerned,
+    and the depth by which the tool would cut into the contour (mm).
     """
     kinds = requested.copy()
     start, end, bulge, source, inserted, first, owner, unreached, failure = offset_on_all_cores(
@@ -193,24 +185,11 @@ def _broadcast(values: ArrayLike, count: int, dtype: Any) -> Any:
 def _order_by_group(group: ArrayLike | None, signed: F64) -> tuple[I32, I32]:
     """Order the paths by group.
 
-    Parameters
-    ----------
-    group : (p,)
-        Number of the group of each path, or None if each path is a group.
-    signed : (p,) mm
-        Signed radius for each path.
-
-    Returns
-    -------
-    member : (p,)
-        Path numbers in the order of their groups.
-    group_first : (g + 1,)
-        Position in ``member`` at which each group begins; the last entry is p.
-
-    Raises
-    ------
-    GeometryError
-        The paths of a group have different radii or sides.
+    ``group`` (p,): number of the group of each path, or None if each path is a group.
+    ``signed`` (p,) mm: signed radius for each path.
+    Returns ``member`` (p,): path numbers in the order of their groups; ``group_first`` (g + 1,):
+    position in ``member`` at which each group begins; the last entry is p.
+    Raises ``GeometryError``: the paths of a group have different radii or sides.
     """
     count = len(signed)
     if group is None:
@@ -231,16 +210,11 @@ def _failure_error(
 ) -> GeometryError | CompensationError:
     """Return the exception for a failure of the offset kernels.
 
-    Parameters
-    ----------
-    failure
-        Failure code, the two contour segments concerned, and the depth by which the tool would cut
-        into the contour (mm).  The code is a constant of ``raw_segments`` other than
-        ``NO_FAILURE``.
-    radius : (p,) mm
-        Radius of the tool for each path.
-    paths
-        The input paths.
+    ``failure``: failure code, the two contour segments concerned, and the depth by which the tool
+    would cut into the contour (mm).  The code is a constant of ``raw_segments`` other than
+    ``NO_FAILURE``.
+    ``radius`` (p,) mm: radius of the tool for each path.
+    ``paths``: the input paths.
     """
     code, row, other, depth = failure
     if code == NO_LENGTH:

@@ -50,14 +50,9 @@ def _sort_spatially(start: F64_2, first: I32_1, member: I32_1) -> Any:
 
     The order is that of a Z-order curve; a tree of bounding boxes in this order is searched fast.
 
-    Parameters
-    ----------
-    start : (n, 2) mm
-        Start points of the segments of all paths.
-    first
-        First segment of each path.
-    member : (c,)
-        Numbers of the paths of the region.
+    ``start`` (n, 2) mm: start points of the segments of all paths.
+    ``first``: first segment of each path.
+    ``member`` (c,): numbers of the paths of the region.
     """
     count = len(member)
     if count <= NODE_SIZE:
@@ -147,16 +142,10 @@ def _write_trimmed(
 ) -> int:
     """Append the segments of a trimmed path to ``raw``, and return the next free row of ``raw``.
 
-    Parameters
-    ----------
-    trimmed, count
-        Columns of the trimmed path, and the number of its segments.
-    closed
-        Whether the path is closed.
-    next_row
-        First row of ``raw`` to write.
-    m
-        Number of the path in the region.
+    ``trimmed``, ``count``: columns of the trimmed path, and the number of its segments.
+    ``closed``: whether the path is closed.
+    ``next_row``: first row of ``raw`` to write.
+    ``m``: number of the path in the region.
     """
     for r in range(count):
         raw.rows[next_row, 0] = trimmed.start[r, 0]

@@ -49,7 +49,7 @@ from knifetip.offset.records import (
     ResultChains,
 )
 from knifetip.offset.self_contact import Scratch, any_segments_meet
-from knifetip.offset.slices import find_cuts, follow_pieces, link_chains, split_rows
+from knifetip.offset.slices import drop_copies, find_cuts, follow_pieces, link_chains, split_rows
 from knifetip.offset.swept_area import area_under_edge, area_under_path
 
 #: Positions on a piece at which its distance from the contours is tested, as fractions of its
@@ -76,14 +76,9 @@ def _build_tree(rows: F64_2, count: int) -> BoxTree:
 def _failure(code: int, row: int, other_row: int, depth: float) -> RegionOffset:
     """Return the ``RegionOffset`` of a region that could not be offset.
 
-    Parameters
-    ----------
-    code
-        Failure code, a constant of ``raw_segments``.
-    row, other_row
-        The two contour segments concerned.
-    depth : mm
-        Depth by which the tool would cut into the contour.
+    ``code``: failure code, a constant of ``raw_segments``.
+    ``row``, ``other_row``: the two contour segments concerned.
+    ``depth`` mm: depth by which the tool would cut into the contour.
     """
     line = np.empty((0, 5))
     tag = np.empty((0, 4), np.int64)
@@ -112,35 +107,21 @@ def _select_pieces(
 ) -> tuple[int, int, float]:
     """Write to ``good`` whether each piece is valid: not nearer to a contour than the radius.
 
-    Parameters
-    ----------
-    contours, paths, corners
-        Input contours, the paths of the region, and the corners of the region.
-    raw, follow
-        The rows of which the pieces are parts, and the successor of each row.
-    pieces, count
-        The pieces, and the number of pieces.
-    touched
-        Whether each row is split exactly at its start, and exactly at its end.
-    source, origin
-        Indices and coordinates of the region's contour segments.
-    signed : mm
-        Radius of the tool, positive left of travel.
-    refuse
-        Whether to find the position at which the tool would cut deepest into a contour.
-    lost
-        A contour segment that has no offset, or -1.
-    stack
-        Scratch array for the search of a tree.
-    good : (count,)
-        Receives the mask of valid pieces.
-
-    Returns
-    -------
-    row, other_row, depth
-        Of use only if ``refuse`` is true: the contour segment along which the tool, at one
-        position, would cut deepest into a contour; the contour segment into which it would cut
-        there; and the depth of this cut (mm).  They are -1, -1 and 0 if the tool fits everywhere.
+    ``contours``, ``paths``, ``corners``: input contours, the paths of the region, and the corners
+    of the region.
+    ``raw``, ``follow``: the rows of which the pieces are parts, and the successor of each row.
+    ``pieces``, ``count``: the pieces, and the number of pieces.
+    ``touched``: whether each row is split exactly at its start, and exactly at its end.
+    ``source``, ``origin``: indices and coordinates of the region's contour segments.
+    ``signed`` mm: radius of the tool, positive left of travel.
+    ``refuse``: whether to find the position at which the tool would cut deepest into a contour.
+    ``lost``: a contour segment that has no offset, or -1.
+    ``stack``: scratch array for the search of a tree.
+    ``good`` (count,): receives the mask of valid pieces.
+    Returns row, other_row, depth: of use only if ``refuse`` is true: the contour segment along
+    which the tool, at one position, would cut deepest into a contour; the contour segment into
+    which it would cut there; and the depth of this cut (mm).  They are -1, -1 and 0 if the tool
+    fits everywhere.
     """
     size = abs(signed)
     limit = size - DISTANCE_TOLERANCE
@@ -207,18 +188,11 @@ def _replace_obstructed(
     with another segment of the offset, or is nearer to a contour than the tool's radius.  Without
     the change, parts of the transition or parts of other offset segments would be left out.
 
-    Parameters
-    ----------
-    raw
-        The segments of the region, which the pieces are parts of.
-    pieces, count
-        The pieces, and the number of pieces.
-    touched
-        Whether each row of ``raw`` is split exactly at its start, and exactly at its end.
-    good : (count,)
-        Whether each piece keeps the tool's radius from all contours.
-    corners
-        Types of the transitions; changed in place.
+    ``raw``: the segments of the region, which the pieces are parts of.
+    ``pieces``, ``count``: the pieces, and the number of pieces.
+    ``touched``: whether each row of ``raw`` is split exactly at its start, and exactly at its end.
+    ``good`` (count,): whether each piece keeps the tool's radius from all contours.
+    ``corners``: types of the transitions; changed in place.
     """
     changed = False
     for q in range(count):
@@ -246,25 +220,14 @@ def _swept_area(
 
     A chain is torn if it is open although it comes from a closed path; then no area is computed.
 
-    Parameters
-    ----------
-    contours, paths
-        Input contours, and the paths of the region.
-    signed : mm
-        Radius of the tool, positive left of travel.
-    out, chains
-        Segments of the chains, which are paths of the tool's centre, and the number of chains.
-    scratch
-        Scratch arrays.
-
-    Returns
-    -------
-    swept : mm²
-        Twice the signed area, summed over all chains; 0 if a chain is torn.
-    overlaps
-        Whether a part of the area is counted twice.
-    torn, length
-        Index of the first torn chain, and its length (mm); -1 and 0 if no chain is torn.
+    ``contours``, ``paths``: input contours, and the paths of the region.
+    ``signed`` mm: radius of the tool, positive left of travel.
+    ``out``, ``chains``: segments of the chains, which are paths of the tool's centre, and the
+    number of chains.
+    ``scratch``: scratch arrays.
+    Returns ``swept`` mm²: twice the signed area, summed over all chains; 0 if a chain is torn;
+    overlaps: whether a part of the area is counted twice; torn, length: index of the first torn
+    chain, and its length (mm); -1 and 0 if no chain is torn.
     """
     line, tag, bounds, ring = out
     count = len(paths.member)
@@ -399,6 +362,10 @@ def offset_region(
     )
     chains = link_chains(raw, pieces, good, piece_count, out)
     swept, overlaps, torn, length = _swept_area(contours, paths, signed, out, chains, scratch)
+    if torn >= 0 and drop_copies(raw.rows, pieces, good, piece_count):
+        follow_pieces(pieces, follow, good, piece_count)
+        chains = link_chains(raw, pieces, good, piece_count, out)
+        swept, overlaps, torn, length = _swept_area(contours, paths, signed, out, chains, scratch)
     if torn >= 0:
         return _failure(NOT_CLOSED, out.tag[out.bounds[torn], 0], 0, length)
     unreached = 0.5 * (path_area - swept)

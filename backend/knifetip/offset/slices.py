@@ -10,13 +10,14 @@ from typing import Any, Final
 
 import numpy as np
 
-from knifetip.geometry.intersect import TOUCH, intersect_rows
+from knifetip.geometry.intersect import TOUCH, intersect_rows, point_at_parameter
 from knifetip.geometry.spatial_index.box_tree import BoxTree, next_overlap, start_query
 from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.kernels import (
     F64_2,
     I64_1,
     Bool_1,
+    OutBool_1,
     OutF64_2,
     OutI64_2,
     kernel,
@@ -283,6 +284,48 @@ def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int)
 
 
 @kernel
+def drop_copies(rows: F64_2, pieces: JoinedPieces, good: OutBool_1, count: int) -> bool:
+    """Mark valid pieces that lie on other valid pieces as invalid; return whether there are any.
+
+    Where two contours meet at a corner, the tool goes round both corners on one arc.  Of two equal
+    pieces with the same direction, the first one remains.
+
+    Parameters
+    ----------
+    rows : (m, 5)
+        The segments of which the pieces are parts: x0, y0, x1, y1, bulge.
+    pieces
+        The pieces.
+    good, count
+        Whether each piece is valid, and the number of pieces; copies are marked in place.
+    """
+    piece, owner = pieces.piece, pieces.owner
+    near = 10.0 * MIN_PIECE
+    valid = np.flatnonzero(good[:count])
+    order = valid[np.argsort(piece[valid, 0], kind="mergesort")]
+    found = False
+    for place in range(len(order)):
+        q = order[place]
+        if not good[q]:
+            continue
+        for later in range(place + 1, len(order)):
+            n = order[later]
+            if piece[n, 0] - piece[q, 0] > near:
+                break
+            apart = 0.0
+            for c in range(4):
+                apart = max(apart, abs(piece[n, c] - piece[q, c]))
+            if not good[n] or apart > near:
+                continue
+            x, y = point_at_parameter(rows, owner[q], 0.5 * (piece[q, 4] + piece[q, 5]))
+            to_x, to_y = point_at_parameter(rows, owner[n], 0.5 * (piece[n, 4] + piece[n, 5]))
+            if math.hypot(to_x - x, to_y - y) <= near:
+                good[n] = False
+                found = True
+    return found
+
+
+@kernel
 def link_chains(
     raw: RawRows, pieces: JoinedPieces, good: Bool_1, count: int, out: ResultChains
 ) -> int:
@@ -361,24 +404,14 @@ def _finish_chain(
     The function changes ``line`` and ``tag``; the remaining segments are moved to the first rows of
     the chain.
 
-    Parameters
-    ----------
-    rows : (m, 5)
-        The raw rows of which the segments are parts: x0, y0, x1, y1, bulge.
-    line : (r, 5)
-        Segments of all chains: x0, y0, x1, y1, and in the last column the length of the segment as
-        a fraction of its raw row.  The function replaces this fraction by the bulge.
-    tag : (r, 4)
-        For each segment its contour segment, whether it belongs to a transition, its path, and its
-        raw row.
-    low, high
-        The chain has the segments low … high - 1.
-    closed
-        Whether the chain is closed.
-
-    Returns
-    -------
-    Index after the last remaining segment of the chain; ``low`` if no segments remain.
+    ``rows`` (m, 5): the raw rows of which the segments are parts: x0, y0, x1, y1, bulge.
+    ``line`` (r, 5): segments of all chains: x0, y0, x1, y1, and in the last column the length of
+    the segment as a fraction of its raw row.  The function replaces this fraction by the bulge.
+    ``tag`` (r, 4): for each segment its contour segment, whether it belongs to a transition, its
+    path, and its raw row.
+    ``low``, ``high``: the chain has the segments low … high - 1.
+    ``closed``: whether the chain is closed.
+    Returns index after the last remaining segment of the chain; ``low`` if no segments remain.
     """
     done = low
     for r in range(low, high):

@@ -138,18 +138,12 @@ def _write_transitions(
 
     A transition is the path of the tool's centre round a convex corner.
 
-    Parameters
-    ----------
-    kind, k : (m,)
-        ``Corner`` type of each corner, and the parameter of type D, 0 … 1.
-    u1, u2 : (m, 2)
-        Unit tangents into and out of each corner.
-    vertex : (m, 2) mm
-        Vertex of each corner.
-    signed : (m,) mm
-        Radius of the tool, positive left of travel.
-    first : (m + 1,)
-        Gets the index of the first row of each corner, then the total number of rows.
+    ``kind``, ``k`` (m,): ``Corner`` type of each corner, and the parameter of type D, 0 … 1.
+    ``u1``, ``u2`` (m, 2): unit tangents into and out of each corner.
+    ``vertex`` (m, 2) mm: vertex of each corner.
+    ``signed`` (m,) mm: radius of the tool, positive left of travel.
+    ``first`` (m + 1,): gets the index of the first row of each corner, then the total number of
+    rows.
     """
     for i in range(len(kind)):
         next_row = first[i]

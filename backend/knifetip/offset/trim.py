@@ -72,16 +72,10 @@ def _trim_corners(contours: Contours, path: MovedPath) -> tuple[int, int, float,
     corner is written to ``path.segments.joint``.  At a concave corner, the disc of the tool touches
     the two segments of the contour at one contact point each.
 
-    Returns
-    -------
-    code, segment
-        ``NO_FAILURE`` or another failure code of ``raw_segments``, and the contour segment that
-        failed.
-    twice : mm²
-        Twice the area that the tool cannot reach at concave corners, plus twice the area of the
-        sectors of the disc between the two contact points.  ``trim_path`` subtracts the sectors.
-    angle : radians
-        Sum of the angles of these sectors.
+    Returns code, segment: ``NO_FAILURE`` or another failure code of ``raw_segments``, and the
+    contour segment that failed; ``twice`` mm²: twice the area that the tool cannot reach at concave
+    corners, plus twice the area of the sectors of the disc between the two contact points.
+    ``trim_path`` subtracts the sectors; ``angle`` radians: sum of the angles of these sectors.
     """
     low, high, closed, signed, (table, joint), first_row = path
     start = contours.start
@@ -182,20 +176,13 @@ def _write_corner(
 
     The transition is the path of the tool's centre round the corner.
 
-    Parameters
-    ----------
-    contours, i
-        The input contours, and the index of the segment after the corner.
-    table, row_before, row_after
-        Moved segments, and the rows of the segments before and after the corner.
-    signed : mm
-        Radius of the tool, positive left of travel.
-    corners
-        Types of the transitions of all corners.
-    out, next_row
-        Output columns, and the first row of them to write.
-    rows
-        Scratch rows for one transition.
+    ``contours``, ``i``: the input contours, and the index of the segment after the corner.
+    ``table``, ``row_before``, ``row_after``: moved segments, and the rows of the segments before
+    and after the corner.
+    ``signed`` mm: radius of the tool, positive left of travel.
+    ``corners``: types of the transitions of all corners.
+    ``out``, ``next_row``: output columns, and the first row of them to write.
+    ``rows``: scratch rows for one transition.
     """
     if corners.kind[corners.step * i] == 0:
         u1x, u1y = table[row_before, U2X], table[row_before, U2Y]

@@ -56,14 +56,10 @@ def _trim_point(
     than about half its length.  In a very flat corner, where rounding decides how often arcs cross,
     it is the intersection of their tangents.
 
-    Parameters
-    ----------
-    last, next_
-        Contour segments before and after the corner.
-    table, row_before, row_after
-        Moved segments, and the rows in which ``last`` and ``next_`` are.
-    signed : mm
-        Radius of the tool, positive left of travel.
+    ``last``, ``next_``: contour segments before and after the corner.
+    ``table``, ``row_before``, ``row_after``: moved segments, and the rows in which ``last`` and
+    ``next_`` are.
+    ``signed`` mm: radius of the tool, positive left of travel.
     """
     if table[row_before, RADIUS] == 0.0 and table[row_after, RADIUS] == 0.0:
         _, cross, dot = classify_corner(table, row_before, row_after, signed)

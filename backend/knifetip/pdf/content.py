@@ -130,10 +130,7 @@ def _string_end(data: bytes, start: int) -> int:
 
     ``start`` is the index in ``data`` at which the content of the string starts.
 
-    Raises
-    ------
-    TruncatedStream
-        The string is not closed.
+    Raises ``TruncatedStream``: the string is not closed.
     """
     deep = 1
     for match in _IN_STRING.finditer(data, start):
@@ -163,10 +160,7 @@ def _end_of_image(data: bytes, start: int) -> int:
 
     ``start`` is the index after the operator BI, with which the image starts.
 
-    Raises
-    ------
-    TruncatedStream
-        The image has no end.
+    Raises ``TruncatedStream``: the image has no end.
     """
     match = _PICTURE_ENDS.search(data, start)
     if match is None:

@@ -1,7 +1,7 @@
 """document: open a PDF and find its first page.
 
 ``PdfFile`` gives access to the objects of the file and limits their size and the reading time.
-``first_page`` returns the ``Page``.
+``read_page_tree`` returns the ``Page``.
 
 pypdf parses the objects; this module checks the type of each object.  Encrypted files that need a
 password are refused.  Files with a stream that cannot be unpacked to its end are also refused,
@@ -20,7 +20,6 @@ import zlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from itertools import islice
 from typing import Any, Final
 
 from pypdf import PasswordType, PdfReader, apply_configuration
@@ -202,12 +201,8 @@ def limit_pypdf(limits: Limits) -> Iterator[None]:
 def _unpack(data: bytes, max_bytes: int) -> bytes:
     """Return the unpacked content of zlib data.
 
-    Raises
-    ------
-    NotADrawing
-        The data is truncated or damaged.
-    DrawingTooLarge
-        The content is larger than ``max_bytes`` bytes.
+    Raises ``NotADrawing``: the data is truncated or damaged.
+    Raises ``DrawingTooLarge``: the content is larger than ``max_bytes`` bytes.
     """
     stream = zlib.decompressobj()
     try:
@@ -237,47 +232,43 @@ class Page:
     unit: float  #: points in one unit of the page coordinates
 
 
-def first_page(file: PdfFile) -> Page:
-    """Return the first page of a PDF.
+def read_page_tree(file: PdfFile, number: int) -> tuple[Page, list[tuple[int, Page]]]:
+    """Return a page of a PDF, and the other pages with their numbers.
 
-    Raises
-    ------
-    NotADrawing
-        The file has no page.
-    DrawingTooLarge
-        The width or height of the page is larger than the limit of a drawing.
-    """
-    leaf = next(_leaves(file), None)
-    if leaf is None:
-        raise NotADrawing("pdf.no-page")
-    return _page(file, *leaf)
-
-
-def other_pages(file: PdfFile) -> list[Page]:
-    """Return the pages of a PDF after the first page; of a very long file only the first ones.
-
-    Raises
-    ------
-    DrawingTooLarge
-        The width or height of a page is larger than the limit of a drawing.
-    """
-    return [_page(file, *leaf) for leaf in islice(_leaves(file), 1, None)]
-
-
-def _page(file: PdfFile, node: DictionaryObject, inherited: DictionaryObject) -> Page:
-    """Return a page of a PDF.
+    Of a very long file only the first pages are returned.
 
     Parameters
     ----------
     file
         The PDF.
-    node, inherited
-        Dictionary of the page, and the attributes that the page has or inherits.
+    number
+        Number of the page, from 1.
 
     Raises
     ------
+    NotADrawing
+        The file has no such page.
     DrawingTooLarge
-        The width or height of the page is larger than the limit of a drawing.
+        The width or height of a page is larger than the limit of a drawing.
+    """
+    leaves = list(_leaves(file))
+    if not leaves:
+        raise NotADrawing("pdf.no-page")
+    if number > len(leaves):
+        raise NotADrawing("pdf.no-such-page", page=number, pages=len(leaves))
+    chosen = _page(file, *leaves[number - 1])
+    others = [(at, _page(file, *leaf)) for at, leaf in enumerate(leaves, start=1) if at != number]
+    return chosen, others
+
+
+def _page(file: PdfFile, node: DictionaryObject, inherited: DictionaryObject) -> Page:
+    """Return a page of a PDF.
+
+    ``file``: the PDF.
+    ``node``, ``inherited``: dictionary of the page, and the attributes that the page has or
+    inherits.
+    Raises ``DrawingTooLarge``: the width or height of the page is larger than the limit of a
+    drawing.
     """
     unit = number(file.entry(node, "/UserUnit"))
     unit = unit if 0.0 < unit < math.inf else 1.0

@@ -179,12 +179,8 @@ class PageLines:
         the page has a stroke, all fills are kept.  The reasons for dropping paths are written into
         the import report.
 
-        Parameters
-        ----------
-        box : (p, 4)
-            min x, min y, max x and max y of each of the page's p paths (points).
-        on_page : (p,)
-            Mask of the paths that are not outside the page.
+        ``box`` (p, 4): min x, min y, max x and max y of each of the page's p paths (points).
+        ``on_page`` (p,): mask of the paths that are not outside the page.
         """
         strokes = [line.stroke for line in self._lines]
         fills = [line.fill for line in self._lines]

@@ -9,6 +9,7 @@ Source: ISO 32000-1, chapters 7.7.3, 7.8 and 8.10.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 from functools import lru_cache
 from typing import Final
@@ -22,7 +23,7 @@ from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix, compose
 from knifetip.messages import Message
 from knifetip.pdf.content import TruncatedStream
-from knifetip.pdf.document import Page, PdfFile, other_pages
+from knifetip.pdf.document import Page, PdfFile
 from knifetip.pdf.form_sizes import FormSizes
 from knifetip.pdf.layers import Layers
 from knifetip.pdf.page_lines import LayerMark, PageLines
@@ -50,29 +51,45 @@ def read_page(file: PdfFile, page: Page) -> PageLines:
     return reader.drawn
 
 
-def report_other_pages(file: PdfFile, lines: PageLines) -> None:
-    """Add a row to the import report ``lines`` of the first page if the file has other pages.
+def report_other_pages(
+    file: PdfFile, number: int, others: Sequence[tuple[int, Page]], lines: PageLines
+) -> None:
+    """Add a row to the import report ``lines`` of a page if the file has other pages.
 
     The row contains which of the other pages has the most lines, unless the pages are too many or
     too large to be read.
+
+    Parameters
+    ----------
+    file
+        The PDF.
+    number
+        Number of the page that was read.
+    others
+        The other pages with their numbers.
+    lines
+        The page that was read.
     """
-    pages = other_pages(file)
-    if not pages:
+    if not others:
         return
-    reason = Message("import.other-pages", pages=len(pages) + 1)
+    reason = Message("import.other-pages", pages=len(others) + 1, page=number)
     segments: list[int] = []
     bytes_left = _OTHER_PAGES_BYTES
-    # A damaged page is no reason to refuse the first one, and pypdf may raise anything.
+    # A damaged page is no reason to refuse the one that is read, and pypdf may raise anything.
     with suppress(Exception):
-        for page in pages if len(pages) <= _OTHER_PAGES else ():
+        for _, page in others if len(others) <= _OTHER_PAGES else ():
             reader = _PageReader(file, page, bytes_left)
             reader.read_page(page)
             bytes_left -= reader.bytes_read
             segments.append(len(reader.drawn.path.kind))
-    if len(segments) == len(pages) and any(segments):
-        most = max(range(len(pages)), key=segments.__getitem__)
+    if len(segments) == len(others) and any(segments):
+        most = max(range(len(others)), key=segments.__getitem__)
         reason = Message(
-            "import.other-pages-lines", others=len(pages), most=most + 2, lines=segments[most]
+            "import.other-pages-lines",
+            others=len(others),
+            page=number,
+            most=others[most][0],
+            lines=segments[most],
         )
     lines.row("", "page", LayerMark("", ""), reason)
 
@@ -152,10 +169,7 @@ class _PageReader:
     def _check_size(self, size: int) -> None:
         """Add ``size`` bytes to the total size of the content streams that were read.
 
-        Raises
-        ------
-        DrawingTooLarge
-            The total size exceeds the limit.
+        Raises ``DrawingTooLarge``: the total size exceeds the limit.
         """
         self.bytes_read += size
         self._refuse_beyond(self.bytes_read)
@@ -167,19 +181,10 @@ class _PageReader:
     def run(self, data: bytes, state: State, context: StreamContext) -> None:
         """Interpret a content stream of a page or of a form.
 
-        Parameters
-        ----------
-        data
-            The unpacked content stream.
-        state
-            The graphics state at the start of the stream.
-        context
-            Properties that the stream inherits from the streams that contain it.
-
-        Raises
-        ------
-        NotADrawing
-            The stream is truncated.
+        ``data``: the unpacked content stream.
+        ``state``: the graphics state at the start of the stream.
+        ``context``: properties that the stream inherits from the streams that contain it.
+        Raises ``NotADrawing``: the stream is truncated.
         """
         try:
             Stream(self._page, state, context).interpret(data)
@@ -193,14 +198,9 @@ class _PageReader:
     def form(self, node: StreamObject, state: State, context: StreamContext) -> None:
         """Interpret the content stream of a form, with the matrix and the visible area of the form.
 
-        Parameters
-        ----------
-        node
-            The form.
-        state
-            The graphics state at the operator that draws the form.
-        context
-            Properties that the form inherits from the streams that contain it.
+        ``node``: the form.
+        ``state``: the graphics state at the operator that draws the form.
+        ``context``: properties that the form inherits from the streams that contain it.
         """
         file = self.file
         if (matrix := file.numbers(node, "/Matrix", 6)) is not None:
@@ -219,10 +219,7 @@ class _PageReader:
     def _data_of_form(self, node: StreamObject) -> bytes:
         """Return the content stream of a form, which is unpacked once.
 
-        Raises
-        ------
-        DrawingTooLarge
-            The different streams of forms together exceed the limit.
+        Raises ``DrawingTooLarge``: the different streams of forms together exceed the limit.
         """
         cached = self._form_data.get(id(node))
         if cached is None:

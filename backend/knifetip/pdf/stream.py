@@ -164,16 +164,11 @@ class Stream:
     def _row(self, kind: str, reason: Message | None, points: Sequence[Any] = ()) -> int:
         """Add a row for an object to the import report and return the index of the row.
 
-        Parameters
-        ----------
-        kind
-            Type of the object, for example "path" or "image".
-        reason
-            Reason why the object is dropped, None if it is kept.  If the object is on a hidden
-            layer, the hidden layer is the reason instead.
-        points
-            Positions (x, y) whose bounding box is the location of the object, before the current
-            transformation matrix is applied.  If empty, no location is reported.
+        ``kind``: type of the object, for example "path" or "image".
+        ``reason``: reason why the object is dropped, None if it is kept.  If the object is on a
+        hidden layer, the hidden layer is the reason instead.
+        ``points``: positions (x, y) whose bounding box is the location of the object, before the
+        current transformation matrix is applied.  If empty, no location is reported.
         """
         mark, lines = self._marks[-1], self._page.drawn
         reason = Message("import.hidden-layer", layer=mark.hidden) if mark.hidden else reason
@@ -197,10 +192,8 @@ class Stream:
 
         If the path is a clipping path, it also limits the visible area of later paths.
 
-        Parameters
-        ----------
-        closes, strokes, fills
-            Whether the operator that ends the path closes, strokes or fills it.
+        ``closes``, ``strokes``, ``fills``: whether the operator that ends the path closes, strokes
+        or fills it.
         """
         self._page.file.check_time()
         path = self._page.drawn.path
@@ -361,12 +354,8 @@ class Stream:
 
         The objects are hidden if one of the two layers is hidden.
 
-        Parameters
-        ----------
-        mark
-            Mark of the outer layer.
-        definition
-            PDF object that defines the inner layer, None for no inner layer.
+        ``mark``: mark of the outer layer.
+        ``definition``: PDF object that defines the inner layer, None for no inner layer.
         """
         if definition is None:
             return mark

@@ -129,10 +129,7 @@ def _natural(value: float) -> int:
 
     A fraction is cut off.
 
-    Raises
-    ------
-    ValueError
-        The number is negative, or greater than the largest size of the stack.
+    Raises ``ValueError``: the number is negative, or greater than the largest size of the stack.
     """
     if not 0.0 <= value <= _STACK:
         raise ValueError

@@ -21,6 +21,7 @@ from knifetip.languages.registry import find_language
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import Knife
+from knifetip.model.tool.base import equal_passes
 from knifetip.planning.boundary import BoardOutline, ends_at_waste
 from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
 from knifetip.planning.cut_sides import CutSides
@@ -44,6 +45,7 @@ class _Cuts:
     depth: float  #: mm
     waste: I8 | None = None  #: (m,) side of the waste: +1 left, -1 right; None: bounds no part
     group: I64 | None = None  #: (m,) cuts of different groups are not chained
+    passes: int = 0  #: number of passes; 0 for as many as the knife needs
 
 
 def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
@@ -75,16 +77,19 @@ def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) 
     index[rows] = np.arange(len(rows))
     operations = []
     for bounds in (False, True):
-        subset = np.flatnonzero((side != 0) == bounds)
-        if len(subset):
+        part_rows = np.flatnonzero((side != 0) == bounds)
+        for own, depth, passes in setup.depth_groups(rows[part_rows], setup.through_depth):
+            subset = part_rows[own]
+            if len(subset) == 0:
+                continue
             waste = side[subset] if bounds else None
-            cuts = _Cuts(LineType.CUT, rows[subset], setup.through_depth, waste, layer[subset])
+            cuts = _Cuts(LineType.CUT, rows[subset], depth, waste, layer[subset], passes)
             operation = _cut(outline, dieline, cuts, setup)
             level = _levels(operation, index, layers)
             path_rank = rank[index[operation.source[operation.paths.first[:-1]]]]
             # Levels are less than the number of cuts.
             for number, part in _split_by_rank(operation, path_rank * len(rows) + level):
-                operations += [(number, one) for one in _in_passes(part, cuts.depth, setup)]
+                operations += [(number, one) for one in _in_passes(part, cuts, setup)]
     operations.sort(key=lambda rank_and_operation: rank_and_operation[0])
     return [operation for _, operation in operations]
 
@@ -94,12 +99,8 @@ def _levels(operation: Operation, index: I64, layers: CutLayers) -> I64:
 
     Paths between bridges release no piece, so their level is 0.
 
-    Parameters
-    ----------
-    index
-        Index in ``layers`` of each edge of the dieline, -1 for an edge that is no cut.
-    layers
-        Layers of the cuts.
+    ``index``: index in ``layers`` of each edge of the dieline, -1 for an edge that is no cut.
+    ``layers``: layers of the cuts.
     """
     paths = operation.paths
     path = np.repeat(np.arange(len(paths)), np.diff(paths.first))
@@ -135,18 +136,22 @@ def _split_by_rank(operation: Operation, rank: I64) -> list[tuple[int, Operation
     return parts
 
 
-def _in_passes(operation: Operation, depth: float, setup: Setup) -> list[Operation]:
+def _in_passes(operation: Operation, cuts: _Cuts, setup: Setup) -> list[Operation]:
     """Return an operation of a knife once for each pass, in working order.
 
     The knife makes the first of the passes in ``Operation.depth``; the others, of which the last
-    one is ``depth`` mm deep, determine its ends.  Where programs do not set depth and heading, the
-    knife makes one pass at one feed.
+    one has the depth of ``cuts``, determine its ends.  Where programs do not set depth and heading,
+    the knife makes one pass at one feed.
     """
     knife = setup.station.tool
     assert isinstance(knife, Knife)
     if not find_language(setup.machine.dialect).sets_pose:
         return [replace(operation, tool=replace(knife, slow_radius=0.0))]
-    depths = knife.passes(depth)
+    depths = knife.passes(cuts.depth)
+    if cuts.passes:
+        depths = equal_passes(cuts.depth, cuts.passes)
+        # All passes of a cut have the same direction.
+        operation = replace(operation, one_way=cuts.passes > 1)
     count = len(operation.source)
     return [
         replace(operation, depth=np.tile(depths[first:], (count, 1)))
@@ -157,7 +162,8 @@ def _in_passes(operation: Operation, depth: float, setup: Setup) -> list[Operati
 def plan_half_cuts(
     outline: BoardOutline, dieline: Dieline, rows: I32, setup: Setup
 ) -> list[Operation]:
-    """Return the operations that cut edges of a dieline to the board's half-cut depth with a knife.
+    """Return the operations that half-cut edges of a dieline with a knife, to the board's half-cut
+    depth unless another depth is chosen.
 
     Parameters
     ----------
@@ -168,8 +174,11 @@ def plan_half_cuts(
     setup
         Machine, board and station of the knife.
     """
-    cuts = _Cuts(LineType.HALF_CUT, rows, setup.board.half_cut_depth)
-    return _in_passes(_cut(outline, dieline, cuts, setup), cuts.depth, setup)
+    operations = []
+    for own, depth, passes in setup.depth_groups(rows, setup.board.half_cut_depth):
+        cuts = _Cuts(LineType.HALF_CUT, rows[own], depth, passes=passes)
+        operations += _in_passes(_cut(outline, dieline, cuts, setup), cuts, setup)
+    return operations
 
 
 def _cut(outline: BoardOutline, dieline: Dieline, cuts: _Cuts, setup: Setup) -> Operation:
@@ -212,17 +221,11 @@ def _keep_waste_left(
 ) -> tuple[Paths, I32]:
     """Reverse the closed paths that have the waste on their right.
 
-    Parameters
-    ----------
-    source : (n,)
-        Row in the dieline of each segment of the paths.
-    rows, waste : (m,) and (m,)
-        Rows of cuts in the dieline, and the side of the waste of each cut: +1 left, -1 right, 0
-        none.
-
-    Returns
-    -------
-    All paths, reversed or unchanged, and the row in the dieline of each segment of these paths.
+    ``source`` (n,): row in the dieline of each segment of the paths.
+    ``rows``, ``waste`` (m,) and (m,): rows of cuts in the dieline, and the side of the waste of
+    each cut: +1 left, -1 right, 0 none.
+    Returns all paths, reversed or unchanged, and the row in the dieline of each segment of these
+    paths.
     """
     side = np.zeros(len(dieline), np.int8)
     side[rows] = waste
@@ -240,12 +243,8 @@ def _kinds_of_ends(
 ) -> tuple[U8, U8]:
     """Return the kinds of the starts and of the finishes of p paths, (p,) and (p,).
 
-    Parameters
-    ----------
-    source
-        Row in the dieline of each segment of the paths.
-    outline
-        Outlines of the board and of its holes.
+    ``source``: row in the dieline of each segment of the paths.
+    ``outline``: outlines of the board and of its holes.
     """
     on_cut = _ends_on_cuts(paths, source, dieline)
     start, finish = end_kinds(paths, on_cut, End.JUNCTION)
@@ -298,7 +297,8 @@ def plan_perforations(dieline: Dieline, rows: I32, setup: Setup) -> list[Operati
     depth = np.full((len(segment), 1), setup.through_depth)
     ends = end_kinds(dashes, np.zeros(2 * len(dashes), np.bool_), End.FREE)
     operation = setup.operation(LineType.PERFORATION, dashes, source[segment], depth, ends)
-    return _in_passes(operation, setup.through_depth, setup)
+    cuts = _Cuts(LineType.PERFORATION, rows, setup.through_depth)
+    return _in_passes(operation, cuts, setup)
 
 
 def _split_into_dashes(paths: Paths, cut: float, gap: float) -> tuple[Paths, I32]:
@@ -307,10 +307,8 @@ def _split_into_dashes(paths: Paths, cut: float, gap: float) -> tuple[Paths, I32
     Every perforated path starts and ends with a dash, so that the board tears from the path's ends.
     The dashes are ``cut`` mm long; the gaps between them are equal, and at most ``gap`` mm.
 
-    Returns
-    -------
-    One path for each dash, and for each segment of these new paths the index of the segment in
-    ``paths`` from which it comes.
+    Returns one path for each dash, and for each segment of these new paths the index of the segment
+    in ``paths`` from which it comes.
     """
     length = paths.lengths
     count = np.maximum(1, np.ceil((length + gap) / (cut + gap) - 1e-9)).astype(np.int64)

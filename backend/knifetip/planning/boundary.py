@@ -179,13 +179,9 @@ def _leaving_ends(contacts: Contacts, sine: F64, count: int) -> tuple[Bool, Bool
     """Return the masks of the ends at which a line leaves the board, and of the ends at an outer
     corner of the outline, (count,) each.
 
-    Parameters
-    ----------
-    contacts
-        Contacts of ``count`` ends of lines with the outline.
-    sine : (k,)
-        Sine of the angle between the line and the outline at each contact, positive towards the
-        waste.
+    ``contacts``: contacts of ``count`` ends of lines with the outline.
+    ``sine`` (k,): sine of the angle between the line and the outline at each contact, positive
+    towards the waste.
     """
     contact_count = np.bincount(contacts.end, minlength=count)
     leaving_count = np.bincount(contacts.end[sine > _ALONG], minlength=count)
@@ -207,20 +203,15 @@ def _check_run_outs(
     """Raise ``FlankOutside`` if the run-out of a groove enters the board again, behind a slot or in
     another part.
 
-    Parameters
-    ----------
-    points, ahead : (n, 2) mm and (n, 2)
-        Ends of grooves, and at each end the unit vector that points out of the groove.
-    size : (n,) mm
-        Length of the run-out of each end.
-    width : mm
-        Width of the tool or of the groove.
-    contacts
-        Contacts of the ends with the outline; the run-out may cross the cuts of these contacts.
-    outline
-        Outline of the board.
-    source : (n,)
-        Index in the dieline of the edge to which each end belongs, for the error message.
+    ``points``, ``ahead`` (n, 2) mm and (n, 2): ends of grooves, and at each end the unit vector
+    that points out of the groove.
+    ``size`` (n,) mm: length of the run-out of each end.
+    ``width`` mm: width of the tool or of the groove.
+    ``contacts``: contacts of the ends with the outline; the run-out may cross the cuts of these
+    contacts.
+    ``outline``: outline of the board.
+    ``source`` (n,): index in the dieline of the edge to which each end belongs, for the error
+    message.
     """
     rows = np.flatnonzero(size > GAP)
     start, end = points[rows], points[rows] + size[rows, None] * ahead[rows]

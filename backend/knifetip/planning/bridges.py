@@ -100,16 +100,10 @@ def _positions_along(paths: Paths, selected: Bool, points: F64) -> tuple[I32, F6
 
     Points that lie on no path are left out.
 
-    Parameters
-    ----------
-    selected : (p,)
-        Mask of the paths that are searched.
-    points : (m, 2) mm
-        The points.
-
-    Returns
-    -------
-    Path of each located point (k,), and the point's distance from the start of that path (k,) mm.
+    ``selected`` (p,): mask of the paths that are searched.
+    ``points`` (m, 2) mm: the points.
+    Returns path of each located point (k,), and the point's distance from the start of that path
+    (k,) mm.
     """
     rows = np.flatnonzero(selected[paths.path_of])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]
@@ -167,23 +161,13 @@ def _place_on_contour(
 ) -> F64:
     """Return the positions of the middles of the bridges along one closed path, ascending (mm).
 
-    Parameters
-    ----------
-    path
-        Index of the path in ``paths``.
-    bridge
-        Length of the bridges, and the greatest distance between neighbouring bridges.
-    source : (n,)
-        Index in the dieline of the edge of each segment, for error messages.
-    avoid : (k,) mm
-        Positions along the path from which bridges keep away, if possible.
-    reachable
-        Stretches of the segments that the tool can reach; bridges lie only there.
-
-    Raises
-    ------
-    NoRoomForBridges
-        The path has no room for two bridges, or two neighbouring bridges would be too far apart.
+    ``path``: index of the path in ``paths``.
+    ``bridge``: length of the bridges, and the greatest distance between neighbouring bridges.
+    ``source`` (n,): index in the dieline of the edge of each segment, for error messages.
+    ``avoid`` (k,) mm: positions along the path from which bridges keep away, if possible.
+    ``reachable``: stretches of the segments that the tool can reach; bridges lie only there.
+    Raises ``NoRoomForBridges``: the path has no room for two bridges, or two neighbouring bridges
+    would be too far apart.
     """
     gap, spacing = bridge
     length = float(paths.lengths[path])
@@ -240,16 +224,10 @@ def _free_ranges(
 ) -> _FreeRanges:
     """Return the ranges along a path in which the middle of a bridge may lie.
 
-    Parameters
-    ----------
-    path
-        Index of the path in ``paths``.
-    gap : mm
-        Length of the bridge along the path.
-    reachable
-        Stretches of the segments that the tool can reach.
-    arcs_too
-        Whether bridges may lie on arcs.
+    ``path``: index of the path in ``paths``.
+    ``gap`` mm: length of the bridge along the path.
+    ``reachable``: stretches of the segments that the tool can reach.
+    ``arcs_too``: whether bridges may lie on arcs.
     """
     rows = slice(paths.first[path], paths.first[path + 1])
     start, end, bulge = paths.start[rows], paths.end[rows], paths.bulge[rows]

@@ -16,8 +16,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, U8, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.tolerance import JOIN
-from knifetip.messages import Message
-from knifetip.model.corners import AS_OTHERS, INTERFERENCES, TYPES, Corners
+from knifetip.model.corners import AS_OTHERS, TYPES, CornerAt, Corners
 
 #: Greatest distance of a chosen position from its corner (mm).
 NEAR: Final = 0.5
@@ -52,26 +51,9 @@ def find_bends(paths: Paths, side: int) -> Bends:
     return Bends(paths.start, turn)
 
 
-def check_choices(corners: Corners) -> None:
-    """Raise ``PlanError`` if the corner type, parameter k, position or interference mode that the
-    user chose for a corner is invalid.
-    """
-    if corners.interference not in INTERFERENCES:
-        raise PlanError("corner.bad-interference", interference=corners.interference)
-    for kind, k, location in [(corners.type, corners.k, None)] + [
-        (choice.type, choice.k, Message("corner.at", x=choice.x, y=choice.y))
-        for choice in corners.at
-    ]:
-        if kind not in TYPES:
-            raise PlanError("corner.unknown-type-at", type=str(kind)[:20], where=location)
-        if k is not None and not 0.0 < k < 1.0:
-            raise PlanError("corner.bad-k-at", where=location, k=f"{k:g}")
-    for choice in corners.at:
-        if not np.isfinite([choice.x, choice.y]).all():
-            raise PlanError("corner.bad-place", x=choice.x, y=choice.y)
-
-
-def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
+def distances_to_corners(
+    corners: Corners, placement: tuple[float, float], contours: list[Bends]
+) -> F64:
     """Return the distance (mm) from each position that the user chose to the nearest corner, (m,).
 
     The m positions are those in ``corners.at``.  Corners concave for the tool are left out.
@@ -80,6 +62,8 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
     ----------
     corners
         Corner types that the user chose; ``at`` contains the choices for single positions.
+    placement : mm
+        Position of the origin of the drawing on the sheet.
     contours
         Bends of the contours, for every operation in which the cutter mills contours.
 
@@ -93,16 +77,14 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
     convex = turn > _STRAIGHT
     nearest = np.full(len(corners.at), np.inf)
     for row, choice in enumerate(corners.at):
-        distance = np.hypot(*(position - np.add((choice.x, choice.y), corners.placement)).T)
+        distance = np.hypot(*(position - np.add((choice.x, choice.y), placement)).T)
         nearest[row] = distance[convex].min(initial=np.inf)
         if nearest[row] <= NEAR:
             continue
         if (distance[turn < -_STRAIGHT] <= NEAR).any():
             raise PlanError("corner.inside", x=choice.x, y=choice.y)
         order = np.argsort(distance[convex])[:_LISTED]
-        nearby = [
-            f"({x:.2f}, {y:.2f})" for x, y in position[convex][order] - np.array(corners.placement)
-        ]
+        nearby = [f"({x:.2f}, {y:.2f})" for x, y in position[convex][order] - np.array(placement)]
         if not nearby:
             raise PlanError("corner.no-contour", within=NEAR, x=choice.x, y=choice.y)
         raise PlanError(
@@ -116,7 +98,9 @@ def distances_to_corners(corners: Corners, contours: list[Bends]) -> F64:
     return nearest
 
 
-def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, F64]:
+def match_choices_to_bends(
+    corners: Corners, placement: tuple[float, float], nearest: F64, bends: Bends
+) -> tuple[U8, F64]:
     """Return the corner type and its parameter k that the user chose for each bend, (n,) each.
 
     Bend i is at the start of segment i.  For a bend without a choice, the returned type is
@@ -129,6 +113,8 @@ def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, 
     ----------
     corners
         Corner types that the user chose; ``at`` contains the choices for single positions.
+    placement : mm
+        Position of the origin of the drawing on the sheet.
     nearest : (m,) mm
         Distance between each of m positions in ``corners.at`` and the nearest corner.
     bends
@@ -137,8 +123,14 @@ def choices_at_bends(corners: Corners, nearest: F64, bends: Bends) -> tuple[U8, 
     kind = np.full(len(bends.turn), AS_OTHERS, np.uint8)
     k = np.full(len(bends.turn), np.nan)
     for choice, corner_distance in zip(corners.at, nearest, strict=True):
-        distance = np.hypot(*(bends.position - np.add((choice.x, choice.y), corners.placement)).T)
+        distance = _distances(choice, placement, bends.position)
         here: Bool = (bends.turn > _STRAIGHT) & (distance <= corner_distance + JOIN)
         kind[here] = TYPES.index(choice.type)
         k[here] = np.nan if choice.k is None else choice.k
     return kind, k
+
+
+def _distances(choice: CornerAt, placement: tuple[float, float], position: F64) -> F64:
+    """Return the distances of positions on the sheet, (n, 2) mm, from a chosen one, (n,) mm."""
+    result: F64 = np.hypot(*(position - np.add((choice.x, choice.y), placement)).T)
+    return result

@@ -86,9 +86,7 @@ def _split_by_depth(paths: Paths, board: Board) -> tuple[Paths, I32]:
     depth differs from the depth in its middle by at most |d⊥ - d∥| sin(θ/2).  θ is chosen so that
     this is at most ``_DEPTH_ERROR``.
 
-    Returns
-    -------
-    The paths, and the segment of the given paths from which each new segment comes, (m,).
+    Returns the paths, and the segment of the given paths from which each new segment comes, (m,).
     """
     change = abs(board.crease_across - board.crease_along)
     if change <= _DEPTH_ERROR:

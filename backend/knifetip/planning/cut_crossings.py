@@ -161,10 +161,8 @@ def _are_nearest(paths: Paths, point: I64, segment: I64, distance: F64) -> Bool:
 
     Near a joint of two segments a point touches both, but it meets their path at one place only.
 
-    Parameters
-    ----------
-    point, segment, distance : (k,), (k,) and (k,) mm
-        Index of the point and of the segment of each touch, and their distance.
+    ``point``, ``segment``, ``distance`` (k,), (k,) and (k,) mm: index of the point and of the
+    segment of each touch, and their distance.
     """
     size = len(paths.bulge)
     before, after = np.arange(size) - 1, np.arange(size) + 1
@@ -224,20 +222,12 @@ def _crossings_inside_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I6
 def _cross_inside(chords: F64_3, cuts: F64_3, stops: F64_3, one: I64_1, other: I64_1) -> Any:
     """Return the h pairs of chords that cross more than ``GAP`` mm from the ends of the cut.
 
-    Parameters
-    ----------
-    chords, cuts : (k, 2, 2) and (c, 2, 2) mm
-        Ends of chords of paths, and of chords of cuts.
-    stops : (c, 2, 2) mm
-        Ends of the cut of each chord in ``cuts``.
-    one, other : (p,) and (p,)
-        Index of the chord of the path, and index of the chord of the cut, of each pair.
-
-    Returns
-    -------
-    pair, along, position : (h,), (h,) and (h, 2) mm
-        Index of each pair, parameter of the crossing on the chord of the path (0 … 1), and position
-        of the crossing.
+    ``chords``, ``cuts`` (k, 2, 2) and (c, 2, 2) mm: ends of chords of paths, and of chords of cuts.
+    ``stops`` (c, 2, 2) mm: ends of the cut of each chord in ``cuts``.
+    ``one``, ``other`` (p,) and (p,): index of the chord of the path, and index of the chord of the
+    cut, of each pair.
+    Returns ``pair, along, position`` (h,), (h,) and (h, 2) mm: index of each pair, parameter of the
+    crossing on the chord of the path (0 … 1), and position of the crossing.
     """
     pair, along = np.empty(len(one), np.int64), np.empty(len(one))
     position = np.empty((len(one), 2))
@@ -269,15 +259,9 @@ def _cross_inside(chords: F64_3, cuts: F64_3, stops: F64_3, one: I64_1, other: I
 def _split_into_chords(start: F64, end: F64, bulge: F64) -> tuple[F64, I64, F64, F64]:
     """Split n lines and arcs into k chords; a line is one chord.
 
-    Returns
-    -------
-    chords : (k, 2, 2) mm
-        Ends of the chords.
-    owner : (k,)
-        Index of the line or arc that each chord replaces.
-    low, size : (k,) and (k,)
-        Parameter of the line or arc, 0 … 1, at which the chord starts, and the range of the
-        parameter that the chord covers.
+    Returns ``chords`` (k, 2, 2) mm: ends of the chords; ``owner`` (k,): index of the line or arc
+    that each chord replaces; ``low, size`` (k,) and (k,): parameter of the line or arc, 0 … 1, at
+    which the chord starts, and the range of the parameter that the chord covers.
     """
     if not bulge.any():
         rows = np.arange(len(bulge))

@@ -135,14 +135,9 @@ def _hint(
     It is the thickest cutter that leaves the fewest edges uncut; if all edges are reached, it is
     the thinnest one for the slits.
 
-    Parameters
-    ----------
-    attempt, machine
-        See ``with_best_cutter``.
-    best
-        The best program of the machine's own cutters.
-    cutters
-        Cutters that can be fitted, by title.
+    ``attempt``, ``machine``: see ``with_best_cutter``.
+    ``best``: the best program of the machine's own cutters.
+    ``cutters``: cutters that can be fitted, by title.
     """
     own = best.station.tool.diameter
     thinner = sorted(

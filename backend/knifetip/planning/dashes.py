@@ -4,8 +4,9 @@
 ``distinct_edges`` returns the indices of the edges that do not repeat an earlier edge.
 
 Three or more edges on one line are dashes if the gaps between them are regular, no gap is longer
-than 12 mm, no gap is longer than 1.5 times the mean length of the edges, and no cut starts, ends or
-crosses in a gap.
+than 12 mm, no gap is longer than 1.5 times the mean length of the edges, no cut touches an end of
+an edge at a gap, and no cut passes through a gap.  A cut that ends in a gap from one side, such as
+a slit, does not matter, as on a crease without gaps.
 """
 
 from __future__ import annotations
@@ -127,15 +128,9 @@ def _group_by_line(ends: F64, rows: I64) -> tuple[I64, F64, F64]:
     Edges on one line differ in direction by at most ``COLLINEAR`` degrees and in position by at
     most ``JOIN`` mm.  Edges near these limits may get different lines although they are collinear.
 
-    Parameters
-    ----------
-    rows : (m,)
-        Indices of the straight edges in ``ends``.
-
-    Returns
-    -------
-    line, low, high : (m,), (m,) mm and (m,) mm
-        Number of the line of each edge, and the edge's least and greatest position along that line.
+    ``rows`` (m,): indices of the straight edges in ``ends``.
+    Returns ``line, low, high`` (m,), (m,) mm and (m,) mm: number of the line of each edge, and the
+    edge's least and greatest position along that line.
     """
     ahead = _upward_directions(ends[rows])
     angle = np.degrees(np.arctan2(ahead[:, 1], ahead[:, 0]))
@@ -199,22 +194,14 @@ def _merge_along_lines(
 ) -> Any:
     """Remove overlaps between edges along each line, and find rows of dashes.
 
-    Parameters
-    ----------
-    line, low, high : (n,)
-        Line of each edge, and its start and end along that line (mm), sorted by line and start.
-    low_barred, high_barred : (n,)
-        Whether the gap before, and the gap after, each edge must stay open because of a cut.
-
-    Returns
-    -------
-    begin : (n,) mm
-        Position at which each edge starts after the overlap with earlier edges is removed.
-    kept : (n,)
-        Mask of the edges that earlier edges do not cover completely.
-    first, last : (n,) and (n,)
-        Index of the first and of the last dash of the row of dashes to which each edge belongs.
-        Both are the index of the edge itself if it is no dash.
+    ``line``, ``low``, ``high`` (n,): line of each edge, and its start and end along that line (mm),
+    sorted by line and start.
+    ``low_barred``, ``high_barred`` (n,): whether the gap before, and the gap after, each edge must
+    stay open because of a cut.
+    Returns ``begin`` (n,) mm: position at which each edge starts after the overlap with earlier
+    edges is removed; ``kept`` (n,): mask of the edges that earlier edges do not cover completely;
+    ``first, last`` (n,) and (n,): index of the first and of the last dash of the row of dashes to
+    which each edge belongs. Both are the index of the edge itself if it is no dash.
     """
     count = len(line)
     begin = low.copy()

@@ -68,14 +68,9 @@ def _nearest_parallel(
 
     The distance is infinite, and the edge is -1, if there is none.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) mm and (n,)
-        The edges.
-    one, other : (k,)
-        Pairs of an edge and one that may lie beside it.
-    fraction
-        Position of the point along each edge.
+    ``ends``, ``bulge`` (n, 2, 2) mm and (n,): the edges.
+    ``one``, ``other`` (k,): pairs of an edge and one that may lie beside it.
+    ``fraction``: position of the point along each edge.
     """
     own = ends[one, 0], ends[one, 1], bulge[one]
     place = np.full(len(one), fraction)
@@ -130,12 +125,8 @@ def explain_copies(
 def _connected(ends: F64, rows: I64, first: I64) -> I64:
     """Return those of some edges that are connected with given ones, over edges among them.
 
-    Parameters
-    ----------
-    ends : (n, 2, 2) mm
-        Start and end points of all edges.
-    rows, first : (k,) and (m,)
-        Indices of some edges, and of those among them to begin with.
+    ``ends`` (n, 2, 2) mm: start and end points of all edges.
+    ``rows``, ``first`` (k,) and (m,): indices of some edges, and of those among them to begin with.
     """
     points = np.round(ends[rows].reshape(-1, 2), 3)
     vertex = np.unique(points, axis=0, return_inverse=True)[1].reshape(-1, 2)

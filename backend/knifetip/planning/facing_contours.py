@@ -129,14 +129,10 @@ def _near_pairs(contours: Paths, waste: I64, selected: Bool, distance: float) ->
 
     A pair is returned once for each pair of its segments that are so near.
 
-    Parameters
-    ----------
-    contours
-        p contours, which must not cross each other.
-    waste, selected : (p,)
-        Number of the waste beside each contour, and mask of the contours that are compared.
-    distance : mm
-        The distance.
+    ``contours``: p contours, which must not cross each other.
+    ``waste``, ``selected`` (p,): number of the waste beside each contour, and mask of the contours
+    that are compared.
+    ``distance`` mm: the distance.
     """
     owner = contours.path_of
     rows = np.flatnonzero(selected[owner])
@@ -156,12 +152,8 @@ def _lowest_of_sets(one: I64_1, other: I64_1, layer: I64_1) -> Any:
 
     Contours of a pair belong to the same set.
 
-    Parameters
-    ----------
-    one, other : (k,)
-        Indices of the contours of each pair.
-    layer : (p,)
-        Layer of each contour.
+    ``one``, ``other`` (k,): indices of the contours of each pair.
+    ``layer`` (p,): layer of each contour.
     """
     parent = np.arange(len(layer))
     for pair in range(len(one)):

@@ -100,18 +100,11 @@ def _shifted_from_cuts(
     A groove is not shifted if another groove continues it, if a flank would pass through a cut
     after the shift too, or if one of its ends would lose or gain the contact with a cut.
 
-    Parameters
-    ----------
-    paths
-        The p grooves.
-    reach : mm
-        Distance of the flanks from a groove's line on the top face.
-    run_out : (p, 2) mm
-        Run-out of each groove beyond its start and its end.
-    dieline
-        Dieline that contains the cuts.
-    limit : mm
-        Greatest shift of a groove.
+    ``paths``: the p grooves.
+    ``reach`` mm: distance of the flanks from a groove's line on the top face.
+    ``run_out`` (p, 2) mm: run-out of each groove beyond its start and its end.
+    ``dieline``: dieline that contains the cuts.
+    ``limit`` mm: greatest shift of a groove.
     """
     shift = clearing_shifts(paths, reach, run_out, dieline, limit)
     if not shift.any():

@@ -95,12 +95,8 @@ def _released_pieces(layer: I64_1, face: I64_2) -> Any:
     plane outside.  The entry is -1 where a stretch borders no such piece, or the same piece on both
     sides.
 
-    Parameters
-    ----------
-    layer : (m,)
-        Layer of each stretch, ascending.
-    face : (m, 2)
-        Faces on the two sides of each stretch; 0 is the plane outside.
+    ``layer`` (m,): layer of each stretch, ascending.
+    ``face`` (m, 2): faces on the two sides of each stretch; 0 is the plane outside.
     """
     faces = 0
     for k in range(len(face)):

@@ -117,18 +117,13 @@ def _assign_layers(
     The units cannot be ordered if they form a cycle, in which each unit would have to be cut before
     another unit of the cycle.
 
-    Parameters
-    ----------
-    face : (m, 2)
-        Faces on the two sides of each of m stretches; 0 is the plane outside.
-    unit_of : (m,)
-        Unit of work to which each stretch belongs, -1 if the stretch only closes a gap.
-    size_of : (m,) mm
-        Length of each stretch.  A cycle is broken at a stretch that is longer than ``CONTOUR_GAP``,
-        if there is one.
-    piece_of, first
-        Stretches sorted by the faces beside them, and index in ``piece_of`` of each face's first
-        stretch.
+    ``face`` (m, 2): faces on the two sides of each of m stretches; 0 is the plane outside.
+    ``unit_of`` (m,): unit of work to which each stretch belongs, -1 if the stretch only closes a
+    gap.
+    ``size_of`` (m,) mm: length of each stretch.  A cycle is broken at a stretch that is longer than
+    ``CONTOUR_GAP``, if there is one.
+    ``piece_of``, ``first``: stretches sorted by the faces beside them, and index in ``piece_of`` of
+    each face's first stretch.
     """
     layer = np.full(count, -1, np.int64)
     waiting = np.zeros(count, np.int64)
@@ -215,18 +210,12 @@ def _enqueue(unit: int, layer: I64_1, waiting: OutI64_1, queue: OutI64_1, size: 
     A unit that has a layer or was appended before is not appended again; then the length is
     unchanged.
 
-    Parameters
-    ----------
-    unit
-        Index of the unit of work.
-    layer
-        Layer of each unit, -1 if it has none yet.
-    waiting
-        Is set to -1 for each unit that this function appends, and is not negative for other units.
-    queue
-        Indices of the queued units; only the first ``size`` entries are used.
-    size
-        Length of the queue before the call.
+    ``unit``: index of the unit of work.
+    ``layer``: layer of each unit, -1 if it has none yet.
+    ``waiting``: is set to -1 for each unit that this function appends, and is not negative for
+    other units.
+    ``queue``: indices of the queued units; only the first ``size`` entries are used.
+    ``size``: length of the queue before the call.
     """
     if layer[unit] >= 0 or waiting[unit] < 0:
         return size

@@ -26,11 +26,13 @@ from knifetip.geometry.tolerance import JOIN
 from knifetip.model.board import Board
 from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.job_options import CutDepth
 from knifetip.model.operation import End, Operation
 from knifetip.model.tool import DiscTool
+from knifetip.model.tool.base import equal_passes
 from knifetip.planning.bridges import FEWEST, Spacing, ends_of_others, place_bridges
 from knifetip.planning.contour_crossings import check_contour_crossings
-from knifetip.planning.corners import choices_at_bends, distances_to_corners, find_bends
+from knifetip.planning.corners import distances_to_corners, find_bends, match_choices_to_bends
 from knifetip.planning.cut_sides import cut_sides
 from knifetip.planning.divided_contours import join_contours
 from knifetip.planning.drawn_twice import explain_copies
@@ -112,7 +114,7 @@ def plan_milling(
     milled = paths.closed & (side != 0)
     number = merge_facing_layers(paths, number, milled, 2.0 * cutter.radius)
     number = slit_layers(paths, number, milled, side == 0, cutter.radius)
-    depth = cutter.passes(setup.through_depth)
+    depth = _depths_of_paths(paths, source, cutter, setup)
     operations = []
     track = np.empty(len(layer), np.int64)
     track[chains.order] = np.repeat(np.arange(len(paths)), np.diff(paths.first))
@@ -135,8 +137,10 @@ def plan_milling(
         bridges = _bridge_positions(subset, held, board, cutter, source[segment_rows], avoid)
         if len(bridges):
             _check_divided(bridges, subset, part[segment_rows], source[segment_rows])
-        depths = np.tile(depth, (len(segment_rows), 1))
-        operation = setup.operation(LineType.CUT, subset, source[segment_rows], depths, (end, end))
+        depths = depth[path_rows][:, np.isfinite(depth[path_rows]).any(axis=0)]
+        operation = setup.operation(
+            LineType.CUT, subset, source[segment_rows], depths[subset.path_of], (end, end)
+        )
         operations.append(
             replace(
                 operation,
@@ -159,6 +163,32 @@ def plan_milling(
     return operations
 
 
+def _depths_of_paths(paths: Paths, source: I32, cutter: DiscTool, setup: Setup) -> F64:
+    """Return the depth of each pass of p paths of n segments, (p, k) mm.
+
+    A path with fewer than k passes has NaN after its last one.  ``source`` (n,) is the index in the
+    dieline of the edge of each segment.
+
+    Raises ``PlanError``: different passes are chosen for the edges of a path.
+    """
+    usual = cutter.passes(setup.through_depth)
+    if CutDepth not in setup.chosen:
+        return np.tile(usual, (len(paths), 1))
+    chosen = setup.chosen[CutDepth].numbers("passes", 0.0).astype(np.int64)[source]
+    passes = chosen[paths.first[:-1]]
+    for row in np.flatnonzero(chosen != passes[paths.path_of])[:1]:
+        other = source[paths.first[paths.path_of[row]]]
+        raise PlanError(
+            "depth.several", edge=other, other=source[row], at_edges=[other, source[row]]
+        )
+    count = np.where(passes > 0, passes, len(usual))
+    result = np.full((len(paths), int(count.max(initial=1))), np.nan)
+    for number in np.unique(passes):
+        own = usual if number == 0 else equal_passes(setup.through_depth, int(number))
+        result[passes == number, : len(own)] = own
+    return result
+
+
 def _bridge_positions(
     paths: Paths,
     selected: Bool,
@@ -174,14 +204,9 @@ def _bridge_positions(
     At both ends of a bridge, the disc cuts one radius farther than the centre of the disc travels.
     Therefore the gaps in the path of the centre are longer than the bridges by two radii.
 
-    Parameters
-    ----------
-    selected : (p,)
-        Mask of the paths that get bridges.
-    source : (n,)
-        Index in the dieline of the edge of each segment, for error messages.
-    avoid : (m, 2) mm
-        Positions from which bridges keep away, if possible.
+    ``selected`` (p,): mask of the paths that get bridges.
+    ``source`` (n,): index in the dieline of the edge of each segment, for error messages.
+    ``avoid`` (m, 2) mm: positions from which bridges keep away, if possible.
     """
     if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
         return np.zeros((0, 2))
@@ -203,14 +228,10 @@ def _bridge_positions(
 def _check_divided(bridges: F64, paths: Paths, part: I64, source: I32) -> None:
     """Raise ``NoRoomForBridges`` if a part of a blank that cuts divide has too few bridges.
 
-    Parameters
-    ----------
-    bridges : (k, 2)
-        As returned by ``_bridge_positions``.
-    paths
-        The contours, with n segments.
-    part, source : (n,) and (n,)
-        The part beside each segment, and the index in the dieline of its edge.
+    ``bridges`` (k, 2): as returned by ``_bridge_positions``.
+    ``paths``: the contours, with n segments.
+    ``part``, ``source`` (n,) and (n,): the part beside each segment, and the index in the dieline
+    of its edge.
     """
     owner = paths.path_of
     count = np.bincount(part[bridges[:, 0].astype(np.int64)], minlength=int(part.max()) + 1)
@@ -225,10 +246,13 @@ def _check_divided(bridges: F64, paths: Paths, part: I64, source: I32) -> None:
         )
 
 
-def apply_choices(operations: list[Operation], corners: Corners) -> list[Operation]:
+def apply_choices(
+    operations: list[Operation], corners: Corners, placement: tuple[float, float]
+) -> list[Operation]:
     """Return all operations, with the corner types that the user chose for single corners.
 
-    ``corners`` contains the choices.  Only operations that mill contours are changed.
+    ``corners`` contains the choices, in coordinates of the drawing, whose origin lies at
+    ``placement`` (mm) on the sheet.  Only operations that mill contours are changed.
 
     Raises
     ------
@@ -243,13 +267,13 @@ def apply_choices(operations: list[Operation], corners: Corners) -> list[Operati
         for operation, is_milling in zip(operations, milling, strict=True)
         if is_milling
     ]
-    nearest = distances_to_corners(corners, contours)
+    nearest = distances_to_corners(corners, placement, contours)
     if len(nearest) == 0:
         return operations
     result, bend = [], iter(contours)
     for operation, is_milling in zip(operations, milling, strict=True):
         if is_milling:
-            kind, k = choices_at_bends(corners, nearest, next(bend))
+            kind, k = match_choices_to_bends(corners, placement, nearest, next(bend))
             operation = replace(operation, corner_at=kind, k_at=k)
         result.append(operation)
     return result
@@ -273,10 +297,7 @@ def _divide_by_sides(ends: F64, bulge: F64) -> _Pieces:
 
     One part of a cut may be the outline, and another part a slit between two flaps.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) mm and (n,)
-        Start and end points, and bulges, of the cuts.
+    ``ends``, ``bulge`` (n, 2, 2) mm and (n,): start and end points, and bulges, of the cuts.
     """
     piece_ends, piece_bulge, row = split_at_ends(ends, bulge)
     sides = cut_sides(piece_ends, piece_bulge)

@@ -142,14 +142,10 @@ def _find_removable_links(face: I64, narrow: Bool, link: I64, length: F64) -> Bo
     Several links may cross one neck.  Of the narrow faces between them each loses one link, so that
     at least one link remains across the neck.
 
-    Parameters
-    ----------
-    face : (p, 2)
-        Faces beside each of p pieces of links.
-    narrow : (f,)
-        Mask of the faces that are narrower than ``MIN_WIDTH``.
-    link, length : (p,) and (p,) mm
-        Index of the link of each piece, and the length of that link.
+    ``face`` (p, 2): faces beside each of p pieces of links.
+    ``narrow`` (f,): mask of the faces that are narrower than ``MIN_WIDTH``.
+    ``link``, ``length`` (p,) and (p,) mm: index of the link of each piece, and the length of that
+    link.
     """
     divides = face[:, 0] != face[:, 1]
     piece = np.repeat(np.arange(len(face)), 2)
@@ -166,12 +162,9 @@ def _find_removable_links(face: I64, narrow: Bool, link: I64, length: F64) -> Bo
 def _number_units(unit: I64, face: I64, layer: I64) -> I64:
     """Return the new layer of each of u units of work, (u,).
 
-    Parameters
-    ----------
-    unit, face : (m,) and (m, 2)
-        Unit of each of m stretches, and the faces beside the stretch; 0 is the plane outside.
-    layer : (u,)
-        Layer of each unit.  Units of a higher layer get higher new layers.
+    ``unit``, ``face`` (m,) and (m, 2): unit of each of m stretches, and the faces beside the
+    stretch; 0 is the plane outside.
+    ``layer`` (u,): layer of each unit.  Units of a higher layer get higher new layers.
     """
     result = np.full(len(layer), -1, np.int64)
     held = np.zeros(int(face.max()) + 1, np.bool_)
@@ -211,12 +204,9 @@ def _components(ends: F64, row: I64, count: int) -> I64:
 def _face_widths(ends: F64, bulge: F64, face: I64, count: int) -> F64:
     """Return the mean width of each face, (count,) mm: 2 area / perimeter; infinite for face 0.
 
-    Parameters
-    ----------
-    ends, bulge : (m, 2, 2) mm and (m,)
-        Start and end points, and bulges, of the stretches between the faces.
-    face : (m, 2)
-        Face on the left and on the right of each stretch; 0 is the plane outside.
+    ``ends``, ``bulge`` (m, 2, 2) mm and (m,): start and end points, and bulges, of the stretches
+    between the faces.
+    ``face`` (m, 2): face on the left and on the right of each stretch; 0 is the plane outside.
     """
     start, end = ends[:, 0] - ends[0, 0], ends[:, 1] - ends[0, 0]
     sweep = arc.sweep(bulge)

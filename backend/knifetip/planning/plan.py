@@ -15,6 +15,7 @@ import numpy as np
 from knifetip.errors import NoToolForLineType, PlanError
 from knifetip.geometry.columns import I32
 from knifetip.model.board import Board
+from knifetip.model.chosen_work import NOTHING_CHOSEN, ChosenWork
 from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
@@ -22,7 +23,6 @@ from knifetip.model.operation import Operation
 from knifetip.model.tool import Planner
 from knifetip.planning.blade_operations import plan_blade_cuts, plan_half_cuts, plan_perforations
 from knifetip.planning.boundary import BoardOutline
-from knifetip.planning.corners import check_choices
 from knifetip.planning.crease_operations import plan_creases
 from knifetip.planning.cut_sides import cut_sides
 from knifetip.planning.dashes import distinct_edges
@@ -31,17 +31,10 @@ from knifetip.planning.milling import apply_choices, plan_milling
 from knifetip.planning.setup import Setup
 
 
-def check_corners(corners: Corners, machine: Machine) -> None:
-    """Raise an error if a corner type of the user is invalid or the machine has no milling cutter.
-
-    Raises
-    ------
-    PlanError
-        A corner type is invalid, or the machine has no milling cutter.
-    """
-    if not machine.offset_cuts:
+def check_corners(corners: Corners | None, machine: Machine) -> None:
+    """Raise ``PlanError`` if the user chose corner types and the machine has no milling cutter."""
+    if corners is not None and not machine.offset_cuts:
         raise PlanError("corner.no-cutter", machine=machine.title)
-    check_choices(corners)
 
 
 def plan(
@@ -50,6 +43,8 @@ def plan(
     board: Board,
     corners: Corners | None = None,
     sheet: BoardOutline | None = None,
+    placement: tuple[float, float] = (0.0, 0.0),
+    chosen: ChosenWork = NOTHING_CHOSEN,
 ) -> list[Operation]:
     """Return the operations that make a dieline, in working order.
 
@@ -64,12 +59,16 @@ def plan(
         machine.
     sheet
         Outline of the sheet if it was cut to size (``sheet_outline``), else None.
+    placement : mm
+        Position of the origin of the drawing on the sheet, for the chosen corners.
+    chosen
+        What the user has chosen for edges of the dieline.
 
     Raises
     ------
     PlanError
-        A corner choice is invalid or is near no corner, the machine has no milling cutter for it,
-        or the head does not travel above the board.
+        A corner choice is near no corner, the machine has no milling cutter for corner choices,
+        the head does not travel above the board, or the machine takes no board so thick.
     NoToolForLineType
         No station of the machine makes one of the line types.
     FlankOutside
@@ -78,8 +77,7 @@ def plan(
     NoRoomForBridges
         A contour has no room for the bridges that the board requires.
     """
-    if corners is not None:
-        check_corners(corners, machine)
+    check_corners(corners, machine)
     if board.caliper + machine.clearance > machine.travel_z:
         raise PlanError(
             "board.above-travel",
@@ -87,6 +85,13 @@ def plan(
             machine=machine.title,
             travel=machine.travel_z,
             clearance=machine.clearance,
+        )
+    if 0.0 < machine.max_caliper < board.caliper:
+        raise PlanError(
+            "board.too-thick",
+            caliper=board.caliper,
+            machine=machine.title,
+            limit=machine.max_caliper,
         )
     machine = machine.for_board(board)
     line_type = dieline.line_type
@@ -128,6 +133,7 @@ def plan(
                     machine=machine.title,
                     at_edges=rows,
                 )
-            planned = planners[station.planner(kind)](dieline, rows, Setup(machine, board, station))
+            setup = Setup(machine, board, station, chosen)
+            planned = planners[station.planner(kind)](dieline, rows, setup)
             operations += planned if isinstance(planned, list) else [planned]
-    return operations if corners is None else apply_choices(operations, corners)
+    return operations if corners is None else apply_choices(operations, corners, placement)

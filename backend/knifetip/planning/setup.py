@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, I32, U8
+from knifetip.geometry.columns import F64, I32, I64, U8
 from knifetip.geometry.path import Paths
 from knifetip.model.board import Board
+from knifetip.model.chosen_work import ChosenWork
 from knifetip.model.dieline import LineType
+from knifetip.model.job_options import CutDepth
 from knifetip.model.machine import Machine, Station
 from knifetip.model.operation import Operation
 
@@ -21,6 +24,31 @@ class Setup:
     machine: Machine
     board: Board
     station: Station
+    chosen: ChosenWork = field(default_factory=dict)  #: choices for the edges of the dieline
+
+    def depth_groups(self, rows: I32, usual: float) -> Iterator[tuple[I64, float, int]]:
+        """Yield the m edges in groups of equal passes and depth.
+
+        Each group is its indices in ``rows``, its depth (mm), and its number of passes, 0 for as
+        many as the tool needs.
+
+        Parameters
+        ----------
+        rows : (m,)
+            Indices of the edges in the dieline.
+        usual : mm
+            Depth of edges for which none is chosen.
+        """
+        if CutDepth not in self.chosen:
+            yield np.arange(len(rows)), usual, 0
+            return
+        chosen = self.chosen[CutDepth]
+        depth, passes = chosen.numbers("depth", usual), chosen.numbers("passes", 0.0)
+        group = chosen.index[rows]
+        for number in np.unique(group):
+            own = np.flatnonzero(group == number)
+            first = rows[own[0]]
+            yield own, float(depth[first]), int(passes[first])
 
     @property
     def through_depth(self) -> float:

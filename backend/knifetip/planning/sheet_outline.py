@@ -58,21 +58,22 @@ def sheet_outline(sheet: Sheet, dieline: Dieline, machine: Machine) -> BoardOutl
         The drawing does not fit on the sheet, the sheet does not fit on the table, or the cuts form
         no closed outline around all other lines.
     """
-    if not sheet.is_rectangle:
+    if sheet.size is None:
         return _drawn_outline(dieline)
+    width, height = sheet.size
     has_work = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
     low_x, low_y, high_x, high_y = extents(dieline.ends[has_work], dieline.bulge[has_work])
     x, y = float(low_x) - sheet.margin, float(low_y) - sheet.margin
-    if high_x > x + sheet.width + GAP or high_y > y + sheet.height + GAP:
+    if high_x > x + width + GAP or high_y > y + height + GAP:
         raise PlanError(
             "sheet.smaller-than-drawing",
-            width=sheet.width,
-            height=sheet.height,
+            width=width,
+            height=height,
             margin=sheet.margin,
             needed_x=high_x - x,
             needed_y=high_y - y,
         )
-    right, top = x + sheet.width, y + sheet.height
+    right, top = x + width, y + height
     if min(x, y) < -GAP or right > machine.width + GAP or top > machine.height + GAP:
         raise PlanError(
             "sheet.off-table",
@@ -160,14 +161,10 @@ def _is_free(
 ) -> Bool:
     """Return the mask of k run-outs beside which no board of the sheet lies, (k,).
 
-    Parameters
-    ----------
-    points, ahead, length : (k, 2) mm, (k, 2), (k,) mm
-        Start, direction and length of each run-out.
-    extent : mm
-        Width of board-free space on each side of the run-out.
-    sheet, cut
-        Outline of the sheet, and the edge of it on which each run-out starts, (k,).
+    ``points``, ``ahead``, ``length`` (k, 2) mm, (k, 2), (k,) mm: start, direction and length of
+    each run-out.
+    ``extent`` mm: width of board-free space on each side of the run-out.
+    ``sheet``, ``cut``: outline of the sheet, and the edge of it on which each run-out starts, (k,).
     """
     count = len(points)
     aside = extent * left_normal(ahead)

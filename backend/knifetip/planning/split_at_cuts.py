@@ -84,14 +84,9 @@ def _join_closed(
     """Return the q pieces of paths, with the last piece of each closed path before its first one,
     joined to it, unless a cut crosses the path where they meet.
 
-    Parameters
-    ----------
-    row, crossed
-        As returned by ``split_at_cuts``, (m,) and (q, 2).
-    owner : (q,)
-        Path of each piece, ascending.
-    closed
-        Mask of the closed paths, (p,).
+    ``row``, ``crossed``: as returned by ``split_at_cuts``, (m,) and (q, 2).
+    ``owner`` (q,): path of each piece, ascending.
+    ``closed``: mask of the closed paths, (p,).
     """
     path, first = np.unique(owner, return_index=True)
     last = np.append(first[1:], len(owner))[: len(first)] - 1
@@ -119,14 +114,10 @@ def _cluster_crossings(paths: Paths, segment: I64, fraction: F64) -> tuple[F64, 
     Neighbours in one cluster are at most ``GAP`` mm apart.  ``segment`` and ``fraction`` are as
     returned by ``find_cut_crossings``.
 
-    Returns
-    -------
-    place : (k,) mm
-        Distance of each crossing from the start of its path.  A crossing within ``JOIN`` of a joint
-        is moved to the joint.
-    path, first, last : (c,), (c,) mm and (c,) mm
-        Path of each cluster, and the least and greatest place of its crossings, sorted by path and
-        place.
+    Returns ``place`` (k,) mm: distance of each crossing from the start of its path.  A crossing
+    within ``JOIN`` of a joint is moved to the joint; ``path, first, last`` (c,), (c,) mm and (c,)
+    mm: path of each cluster, and the least and greatest place of its crossings, sorted by path and
+    place.
     """
     size = arc.length(paths.start, paths.end, paths.bulge)
     along = fraction * size[segment]
@@ -150,12 +141,9 @@ def _locate_among_clusters(
 
     The number counts the clusters of all paths up to the path of the place.
 
-    Parameters
-    ----------
-    owner, place : (m,) and (m,) mm
-        Path of each place, and its distance from the start of the path.
-    path, first, last : (c,)
-        Clusters as returned by ``_cluster_crossings``.
+    ``owner``, ``place`` (m,) and (m,) mm: path of each place, and its distance from the start of
+    the path.
+    ``path``, ``first``, ``last`` (c,): clusters as returned by ``_cluster_crossings``.
     """
     widest = 1.0 + float(max(place.max(initial=0.0), last.max(initial=0.0)))
     passed = np.searchsorted(path * widest + first, owner * widest + place, side="right")
@@ -171,13 +159,9 @@ def _end_at_crossings(result: Paths, paths: Paths, segment: I64, fraction: F64) 
     The crossing is within ``GAP`` of the path's end, and the crease that is crossed there has the
     direction of the path.  Creases that only end at the same point are not crossed.
 
-    Parameters
-    ----------
-    result
-        The q paths.
-    paths, segment, fraction
-        The creases before they were split, and the crossings as ``find_cut_crossings`` returns
-        them.
+    ``result``: the q paths.
+    ``paths``, ``segment``, ``fraction``: the creases before they were split, and the crossings as
+    ``find_cut_crossings`` returns them.
     """
     curves = paths.start[segment], paths.end[segment], paths.bulge[segment]
     points, ahead = arc.point_at(*curves, fraction), arc.tangent_at(*curves, fraction)

@@ -67,6 +67,8 @@ def process(
         The toolpath cannot be written in this language.
     """
     check_toolpath(toolpath)
-    toolpath = hold_heading(toolpath, machine)
-    emitter: Emitter = find_language(dialect or machine.dialect).load_part("emitter")
+    language = find_language(dialect or machine.dialect)
+    if language.sets_pose:
+        toolpath = hold_heading(toolpath, machine)
+    emitter: Emitter = language.load_part("emitter")
     return emitter(toolpath, machine, tolerance=tolerance, notes=notes)

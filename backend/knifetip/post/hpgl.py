@@ -36,6 +36,7 @@ from knifetip.model.tool import Engine, Knife, kind_of
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.check import describe_row, edges_of_rows
 from knifetip.post.digits import Characters, digit_columns
+from knifetip.post.trailing_points import round_points
 
 #: Fraction of the tolerance by which chords may deviate from their arc.
 CHORD_FRACTION: Final = 0.5
@@ -193,7 +194,7 @@ def _plotter_moves(
     """
     device = plotter.device
     pieces = _chord_counts(toolpath, machine, device, tolerance)
-    point, kind, row = _plotter_points(toolpath, device, pieces)
+    point, kind, row = _plotter_points(toolpath, machine, device, pieces)
     works = kind == _WORK
     speed = np.zeros(len(row), np.int64)
     if device.speed:
@@ -217,22 +218,24 @@ def _plotter_moves(
     return _PlotterMoves(point, kind, speed, pen, row.astype(np.int32))
 
 
-def _plotter_points(toolpath: Toolpath, device: Device, pieces: I64) -> tuple[I64, U8, I64]:
+def _plotter_points(
+    toolpath: Toolpath, machine: Machine, device: Device, pieces: I64
+) -> tuple[I64, U8, I64]:
     """Return the points of a toolpath in plotter units, with arcs replaced by chords.
 
     ``pieces`` is the number of chords of each of n moves, (n,).
 
-    Returns
-    -------
-    point : (m + 1, 2) plotter units
-        Points before the first of m straight moves and after each move.
-    kind, row : (m,)
-        Kind of instruction of each move, and row of each move in the toolpath.
+    Returns ``point`` (m + 1, 2) plotter units: points before the first of m straight moves and
+    after each move; ``kind, row`` (m,): kind of instruction of each move, and row of each move in
+    the toolpath.
     """
-    pose, row = split_moves(toolpath.pose[:, :2], toolpath.bulge, pieces)
-    point = np.rint((pose - device.zero) * device.units).astype(np.int64)
-    moved: Bool = (point[1:] != point[:-1]).any(axis=1)
+    pose, row = split_moves(toolpath.pose[:, [0, 1, 3]], toolpath.bulge, pieces)
     motion = toolpath.motion[row]
+    planned = (pose[:, :2] - device.zero) * device.units
+    point = round_points(
+        planned, pose[:, 2], motion, toolpath.tool[row], machine, float(device.units)
+    )
+    moved: Bool = (point[1:] != point[:-1]).any(axis=1)
     kind = (np.where(motion == Motion.RAPID, _TRAVEL, _WORK) * moved).astype(np.uint8)
     kind[motion == Motion.PLUNGE] = _DOWN
     kind[motion == Motion.LIFT] = _UP
@@ -260,7 +263,7 @@ def _chord_counts(toolpath: Toolpath, machine: Machine, device: Device, toleranc
         if isinstance(station.tool, Knife):
             swivel[station.number] = station.tool.lift_angle
     while True:
-        point, kind, row = _plotter_points(toolpath, device, pieces)
+        point, kind, row = _plotter_points(toolpath, machine, device, pieces)
         # Where only the depth changes, the tool stays down and turns as at any other joint.
         shown = np.flatnonzero((kind != _NONE) & (kind != _DOWN))
         row, step = row[shown], np.diff(point, axis=0)[shown]
@@ -307,10 +310,7 @@ def _find_pen(key: int, machine: Machine, plotter: Plotter) -> int:
 
     ``key`` is twice the number of the station, plus 1 for through cuts.
 
-    Raises
-    ------
-    ProgramError
-        The plotter has no such pen.
+    Raises ``ProgramError``: the plotter has no such pen.
     """
     station = machine.station(key // 2)
     work = PenWork.CUT if key % 2 else PenWork.HALF_CUT
@@ -327,13 +327,9 @@ def _format_moves(moves: _PlotterMoves, rows: I64, with_speed: Bool) -> tuple[by
 
     Program lines that set the speed have row -1.
 
-    Parameters
-    ----------
-    rows
-        Indices of the selected moves in ``moves``.
-    with_speed
-        Mask of the selected moves: True if a separate program line must set the speed before the
-        move.
+    ``rows``: indices of the selected moves in ``moves``.
+    ``with_speed``: mask of the selected moves: True if a separate program line must set the speed
+    before the move.
     """
     shown = moves.kind[rows] != _NONE
     rows, with_speed = rows[shown], with_speed[shown]

@@ -67,8 +67,10 @@ def classified_json(
     overrides : (n,)
         For each edge ``NO_OVERRIDE`` or the LineType that the user set.
     """
+    data = drawing_json(drawing)
     return {
-        **drawing_json(drawing),
+        **data,
+        "warnings": [*data["warnings"], *(warning.as_json() for warning in outcomes.warnings)],
         "counts": _line_type_counts(dieline.line_type, drawing.lengths),
         "layers": _layers(drawing, dieline),
         "questions": [question.as_json() for question in questions],
@@ -99,10 +101,7 @@ def _unit_finding(drawing: Drawing) -> dict[str, Any]:
 def _line_type_counts(line_type: U8, lengths: F64) -> list[dict[str, Any]]:
     """Return the number and the total length (mm) of the edges of each line type that occurs.
 
-    Parameters
-    ----------
-    line_type, lengths : (n,)
-        LineType and length (mm) of each edge.
+    ``line_type``, ``lengths`` (n,): LineType and length (mm) of each edge.
     """
     edges = np.bincount(line_type, minlength=len(LineType))
     length = np.bincount(line_type, weights=lengths, minlength=len(LineType))

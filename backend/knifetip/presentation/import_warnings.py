@@ -128,6 +128,7 @@ OF_FILE: Final = frozenset(
 SENTENCES: Final = frozenset(
     {
         "import.aspect-ratio",
+        "import.conversion-doubtful",
         "import.other-pages",
         "import.other-pages-lines",
     }

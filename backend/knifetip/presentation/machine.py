@@ -6,6 +6,7 @@ from dataclasses import asdict
 from typing import Any
 
 from knifetip.languages.registry import find_language
+from knifetip.library.machine_properties import MachineProperties
 from knifetip.model.machine import Machine, Station
 
 
@@ -14,17 +15,9 @@ def machine_json(machine: Machine) -> dict[str, Any]:
     return {
         "name": machine.name,
         "version": machine.version,
-        "title": machine.title,
-        "width": machine.width,
-        "height": machine.height,
-        "dialect": machine.dialect,
+        **{name: getattr(machine, name) for name in MachineProperties.model_fields},
         "language": find_language(machine.dialect).title,
         "origin": list(machine.origin),
-        "travel_z": machine.travel_z,
-        "clearance": machine.clearance,
-        "turn_clearance": machine.turn_clearance,
-        "into_mat": machine.into_mat,
-        "feed": machine.feed,
         "feed_override": list(machine.feed_override),
         "axes": {letter.lower(): asdict(axis) for letter, axis in machine.axes.items()},
         "carriages": [

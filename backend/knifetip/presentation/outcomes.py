@@ -19,6 +19,7 @@ from knifetip.messages import Message, printable
 from knifetip.model.cleaned import Cleaned, CleaningReason
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing, ImportOutcome
+from knifetip.presentation.replaced_folds import replaced_fold_warnings
 
 #: Maximum number of entity kinds in a group of the summary.
 _MAX_KINDS: Final = 6
@@ -44,6 +45,7 @@ class EdgeOutcomes:
     reason: I32  #: (n,) index into ``reasons`` for each edge
     reasons: tuple[Message, ...]
     summary: dict[str, Any]  #: JSON data of the schema ``ReportOut``
+    warnings: tuple[Message, ...] = ()  #: about edges that are not made as their line type
 
 
 def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -> EdgeOutcomes:
@@ -61,7 +63,9 @@ def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -
     outcome = np.full(len(drawing), ImportOutcome.KEPT, np.uint8)
     reason = np.full(len(drawing), CleaningReason.AS_DRAWN, np.int32)
     parts: list[tuple[ImportOutcome, CleaningReason, F64]] = []
+    warnings: tuple[Message, ...] = ()
     if cleaned is not None:
+        warnings = replaced_fold_warnings(dieline, cleaned, lengths)
         outcome, reason = cleaned.outcome, cleaned.reason.astype(np.int32)
         # Parts of kept edges may be merged or dropped; they are counted separately.
         is_kept = outcome == ImportOutcome.KEPT
@@ -103,7 +107,7 @@ def edge_outcomes(drawing: Drawing, dieline: Dieline, cleaned: Cleaned | None) -
     entities = _entity_groups(drawing)
     summary = _summary(_merge_groups(groups) + entities)
     summary["drawn"] = float(lengths.sum()) + sum(group["length"] for group in entities)
-    return EdgeOutcomes(outcome, reason, tuple(reasons), summary)
+    return EdgeOutcomes(outcome, reason, tuple(reasons), summary, warnings)
 
 
 def _entity_groups(drawing: Drawing) -> list[dict[str, Any]]:
@@ -139,15 +143,10 @@ def _groups(
     A group is JSON data of the schema ``ReportGroup``, with number and total length of its edges or
     entities.  Reasons with the same code count as equal.
 
-    Parameters
-    ----------
-    row_kind
-        "edges" if the n rows of the arrays are edges, "entities" if they are entities.
-    outcome, reason, length, kinds : (n,)
-        For each row the ImportOutcome, the index into ``reasons``, the length (mm) and the kind of
-        the entity, such as LINE.
-    reasons
-        Messages to which ``reason`` refers.
+    ``row_kind``: "edges" if the n rows of the arrays are edges, "entities" if they are entities.
+    ``outcome``, ``reason``, ``length``, ``kinds`` (n,): for each row the ImportOutcome, the index
+    into ``reasons``, the length (mm) and the kind of the entity, such as LINE.
+    ``reasons``: messages to which ``reason`` refers.
     """
     numbers: dict[str, int] = {}
     code = np.array([numbers.setdefault(one.code, len(numbers)) for one in reasons], np.int32)

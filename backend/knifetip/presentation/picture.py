@@ -7,8 +7,9 @@ from typing import Final
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64
+from knifetip.geometry.columns import F64, U8
 from knifetip.model.dieline import LineType
+from knifetip.model.drawing import Drawing
 from knifetip.presentation.edges import EdgeTable
 
 #: Number of edges that a picture shows; the shortest of further edges are left out.
@@ -36,10 +37,20 @@ def svg_picture(block: bytes) -> str:
         The packed ``EdgeTable`` of the drawing.
     """
     columns = EdgeTable.unpack(block).columns
-    ends, bulge, line_type = columns["ends"], columns["bulge"], columns["line_type"]
+    return _picture(columns["ends"], columns["bulge"], columns["length"], columns["line_type"])
+
+
+def svg_outline(drawing: Drawing) -> str:
+    """Return a picture of a drawing that is not classified, in the colour of such edges."""
+    line_type = np.full(len(drawing), LineType.UNCLASSIFIED, np.uint8)
+    return _picture(drawing.ends, drawing.bulge, drawing.lengths, line_type)
+
+
+def _picture(ends: F64, bulge: F64, length: F64, line_type: U8) -> str:
+    """Return the picture of n edges; the arguments are columns of ``EdgeTable``."""
     shown = np.flatnonzero(line_type != LineType.IGNORED)
     if len(shown) > _MOST:
-        shown = shown[np.argsort(columns["length"][shown], kind="stable")[-_MOST:]]
+        shown = shown[np.argsort(length[shown], kind="stable")[-_MOST:]]
     ends, bulge, line_type = ends[shown], bulge[shown], line_type[shown]
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge).reshape(-1, 4)
     low = boxes[:, :2].min(axis=0, initial=np.inf) if len(boxes) else np.zeros(2)

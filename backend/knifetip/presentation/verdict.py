@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from knifetip.errors import MOST_EDGES
 from knifetip.geometry.columns import F64
 from knifetip.messages import Message, finite, from_json, with_text
-from knifetip.model.verdict import EDGE_COLUMNS, Acceptance, Finding, Severity, Unreached, Verdict
+from knifetip.model.edge_figures import EDGE_FIGURES
+from knifetip.model.verdict import Acceptance, Finding, Severity, Unreached, Verdict
 from knifetip.presentation.columns import pack_columns
 
 #: Greatest number of findings in the message about a refused program.
@@ -135,7 +136,7 @@ def verdict_json(verdict: Verdict, handles: Sequence[str]) -> dict[str, Any]:
     handles : (n,)
         Handles of the edges of the drawing.
     """
-    columns = {name: finite_column(getattr(verdict, name)) for name in EDGE_COLUMNS}
+    columns = {name: finite_column(getattr(verdict, name)) for name in EDGE_FIGURES}
     return {
         **verdict_summary(verdict),
         "areas": areas_json(verdict.areas),
@@ -190,7 +191,7 @@ def pack_verdict(
     """
     return pack_columns(
         {
-            **{name: finite_column(getattr(verdict, name)) for name in EDGE_COLUMNS},
+            **{name: finite_column(getattr(verdict, name)) for name in EDGE_FIGURES},
             "sample_edge": verdict.samples.edge,
             "sample_place": verdict.samples.place,
             "sample_deviation": finite_column(verdict.samples.deviation),

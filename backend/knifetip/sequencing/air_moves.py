@@ -328,15 +328,12 @@ def _turns_outside(
 ) -> Any:
     """Return the mask of n turns that stay outside the board, (n,), by sphere tracing.
 
-    Parameters
-    ----------
-    start, end : (n, 4) x y z in mm, c in degrees
-        Poses at the start and the end of each turn.
-    radius, aside : mm
-        Radius of the circle that contains every point of the tool's tip, and distance of its centre
-        to the left of the head's axis.
-    first, last, bulge : (e, 2) mm, (e, 2) mm and (e,)
-        Start points, end points and bulges of the e edges of the board's outline.
+    ``start``, ``end`` (n, 4) x y z in mm, c in degrees: poses at the start and the end of each
+    turn.
+    ``radius``, ``aside`` mm: radius of the circle that contains every point of the tool's tip, and
+    distance of its centre to the left of the head's axis.
+    ``first``, ``last``, ``bulge`` (e, 2) mm, (e, 2) mm and (e,): start points, end points and
+    bulges of the e edges of the board's outline.
     """
     clear = np.zeros(len(start), np.bool_)
     for row in range(len(start)):

@@ -79,18 +79,12 @@ def _choose_in_order(
 ) -> Any:
     """Return the start of each of p paths that makes the air moves in a given order shortest, (p,).
 
-    Parameters
-    ----------
-    order : (p,)
-        The paths in their order.
-    first : (p + 1,)
-        First of the k starts of each path.
-    head : (3,)
-        Pose of the head before the first path.
-    entry, leave : (k, 3) and (k, 3)
-        Poses (x, y in mm, c in degrees) at which a path with this start begins and ends.
-    rates : (4, 4)
-        As in ``Tracks``.
+    ``order`` (p,): the paths in their order.
+    ``first`` (p + 1,): first of the k starts of each path.
+    ``head`` (3,): pose of the head before the first path.
+    ``entry``, ``leave`` (k, 3) and (k, 3): poses (x, y in mm, c in degrees) at which a path with
+    this start begins and ends.
+    ``rates`` (4, 4): as in ``Tracks``.
     """
     total = np.empty(len(entry))
     before = np.full(len(entry), -1, np.int64)

@@ -54,17 +54,10 @@ def _random(state: int) -> int:
 def _random_sections(state: int, count: int) -> tuple[int, int, int, int, int]:
     """Choose three neighbouring sections of a tour at random.
 
-    Parameters
-    ----------
-    state
-        State of the generator of random numbers.
-    count
-        Number of tracks, 3 at least; they have the positions 1 to ``count``.
-
-    Returns
-    -------
-    The next state of the generator, the first position of each section, and the last position of
-    the third section.
+    ``state``: state of the generator of random numbers.
+    ``count``: number of tracks, 3 at least; they have the positions 1 to ``count``.
+    Returns the next state of the generator, the first position of each section, and the last
+    position of the third section.
     """
     longest = min(count // 3, _LONGEST_SECTION)
     state = _random(state)

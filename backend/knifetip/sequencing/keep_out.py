@@ -151,12 +151,8 @@ def _work_in_zone(toolpath: Toolpath, rows: I64, station: Station, zone: Zone) -
 def _detour(start: F64, end: F64, met: Sequence[Zone], station: Station, machine: Machine) -> F64:
     """Return the poses that replace the end of a rapid, so that it touches no zone, (k, 4).
 
-    Parameters
-    ----------
-    start, end : (4,)
-        Poses of the head at the start and the end of the rapid.
-    met
-        The zones that the straight rapid touches.
+    ``start``, ``end`` (4,): poses of the head at the start and the end of the rapid.
+    ``met``: the zones that the straight rapid touches.
     """
     height = max(zone.top for zone in met) + machine.clearance
     up, across = start.copy(), end.copy()

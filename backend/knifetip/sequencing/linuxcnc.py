@@ -156,16 +156,11 @@ def _plan(
 ) -> Any:
     """Return the time that LinuxCNC takes for each of n moves, (n,) s.
 
-    Parameters
-    ----------
-    tangents, arcs, limits
-        Directions, arcs and figures of the moves; moves of length 0 take no time.
-    rapid : (n,)
-        Mask of the rapids.
-    hardest : (4,)
-        Greatest acceleration of each axis.
-    halts : (n,)
-        Mask of the moves before which the program waits for the machine.
+    ``tangents``, ``arcs``, ``limits``: directions, arcs and figures of the moves; moves of length 0
+    take no time.
+    ``rapid`` (n,): mask of the rapids.
+    ``hardest`` (4,): greatest acceleration of each axis.
+    ``halts`` (n,): mask of the moves before which the program waits for the machine.
     """
     count = len(rapid)
     times = np.zeros(count)

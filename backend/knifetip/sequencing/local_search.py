@@ -16,11 +16,11 @@ import numpy as np
 
 from knifetip.kernels import OutBool_1, OutF64_1, OutI32_1, inline_kernel, kernel
 from knifetip.sequencing.sections import (
-    inner_change,
     removal_gain,
     reversal_change,
     reverse,
     swap,
+    time_change_inside,
     turn_change,
 )
 from knifetip.sequencing.tour import Tour, Tracks, current_link, link_time
@@ -66,12 +66,10 @@ def _try_moves(here: int, there: int, tour: Tour, tracks: Tracks, freed: OutF64_
     Returns the first and last position that changed, and the change of the tour's time (s); (0, -1,
     0) if nothing changed.
 
-    Parameters
-    ----------
-    here, there
-        Position at which the sections start or end, and position beside which they are put.
-    freed : (6,)
-        Time saved if each section is removed (s), infinite if not yet computed; updated in place.
+    ``here``, ``there``: position at which the sections start or end, and position beside which they
+    are put.
+    ``freed`` (6,): time saved if each section is removed (s), infinite if not yet computed; updated
+    in place.
     """
     end = len(tour.track) - 1
     for slot in range(_SECTIONS):
@@ -99,7 +97,7 @@ def _try_moves(here: int, there: int, tour: Tour, tracks: Tracks, freed: OutF64_
                 if change < -LEAST_GAIN and k < end:
                     change += link_time(tail, flip, k + 1, 0, tour, tracks)
                 if change < -LEAST_GAIN and back and not flip:
-                    change += inner_change(s, e, tour, tracks)
+                    change += time_change_inside(s, e, tour, tracks)
                 if change < -LEAST_GAIN:
                     if back:
                         reverse(s, e, flip, tour)
@@ -119,12 +117,8 @@ def _improve_track(track: int, tour: Tour, tracks: Tracks, freed: OutF64_1) -> A
     Returns the first and last position of the tour that changed, and the change of the tour's time
     (s, negative).  Returns (0, -1, 0) if no change shortens the tour.
 
-    Parameters
-    ----------
-    track
-        The track at which the changed section starts or ends.
-    freed : (6,)
-        Scratch.
+    ``track``: the track at which the changed section starts or ends.
+    ``freed`` (6,): scratch.
     """
     here = tour.position[track]
     change = turn_change(here, tour, tracks)

@@ -42,16 +42,11 @@ def _simulate(pose: F64_2, arcs: Arcs, limits: Limits, jolt: F64_1, stops: Bool_
     the first, so that the machine can always slow down in time.  Then each row gets a trapezoidal
     speed profile.
 
-    Parameters
-    ----------
-    pose : (n + 1, 4)
-        Poses before and after each row.
-    arcs, limits
-        The rows that are arcs, and the figures of all rows; rows of length 0 take no time.
-    jolt : (4,)
-        Greatest permitted jump of the velocity of each axis at a joint.
-    stops : (n,)
-        Mask of the rows at whose start the machine is at rest.
+    ``pose`` (n + 1, 4): poses before and after each row.
+    ``arcs``, ``limits``: the rows that are arcs, and the figures of all rows; rows of length 0 take
+    no time.
+    ``jolt`` (4,): greatest permitted jump of the velocity of each axis at a joint.
+    ``stops`` (n,): mask of the rows at whose start the machine is at rest.
     """
     length, velocity, acceleration = limits.length, limits.velocity, limits.acceleration
     count = len(length)

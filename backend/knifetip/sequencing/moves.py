@@ -109,20 +109,12 @@ def _row_limits(
 ) -> Any:
     """Return the ``Limits`` of n rows of a toolpath.
 
-    Parameters
-    ----------
-    pose : (n + 1, 4)
-        Poses before and after each row.
-    arcs
-        The rows that are arcs.
-    parked : (n,)
-        Mask of the rows before which the row's carriage was parked: only X moves.
-    tool : (n,)
-        Number of the station that makes each row.
-    carriages
-        The carriages of the machine.
-    feed, motion : (n,)
-        Programmed feed, and ``Motion``.
+    ``pose`` (n + 1, 4): poses before and after each row.
+    ``arcs``: the rows that are arcs.
+    ``parked`` (n,): mask of the rows before which the row's carriage was parked: only X moves.
+    ``tool`` (n,): number of the station that makes each row.
+    ``carriages``: the carriages of the machine.
+    ``feed``, ``motion`` (n,): programmed feed, and ``Motion``.
     """
     count = len(feed)
     length, travel = np.empty(count), np.empty(count)

@@ -91,23 +91,16 @@ def _search_rings(
     their start points.  When a candidate is chosen, all candidates of its track are removed from
     the grid.
 
-    Parameters
-    ----------
-    start, end : (count, 2) or (2 count, 2) mm
-        Positions of the head at the start and the end of each candidate.  If there are only
-        ``count`` rows, all tracks are run forwards.
-    origin : (2,) mm
-        Position of the head before the first track.
-    low, size : (2,) and (2,) mm
-        Lower left corner of the grid, and width and height of its cells.
-    side
-        Number of columns of the grid, equal to its number of rows.
-    listed
-        Candidates sorted by grid cell; changed in place.
-    first, key
-        Index in ``listed`` of the first candidate of each cell, and cell of each candidate.
-    count
-        Number of tracks.
+    ``start``, ``end`` (count, 2) or (2 count, 2) mm: positions of the head at the start and the end
+    of each candidate.  If there are only ``count`` rows, all tracks are run forwards.
+    ``origin`` (2,) mm: position of the head before the first track.
+    ``low``, ``size`` (2,) and (2,) mm: lower left corner of the grid, and width and height of its
+    cells.
+    ``side``: number of columns of the grid, equal to its number of rows.
+    ``listed``: candidates sorted by grid cell; changed in place.
+    ``first``, ``key``: index in ``listed`` of the first candidate of each cell, and cell of each
+    candidate.
+    ``count``: number of tracks.
     """
     left = first[1:] - first[:-1]
     order = np.empty(count, np.int32)
@@ -252,14 +245,11 @@ def _insert_nearest(
     distances is kept.  If the list is full and all others in it are nearer, the neighbour is not
     inserted.
 
-    Parameters
-    ----------
-    near, best
-        Ends or tracks in the list and their distances (mm); both are changed in place.
-    length
-        Number of neighbours in the list before the call; later entries of the arrays are unused.
-    other, distance
-        End or track to be inserted, and its distance (mm).
+    ``near``, ``best``: ends or tracks in the list and their distances (mm); both are changed in
+    place.
+    ``length``: number of neighbours in the list before the call; later entries of the arrays are
+    unused.
+    ``other``, ``distance``: end or track to be inserted, and its distance (mm).
     """
     slot = length
     for entry in range(length):

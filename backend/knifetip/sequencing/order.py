@@ -145,12 +145,8 @@ def _order_with_sides(
 
     The result, ``pace`` and ``period`` are those of ``short_order``.
 
-    Parameters
-    ----------
-    entry, leave : (2, t + 1, 3)
-        As for ``short_order``; the last track is the origin.
-    first
-        The order that is shortened, in the form of the result.
+    ``entry``, ``leave`` (2, t + 1, 3): as for ``short_order``; the last track is the origin.
+    ``first``: the order that is shortened, in the form of the result.
     """
     count = len(first[0])
     ends = np.stack([entry, leave], axis=2).swapaxes(0, 1).copy()

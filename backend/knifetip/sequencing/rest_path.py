@@ -82,16 +82,10 @@ def _chain_moves(
     Where the chain starts or ends lower, because ``toolpath`` has a low turn there, a plunge or a
     lift is added.
 
-    Parameters
-    ----------
-    toolpath
-        The toolpath that contains the chain.
-    begin, end
-        Row of the first and of the last move of the chain.
-    station
-        The station that makes the chain.
-    above
-        Poses of the head before and after the chain, (4,) each.
+    ``toolpath``: the toolpath that contains the chain.
+    ``begin``, ``end``: row of the first and of the last move of the chain.
+    ``station``: the station that makes the chain.
+    ``above``: poses of the head before and after the chain, (4,) each.
     """
     # A rapid switches a beam off; any other move would cut.
     down, up = (Motion.RAPID,) * 2 if station.is_beam else (Motion.PLUNGE, Motion.LIFT)
@@ -114,12 +108,8 @@ def _raised(pose: F64, station: Station, face: float, clearance: float) -> F64:
 
     A tilted tool is lifted further, until its lowest point is not below the board's top face.
 
-    Parameters
-    ----------
-    face : mm
-        Height of the board's top face.
-    clearance : mm
-        Height of the tip above the face at which plunges begin.
+    ``face`` mm: height of the board's top face.
+    ``clearance`` mm: height of the tip above the face at which plunges begin.
     """
     circle = station.tool.tip_circle(0.0)
     lifted = lift_clear(pose, np.maximum(face + clearance - pose[:, 2], 0.0), circle)

@@ -22,7 +22,7 @@ _LONGEST_SECTION: Final = 50
 
 
 @kernel(allocates=False)
-def inner_change(first: int, last: int, tour: Tour, tracks: Tracks) -> float:
+def time_change_inside(first: int, last: int, tour: Tour, tracks: Tracks) -> float:
     """Return the increase of the time inside a section of the tour if the section is reversed (s).
 
     The time is the sum of the air moves between the tracks of the section, which keep their
@@ -71,7 +71,7 @@ def reversal_change(first: int, last: int, tour: Tour, tracks: Tracks) -> float:
     # A loss at the two ends is hardly ever regained inside, and computing that is costly.
     if change >= 0.0:
         return change
-    return change + inner_change(first, last, tour, tracks)
+    return change + time_change_inside(first, last, tour, tracks)
 
 
 @kernel(allocates=False)

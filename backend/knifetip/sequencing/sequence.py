@@ -75,7 +75,7 @@ def sequence(
         A move would leave the limits of an axis.
     """
     work = [
-        part
+        replace(part, one_way=toolpath.one_way)
         for toolpath in toolpaths
         if len(toolpath)
         for part in split_enclosed(toolpath, machine.station(int(toolpath.tool[0])).tool)
@@ -107,14 +107,11 @@ def _order_tracks(
     """Return the moves of a toolpath with its tracks in a short order, and an air move before each
     track.
 
-    Parameters
-    ----------
-    toolpath, station, machine
-        Toolpath of one operation, and the station and machine that run it.
-    current : (4,)
-        Pose of the head before the first track.
-    count
-        Number that the first of the returned tracks gets; the tracks are numbered in their order.
+    ``toolpath``, ``station``, ``machine``: toolpath of one operation, and the station and machine
+    that run it.
+    ``current`` (4,): pose of the head before the first track.
+    ``count``: number that the first of the returned tracks gets; the tracks are numbered in their
+    order.
     """
     # Old rapids are dropped; new ones lead to the start of each pass.
     columns = columns_of(toolpath)
@@ -123,6 +120,8 @@ def _order_tracks(
     pass_count, closes = np.diff(passes.opens), passes.opens[1:] - 1
 
     reversal, rotation = station.tool.reversal
+    if toolpath.one_way:
+        reversal = Reversal.ONE
     if reversal == Reversal.SIDES and (pass_count % 2).any():
         reversal = Reversal.ONE
     period = station.tool.period
@@ -238,12 +237,8 @@ def _lower_turns(
 def _turn_times(toolpath: Toolpath, turns: I64, start: F64, end: F64, machine: Machine) -> F64:
     """Return the times of t turns of one station, each with its lift and its plunge, (t,) s.
 
-    Parameters
-    ----------
-    turns
-        Rows of the turns in the toolpath.
-    start, end : (t, 4)
-        Poses at the start and the end of each rapid.
+    ``turns``: rows of the turns in the toolpath.
+    ``start``, ``end`` (t, 4): poses at the start and the end of each rapid.
     """
     station = machine.station(int(toolpath.tool[turns[0]])) if len(turns) else machine.stations[0]
     axes, plunge = machine.carriage_of(station).axes, station.tool.plunge

@@ -118,12 +118,8 @@ def _apply_change(
 ) -> int:
     """Apply a change to the ring, and return the number of reversals made so far.
 
-    Parameters
-    ----------
-    change
-        As returned by ``_find_change``.
-    done
-        Number of reversals made before.
+    ``change``: as returned by ``_find_change``.
+    ``done``: number of reversals made before.
     """
     _, end2, end3, end4, end5, end6, closes = change
     if closes:

@@ -88,14 +88,10 @@ def _travel_time(
 
     It is the time of the slowest of the axes X, Y and C.
 
-    Parameters
-    ----------
-    before, after
-        Numbers of the two tracks; the move leads from ``before`` to ``after``.
-    side_before, side_after
-        0 for a track that is run forwards, 1 for a track that is run backwards.
-    ends, rates
-        As in ``Tracks``.
+    ``before``, ``after``: numbers of the two tracks; the move leads from ``before`` to ``after``.
+    ``side_before``, ``side_after``: 0 for a track that is run forwards, 1 for a track that is run
+    backwards.
+    ``ends``, ``rates``: as in ``Tracks``.
     """
     slowest = 0.0
     for axis in range(3):

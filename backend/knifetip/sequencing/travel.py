@@ -106,18 +106,12 @@ def _greatest_excesses(
     it is below the lower limit, (s,) each.  The row is -1 if the station makes no row; an excess
     that is not a number counts as the greatest one.
 
-    Parameters
-    ----------
-    pose : (n + 1, 4)
-        Poses before and after each row of the toolpath.
-    tool : (n,)
-        Number of the station that makes each row.
-    arcs, boxes : (k,) and (k, 4) mm
-        The rows that are arcs, ascending, and their bounding boxes.
-    changes
-        The rows to whose start the carriage does not come, ascending.
-    stations
-        The stations.
+    ``pose`` (n + 1, 4): poses before and after each row of the toolpath.
+    ``tool`` (n,): number of the station that makes each row.
+    ``arcs``, ``boxes`` (k,) and (k, 4) mm: the rows that are arcs, ascending, and their bounding
+    boxes.
+    ``changes``: the rows to whose start the carriage does not come, ascending.
+    ``stations``: the stations.
     """
     count = len(stations.datum)
     rows, axes = np.full(count, -1, np.int64), np.zeros(count, np.int64)
@@ -155,12 +149,8 @@ def _check_distance(
 ) -> None:
     """Raise ``TravelExceeded`` if a station comes too near to another carriage, which is parked.
 
-    Parameters
-    ----------
-    own : (n,)
-        Mask of the rows of the toolpath that the station makes.
-    low, high : (n,) mm
-        Least and greatest programmed Y in each row.
+    ``own`` (n,): mask of the rows of the toolpath that the station makes.
+    ``low``, ``high`` (n,) mm: least and greatest programmed Y in each row.
     """
     assert machine.gantry
     carriage = machine.carriage_of(station)

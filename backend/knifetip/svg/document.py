@@ -17,11 +17,10 @@ from xml.parsers import expat
 
 from knifetip.errors import DrawingTooLarge, NotADrawing
 from knifetip.formats.limits import Limits
+from knifetip.formats.xml_builder import XmlBuilder
 
 SVG: Final = "http://www.w3.org/2000/svg"
 _GZIP: Final = b"\x1f\x8b"
-#: Deepest nesting of elements; drawing programs stay below 50.
-_MAX_DEPTH: Final = 256
 #: Largest number of characters that an entity may expand to, over all references.
 _EXPANSION: Final = 1 << 20
 #: Elements whose text is kept.
@@ -76,49 +75,17 @@ def parse_document(data: bytes, limits: Limits) -> Node:
     if data.startswith(_GZIP):
         data = _unpack(data, limits)
     builder = _TreeBuilder(data, limits)
-    parser = expat.ParserCreate()
-    parser.buffer_text = True
-    parser.StartElementHandler = builder.start
-    parser.EndElementHandler = builder.end
-    parser.CharacterDataHandler = builder.text
-    parser.EntityDeclHandler = builder.entity
-    try:
-        parser.Parse(data, True)
-    except (LookupError, ValueError) as error:
-        # An encoding that the XML declaration names and Python does not have.
-        raise NotADrawing("svg.damaged-at", line=1, column=0, reason=error) from None
-    except expat.ExpatError as error:
-        reason = expat.ErrorString(error.code) or "damaged"
-        if error.code in _TRUNCATED:
-            raise NotADrawing("svg.cut-short", line=error.lineno, count=builder.count) from None
-        raise NotADrawing(
-            "svg.damaged-at", line=error.lineno, column=error.offset, reason=reason
-        ) from None
+    builder.parse(data)
     if builder.root is None:
         raise NotADrawing("svg.empty")
     return builder.root
 
 
-_TRUNCATED: Final = frozenset(
-    expat.errors.codes[text]
-    for text in (
-        expat.errors.XML_ERROR_NO_ELEMENTS,
-        expat.errors.XML_ERROR_UNCLOSED_TOKEN,
-        expat.errors.XML_ERROR_PARTIAL_CHAR,
-        expat.errors.XML_ERROR_UNCLOSED_CDATA_SECTION,
-    )
-)
-
-
 def _unpack(data: bytes, limits: Limits) -> bytes:
     """Return the unpacked content of gzip data.
 
-    Raises
-    ------
-    NotADrawing
-        The data is truncated or damaged.
-    DrawingTooLarge
-        The unpacked content is larger than ``limits`` allow.
+    Raises ``NotADrawing``: the data is truncated or damaged.
+    Raises ``DrawingTooLarge``: the unpacked content is larger than ``limits`` allow.
     """
     stream = zlib.decompressobj(31)
     try:
@@ -132,28 +99,21 @@ def _unpack(data: bytes, limits: Limits) -> bytes:
     return plain
 
 
-class _TreeBuilder:
-    """Builds the tree of one XML file, with the handlers that Expat calls."""
+class _TreeBuilder(XmlBuilder):
+    """Builds the tree of one XML file."""
 
     def __init__(self, data: bytes, limits: Limits) -> None:
+        super().__init__(limits, "SVG")
         self.root: Node | None = None
-        self.count = 0
         self._references = data.count(b"&") + data.count(b"%")
-        self._limits = limits
         self._open: list[Node] = []
-        self._depth = 0
         self._foreign = 0  # depth within an element of another namespace
         self._prefixes = {""}
 
+    def restrict(self, parser: expat.XMLParserType) -> None:
+        parser.EntityDeclHandler = self._entity
+
     def start(self, name: str, attributes: dict[str, str]) -> None:
-        self._depth += 1
-        self.count += 1
-        if self._depth > _MAX_DEPTH:
-            raise DrawingTooLarge("svg.nested-too-deep", limit=_MAX_DEPTH)
-        if self.count > self._limits.entities:
-            raise DrawingTooLarge(
-                "reading.too-many-elements", limit=self._limits.entities, format="SVG"
-            )
         if self._foreign:
             self._foreign += 1
             return
@@ -176,7 +136,6 @@ class _TreeBuilder:
         self._open.append(node)
 
     def end(self, _name: str) -> None:
-        self._depth -= 1
         if self._foreign:
             self._foreign -= 1
         else:
@@ -186,7 +145,7 @@ class _TreeBuilder:
         if not self._foreign and self._open and self._open[-1].tag in _WITH_TEXT:
             self._open[-1].children.append(Node("", {}, text))
 
-    def entity(
+    def _entity(
         self,
         name: str,
         is_parameter: int,

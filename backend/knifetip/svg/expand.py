@@ -291,16 +291,11 @@ class _Expansion:
 
         The bounding box of the path becomes the location of the element in the import report.
 
-        Parameters
-        ----------
-        row
-            Row of the element in the import report.
-        shape
-            Function that returns the path data of the element.  If it fails, nothing is stored.
-        node
-            The element.
-        context
-            Properties that apply to the element.
+        ``row``: row of the element in the import report.
+        ``shape``: function that returns the path data of the element.  If it fails, nothing is
+        stored.
+        ``node``: the element.
+        ``context``: properties that apply to the element.
         """
         with suppress(shapes.Undrawable):
             self.drawn.omitted.append(
@@ -335,15 +330,10 @@ class _Expansion:
 
         The matrix in these properties maps the coordinates of the children to file units.
 
-        Parameters
-        ----------
-        node
-            The ``svg`` or ``symbol`` element.
-        sizes
-            The element whose attributes ``width`` and ``height`` are used: ``node``, or the ``use``
-            element that copies ``node``.
-        context
-            Properties that apply to ``node``.
+        ``node``: the ``svg`` or ``symbol`` element.
+        ``sizes``: the element whose attributes ``width`` and ``height`` are used: ``node``, or the
+        ``use`` element that copies ``node``.
+        ``context``: properties that apply to ``node``.
         """
         try:
             x, y = (
@@ -379,12 +369,8 @@ class _Expansion:
         None is returned if the element cannot be copied; the reason is then added to the import
         report.
 
-        Parameters
-        ----------
-        node
-            The ``use`` element.
-        context
-            Properties that the ``use`` element inherits.
+        ``node``: the ``use`` element.
+        ``context``: properties that the ``use`` element inherits.
         """
         handle = self._handle(node)
         context = self._context_of(node, context)

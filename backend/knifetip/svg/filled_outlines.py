@@ -125,12 +125,10 @@ def _arc_reach(table: Table, matrices: F64) -> F64:
 def _covers(outer: F64, inner: F64, margin: F64) -> Bool:
     """Return the mask of boxes that contain others, except for a margin.
 
-    Parameters
-    ----------
-    outer, inner : (k, 4) and (4,), or (1, 4) and (4, k)
-        Boxes of which one of each pair may contain the other.
-    margin : (2,) or (2, 1)
-        Distance in x and in y by which the inner box may exceed the outer box.
+    ``outer``, ``inner`` (k, 4) and (4,), or (1, 4) and (4, k): boxes of which one of each pair may
+    contain the other.
+    ``margin`` (2,) or (2, 1): distance in x and in y by which the inner box may exceed the outer
+    box.
     """
     low = [outer[:, k] <= inner[k] + margin[k] for k in range(2)]
     high = [outer[:, k + 2] >= inner[k + 2] - margin[k] for k in range(2)]
@@ -144,12 +142,8 @@ def _is_blank(edges: F64, box: F64, lines: F64) -> bool:
     The lines on a rectangle must also extend between two opposite sides and no others: a rectangle
     with lines at a distance from its sides, or with lines at all sides, is a background.
 
-    Parameters
-    ----------
-    edges, box : (m, 2, 2) and (4,)
-        Edges of the contour of the area, and its bounding box.
-    lines : (k, 4)
-        Bounding boxes of the lines.
+    ``edges``, ``box`` (m, 2, 2) and (4,): edges of the contour of the area, and its bounding box.
+    ``lines`` (k, 4): bounding boxes of the lines.
     """
     margin = _SAME * (box[2:] - box[:2])
     corners = edges.reshape(-1, 2)

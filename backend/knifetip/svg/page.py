@@ -165,14 +165,9 @@ def _aspect_warnings(
 ) -> tuple[Message, ...]:
     """Return a warning if width and height of the page scale the viewBox differently.
 
-    Parameters
-    ----------
-    root, box
-        Root element of the SVG, and its viewBox.
-    width, height
-        Size of the page (file units).
-    written
-        Size of the page as in the file.
+    ``root``, ``box``: root element of the SVG, and its viewBox.
+    ``width``, ``height``: size of the page (file units).
+    ``written``: size of the page as in the file.
     """
     if box is None or not width or not height:
         return ()
@@ -253,14 +248,10 @@ def _flipped(
 ) -> Matrix:
     """Return the matrix of a page with y upwards and y = 0 at the lower edge of the page.
 
-    Parameters
-    ----------
-    matrix
-        Matrix of the page with y downwards and y = 0 at the upper edge.
-    box
-        x, y, width and height of the viewBox.
-    page_width, page_height
-        Width and height of the page (file units); None if the file does not state them.
+    ``matrix``: matrix of the page with y downwards and y = 0 at the upper edge.
+    ``box``: x, y, width and height of the viewBox.
+    ``page_width``, ``page_height``: width and height of the page (file units); None if the file
+    does not state them.
     """
     a, _, _, d, e, f = matrix
     high = page_height or (page_width or 0.0) * box[3] / box[2]

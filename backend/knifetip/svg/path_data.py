@@ -72,14 +72,9 @@ def _parse_number(data: U8_1, position: int, last: int) -> tuple[float, int]:
 
     If there is no number, the index is -1.
 
-    Parameters
-    ----------
-    data
-        Bytes of the path data.
-    position
-        Index at which parsing starts; separators before the number are skipped.
-    last
-        Index after the last byte of the path.
+    ``data``: bytes of the path data.
+    ``position``: index at which parsing starts; separators before the number are skipped.
+    ``last``: index after the last byte of the path.
     """
     position = _skip_separators(data, position, last)
     negative = False
@@ -142,14 +137,9 @@ def _parse_flag(data: U8_1, position: int, last: int) -> tuple[int, int]:
 
     If there is no flag, the index is -1.
 
-    Parameters
-    ----------
-    data
-        Bytes of the path data.
-    position
-        Index at which parsing starts; separators before the flag are skipped.
-    last
-        Index after the last byte of the path.
+    ``data``: bytes of the path data.
+    ``position``: index at which parsing starts; separators before the flag are skipped.
+    ``last``: index after the last byte of the path.
     """
     position = _skip_separators(data, position, last)
     if position < last and (data[position] == 48 or data[position] == 49):
@@ -193,26 +183,17 @@ def _place_cubic(
 
     The curve is cubic; a quadratic curve (Q, T) is converted.
 
-    Parameters
-    ----------
-    row : (8,)
-        Numbers of the curve's segment.  Columns 0 and 1 contain x and y of its start; the control
-        points are written into columns 4 to 7, and the other columns are not changed.
-    command, previous_command
-        ASCII codes of the lower-case letters of the command and of the preceding command.
-    arguments
-        Arguments of the command.
-    base_x, base_y
-        Added to the arguments: the start of the curve for a relative command, else 0.
-    handle_x, handle_y
-        Last control point of the preceding curve, which S and T mirror at the start of the curve.
-
-    Returns
-    -------
-    x, y
-        End of the curve.
-    handle_x, handle_y
-        Last control point of the curve; the control point of the quadratic curve for Q and T.
+    ``row`` (8,): numbers of the curve's segment.  Columns 0 and 1 contain x and y of its start; the
+    control points are written into columns 4 to 7, and the other columns are not changed.
+    ``command``, ``previous_command``: ASCII codes of the lower-case letters of the command and of
+    the preceding command.
+    ``arguments``: arguments of the command.
+    ``base_x``, ``base_y``: added to the arguments: the start of the curve for a relative command,
+    else 0.
+    ``handle_x``, ``handle_y``: last control point of the preceding curve, which S and T mirror at
+    the start of the curve.
+    Returns x, y: end of the curve; handle_x, handle_y: last control point of the curve; the control
+    point of the quadratic curve for Q and T.
     """
     x, y = row[0], row[1]
     if command == 99 or command == 115:

@@ -9,8 +9,8 @@ group or id.  The modules are called in this order: ``document`` (tree of elemen
 from __future__ import annotations
 
 from knifetip.drawing_builder.assemble import KnownUnit, assemble
-from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
+from knifetip.formats.refusals import refuse_unexpected
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import factor
 from knifetip.svg.document import parse_document
@@ -56,18 +56,11 @@ def read(
     NoSuchUnit
         ``unit`` is not a unit.
     """
-    millimetres = factor(unit) if unit else 0.0
-    limits.admit(len(data))
-    try:
+    with refuse_unexpected(data, unit, limits, "SVG"):
         root = parse_document(data, limits)
+        millimetres = factor(unit) if unit else 0.0
         page = read_page(root, unit or "", millimetres, pixel_unit(root, data))
         report, paths = expand(root, page, limits)
         columns, styles = segment_columns(report, paths, page, limits)
         known = KnownUnit(page.scale, page.unit, page.evidence, page.stated, page.hints)
         return assemble(report, columns, styles, paths.annotations, known)
-    except KnifetipError:
-        raise
-    except (ValueError, ArithmeticError, LookupError) as error:
-        raise NotADrawing(
-            "reading.unexpected", reason=type(error).__name__, format="SVG"
-        ) from error

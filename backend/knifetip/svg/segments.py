@@ -138,14 +138,10 @@ def _report_invisible_paths(
 ) -> Bool:
     """Drop the paths that are not visible and areas beside lines; return the mask of the others.
 
-    Parameters
-    ----------
-    report
-        Import report, which gets the reasons and notes.
-    drawn_paths, table, matrix, box
-        The p paths with their segments, matrices, (p, 6), and bounding boxes, (p, 4).
-    unbroken : (p,)
-        Mask of the paths without an error in their data.
+    ``report``: import report, which gets the reasons and notes.
+    ``drawn_paths``, ``table``, ``matrix``, ``box``: the p paths with their segments, matrices, (p,
+    6), and bounding boxes, (p, 4).
+    ``unbroken`` (p,): mask of the paths without an error in their data.
     """
     row = np.array(drawn_paths.row, np.int32)
     white = unbroken & unseen_white_lines(

@@ -101,20 +101,16 @@ def _choose_links(
     A candidate is a point to which a dangling end may be linked.  Each dangling end is linked to
     its relative neighbours among the dangling ends, and to the nearest point of another cut.
 
-    Parameters
-    ----------
-    tips, first : (t,) and (t + 1,)
-        Dangling ends, and the index of the first candidate of each dangling end.
-    row, fraction, target, to_end : (k,), (k,), (k, 2) mm and (k,)
-        Edge on which each candidate lies, its parameter on that edge (0 … 1), its position, and
-        whether it is a dangling end.
-    points, length : (2n, 2) and (n,) mm
-        Ends and lengths of all edges; edge i has the ends 2i and 2i + 1.
-    node, by_node, begin
-        Vertex of each end, ends sorted by vertex, and index in ``by_node`` of each vertex's first
-        end.
-    longest : mm
-        Greatest length of a link.
+    ``tips``, ``first`` (t,) and (t + 1,): dangling ends, and the index of the first candidate of
+    each dangling end.
+    ``row``, ``fraction``, ``target``, ``to_end`` (k,), (k,), (k, 2) mm and (k,): edge on which each
+    candidate lies, its parameter on that edge (0 … 1), its position, and whether it is a dangling
+    end.
+    ``points``, ``length`` (2n, 2) and (n,) mm: ends and lengths of all edges; edge i has the ends
+    2i and 2i + 1.
+    ``node``, ``by_node``, ``begin``: vertex of each end, ends sorted by vertex, and index in
+    ``by_node`` of each vertex's first end.
+    ``longest`` mm: greatest length of a link.
     """
     linked = np.zeros(len(row), np.bool_)
     reached_from = np.full(len(length), -1, np.int64)
@@ -159,16 +155,12 @@ def _has_end_between(
 ) -> bool:
     """Return whether a third dangling end is nearer to both ends of a gap than the gap is long.
 
-    Parameters
-    ----------
-    candidate, gap
-        Candidate at the far end of the gap, and the length of the gap (mm).
-    low, high
-        Index of the first candidate of the dangling end, and the index after its last candidate.
-    target, to_end : (k, 2) mm and (k,)
-        Point of each candidate, and whether it is a dangling end.
-    tip : (2,) mm
-        Position of the dangling end.
+    ``candidate``, ``gap``: candidate at the far end of the gap, and the length of the gap (mm).
+    ``low``, ``high``: index of the first candidate of the dangling end, and the index after its
+    last candidate.
+    ``target``, ``to_end`` (k, 2) mm and (k,): point of each candidate, and whether it is a dangling
+    end.
+    ``tip`` (2,) mm: position of the dangling end.
     """
     for other in range(low, high):
         if (
@@ -201,20 +193,14 @@ def _far_along_chain(
     be at least ``_CHAIN_FACTOR`` times as long as the gap.  A point of another chain is always far
     enough.
 
-    Parameters
-    ----------
-    edge, fraction
-        Edge on which the point lies, and the parameter of the point on it, 0 … 1.
-    gap : mm
-        Straight distance of the point from the dangling end.
-    number
-        Number of the dangling end.
-    reached_from, along_chain, back : (n,)
-        For each edge: the number of the dangling end from which the edge was reached last, the
-        distance along the chain from that end to the edge (mm), and whether the chain runs from the
-        edge's end to its start.
-    length : (n,) mm
-        Length of each edge.
+    ``edge``, ``fraction``: edge on which the point lies, and the parameter of the point on it, 0 …
+    1.
+    ``gap`` mm: straight distance of the point from the dangling end.
+    ``number``: number of the dangling end.
+    ``reached_from``, ``along_chain``, ``back`` (n,): for each edge: the number of the dangling end
+    from which the edge was reached last, the distance along the chain from that end to the edge
+    (mm), and whether the chain runs from the edge's end to its start.
+    ``length`` (n,) mm: length of each edge.
     """
     if reached_from[edge] != number:
         return True

@@ -82,30 +82,18 @@ def _form_rows(
 ) -> Any:
     """Find rows of at least three dashes with nearly equal gaps, and link neighbouring dashes.
 
-    Parameters
-    ----------
-    ends : (n, 2, 2)
-        Start and end points of n edges.
-    facing : (2n,)
-        Number of the end that each end of an edge faces across a gap, -1 if it faces none; edge i
-        has the ends 2 i (start) and 2 i + 1 (end).
-    tolerance
-        Largest distance between ends that became one vertex.
-    reach
-        Least search distance for ends of edges.
-    end_vertex, twin : (2n,) and (n,)
-        Vertex of each end, and the first edge that coincides with each edge.
-    loose : (q,)
-        Whether only one edge ends at each vertex; set to False for vertices that get a link.
-
-    Returns
-    -------
-    dashed : (n,)
-        Whether each edge is a dash of a row.
-    links : (t, 2)
-        Pairs of vertices; a link closes the gap between the two vertices of a pair.
-    gap_of : (2n,)
-        Search distance of each end: within it, another edge is looked for later.
+    ``ends`` (n, 2, 2): start and end points of n edges.
+    ``facing`` (2n,): number of the end that each end of an edge faces across a gap, -1 if it faces
+    none; edge i has the ends 2 i (start) and 2 i + 1 (end).
+    ``tolerance``: largest distance between ends that became one vertex.
+    ``reach``: least search distance for ends of edges.
+    ``end_vertex``, ``twin`` (2n,) and (n,): vertex of each end, and the first edge that coincides
+    with each edge.
+    ``loose`` (q,): whether only one edge ends at each vertex; set to False for vertices that get a
+    link.
+    Returns ``dashed`` (n,): whether each edge is a dash of a row; ``links`` (t, 2): pairs of
+    vertices; a link closes the gap between the two vertices of a pair; ``gap_of`` (2n,): search
+    distance of each end: within it, another edge is looked for later.
     """
     n = len(twin)
     link = np.empty((64, 2), np.int32)
@@ -170,18 +158,12 @@ def _find_dangling_ends(
 
     Only the entries of dangling ends of edges ``begin`` … ``end`` - 1 are written.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        Start and end points and bulges of the edges.
-    end_vertex, twin : (2n,) and (n,)
-        Vertex of each end, and the first edge that coincides with each edge.
-    loose : (q,)
-        Whether only one edge ends at each vertex.
-    grid
-        Grid of side × side cells over the drawing.
-    cell : (2n,)
-        Number of the cell of the start and of the end of each edge.
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
+    ``end_vertex``, ``twin`` (2n,) and (n,): vertex of each end, and the first edge that coincides
+    with each edge.
+    ``loose`` (q,): whether only one edge ends at each vertex.
+    ``grid``: grid of side × side cells over the drawing.
+    ``cell`` (2n,): number of the cell of the start and of the end of each edge.
     """
     low, size, side, _, _ = grid
     for i in range(begin, end):
@@ -201,25 +183,17 @@ def _find_facing_ends(
 ) -> None:  # fmt: skip
     """Find the dangling end that each dangling end ``begin`` … ``end`` - 1 faces across a gap.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        Start and end points and bulges of the edges; edge i has the ends 2 i and 2 i + 1.
-    tolerance
-        Largest distance between ends that became one vertex (drawing units).
-    unit
-        Number of drawing units in a millimetre.
-    grid
-        Grid of side × side cells over the drawing.
-    begins : (side² + 1,)
-        Index in ``tips`` of the first dangling end in each cell of the grid.
-    tips, position : (t,) and (t, 2)
-        Numbers of the dangling ends in the order of their cells, and their positions.
-    facing : (2n,)
-        Receives for each end the nearest dangling end that is straight ahead of it and points back
-        at it; unchanged if there is none.
-    begin, end
-        Range of indices in ``tips``.
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges; edge i has
+    the ends 2 i and 2 i + 1.
+    ``tolerance``: largest distance between ends that became one vertex (drawing units).
+    ``unit``: number of drawing units in a millimetre.
+    ``grid``: grid of side × side cells over the drawing.
+    ``begins`` (side² + 1,): index in ``tips`` of the first dangling end in each cell of the grid.
+    ``tips``, ``position`` (t,) and (t, 2): numbers of the dangling ends in the order of their
+    cells, and their positions.
+    ``facing`` (2n,): receives for each end the nearest dangling end that is straight ahead of it
+    and points back at it; unchanged if there is none.
+    ``begin``, ``end``: range of indices in ``tips``.
     """
     low, size, side, _, _ = grid
     for number in range(begin, end):

@@ -133,18 +133,11 @@ def _cells_of_edges(
 
     The arrays are empty if there are more than ``limit`` pairs.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        Start and end points and bulges of the edges.
-    boxes : (n, 4)
-        Bounding box of each edge.
-    low, size : (2,) and (2,)
-        Least x and y of the grid, and width and height of a cell.
-    side
-        Number of columns and of rows of the grid.
-    pad
-        An edge counts as in a cell if it is nearer to the cell than this.
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
+    ``boxes`` (n, 4): bounding box of each edge.
+    ``low``, ``size`` (2,) and (2,): least x and y of the grid, and width and height of a cell.
+    ``side``: number of columns and of rows of the grid.
+    ``pad``: an edge counts as in a cell if it is nearer to the cell than this.
     """
     cell, edge = np.empty(limit, np.int32), np.empty(limit, np.int32)
     total = 0

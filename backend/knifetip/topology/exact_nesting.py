@@ -6,6 +6,10 @@ is in the same face.  Edges with one face on both sides, such as a slit that beg
 are hit by no ray, and a ray begins at them only if the component has no other edges: a slit that
 reaches a little past another outline would place its whole component inside that one.
 
+Outlines that touch may overlap by a rounding error, so that the first edge below a point is the top
+of one outline although the point lies inside the other, whose bottom is a little lower.  A ray that
+leaves a component therefore also looks for the bottoms of others within ``GAP`` below.
+
 Edges are split into spans, which run from left to right, so that a vertical
 ray meets each span at most once.  A tree of bounding boxes finds the spans that a ray can hit.
 
@@ -22,6 +26,7 @@ import numpy as np
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.spatial_index.box_tree import (
+    BoxTree,
     build_tree,
     new_stack,
     next_overlap,
@@ -29,13 +34,25 @@ from knifetip.geometry.spatial_index.box_tree import (
 )
 from knifetip.geometry.spatial_index.morton import order_boxes
 from knifetip.geometry.tolerance import BULGE, GAP
-from knifetip.kernels import F64_1, F64_2, I32_1, I64_1, Bool_1, OutF64_2, OutI64_1, kernel
+from knifetip.kernels import (
+    F64_1,
+    F64_2,
+    I32_1,
+    I64_1,
+    Bool_1,
+    OutF64_2,
+    OutI64_1,
+    OutI64_2,
+    kernel,
+)
 
 #: Columns of a span: x and y of its left and right end, centre (x, y) and radius of its circle, and
 #: 1 for a span on the upper half of the circle, -1 on the lower half, 0 for a straight span.
 _SPAN: Final = 8
 #: By how much boxes are enlarged, for rounding; heights that differ by less are equal (mm).
 _MARGIN: Final = 1e-6
+#: Number of components that may touch at one place and overlap there.
+_MOST_TOUCHING: Final = 10
 
 
 def find_enclosing_faces(
@@ -92,7 +109,8 @@ def find_enclosing_faces(
     boxes = _boxes_of_spans(spans)
     # The reversed order begins at the top, so that a search finds the span of a ray early.
     order = order_boxes(boxes)[::-1].copy()
-    hit = _first_below(lowest, spans, owner, boxes[order], order, GAP)
+    inside = ~outer[face.ravel()[above]]
+    hit = _first_below(lowest, spans, owner, inside, boxes[order], order, GAP)
     # A ray hits a component with a lower lowest point, whose enclosing face is known by then.
     order = np.argsort(lowest[:, 1], kind="stable")
     enclosing, depth = _follow_hits(order, hit, above, face.ravel(), outer, component)
@@ -119,8 +137,9 @@ def find_half_edges_below(points: F64, start: F64, end: F64, bulge: F64) -> I64:
     order = order_boxes(boxes)[::-1].copy()
     # No span has an owner, so that none is left out.
     no_owner = np.full(len(spans), -1, np.int32)
+    inside = np.ones(len(spans), np.bool_)
     points = np.ascontiguousarray(points)
-    hit = _first_below(points, spans, no_owner, boxes[order], order, _MARGIN)
+    hit = _first_below(points, spans, no_owner, inside, boxes[order], order, _MARGIN)
     result: I64 = np.where(hit < 0, -1, above[hit])
     return result
 
@@ -145,27 +164,15 @@ def _follow_hits(
     edge that runs from left to right.  A ray hits the first span of another component that it
     meets.
 
-    Parameters
-    ----------
-    order : (c,)
-        Components, sorted by their lowest points from low to high.
-    hit : (c,)
-        Span that the ray of each component hits, -1 for none.
-    above : (k,)
-        Half-edge on the upper side of each span.
-    face : (2n,)
-        Face beside each half-edge.
-    outer : (f,)
-        Whether each face is the outer face of its component.
-    component : (n,)
-        Component of each edge.
-
-    Returns
-    -------
-    enclosing : (c,)
-        Bounded face that contains each component, -1 if there is none.
-    depth : (c,)
-        Number of other components around each component; 0 for a component that is inside no other.
+    ``order`` (c,): components, sorted by their lowest points from low to high.
+    ``hit`` (c,): span that the ray of each component hits, -1 for none.
+    ``above`` (k,): half-edge on the upper side of each span.
+    ``face`` (2n,): face beside each half-edge.
+    ``outer`` (f,): whether each face is the outer face of its component.
+    ``component`` (n,): component of each edge.
+    Returns ``enclosing`` (c,): bounded face that contains each component, -1 if there is none;
+    ``depth`` (c,): number of other components around each component; 0 for a component that is
+    inside no other.
     """
     enclosing = np.full(len(order), -1, np.int64)
     depth = np.zeros(len(order), np.int64)
@@ -190,12 +197,8 @@ def _split_into_spans(start: F64_2, end: F64_2, bulge: F64_1, centre: F64_2, rad
     upper half of the circle, -1 for its lower half or 0 for a line.  Half-edge 2 i is the left side
     of edge i, half-edge 2 i + 1 its right side.
 
-    Parameters
-    ----------
-    start, end, bulge : (n, 2), (n, 2) mm and (n,)
-        The edges.
-    centre, radius : (n, 2) and (n,) mm
-        Centre and radius of each edge that is an arc.
+    ``start``, ``end``, ``bulge`` (n, 2), (n, 2) mm and (n,): the edges.
+    ``centre``, ``radius`` (n, 2) and (n,) mm: centre and radius of each edge that is an arc.
     """
     spans = np.empty((3 * len(bulge), _SPAN))
     above = np.empty(3 * len(bulge), np.int64)
@@ -287,14 +290,10 @@ def _lowest_points(
 ) -> Any:
     """Return the lowest point on the edges of each of ``count`` components, (count, 2) mm.
 
-    Parameters
-    ----------
-    start, end : (n, 2) mm
-        Start and end points of the edges.
-    component : (n,)
-        Component of each edge.
-    spans, owner : (k, 8) and (k,)
-        Spans, the parts of the edges that run from left to right, and the component of each span.
+    ``start``, ``end`` (n, 2) mm: start and end points of the edges.
+    ``component`` (n,): component of each edge.
+    ``spans``, ``owner`` (k, 8) and (k,): spans, the parts of the edges that run from left to right,
+    and the component of each span.
     """
     lowest = np.full((count, 2), math.inf)
     for i in range(len(component)):
@@ -331,36 +330,32 @@ def _boxes_of_spans(spans: F64_2) -> Any:
 
 @kernel(checks_division=True)
 def _first_below(
-    lowest: F64_2, spans: F64_2, owner: I32_1, boxes: F64_2, order: I64_1, touch: float
+    lowest: F64_2,
+    spans: F64_2,
+    owner: I32_1,
+    inside: Bool_1,
+    boxes: F64_2,
+    order: I64_1,
+    touch: float,
 ) -> Any:
     """Return the first span of another component below the lowest point of each component.
 
     A span at most ``touch`` mm above the lowest point counts as below it: the component touches it
-    from above.
+    from above.  If the first span leaves its component, and another component is entered at most
+    ``touch`` mm below and left nowhere between, its span is returned: the two components overlap.
 
     A span is a part of an edge that runs from left to right; a span contains its left end but not
     its right end.  Of several spans at the same height below a point, the upper one is returned.
 
-    Parameters
-    ----------
-    lowest : (c, 2)
-        Lowest point of each component.
-    spans : (k, 8)
-        Spans of all components.
-    owner : (k,)
-        Component of each span.
-    boxes : (k, 4)
-        Bounding boxes of the spans, sorted so that near ones follow one another, as ``BoxTree``
-        requires.
-    order : (k,)
-        Index of the span of each box.
-    touch
-        Distance within which a component touches a span (mm).
-
-    Returns
-    -------
-    hit : (c,)
-        Index of the span, -1 if there is none.
+    ``lowest`` (c, 2): lowest point of each component.
+    ``spans`` (k, 8): spans of all components.
+    ``owner`` (k,): component of each span.
+    ``inside`` (k,): whether the face above each span is a bounded face.
+    ``boxes`` (k, 4): bounding boxes of the spans, sorted so that near ones follow one another, as
+    ``BoxTree`` requires.
+    ``order`` (k,): index of the span of each box.
+    ``touch``: distance within which a component touches a span (mm).
+    Returns ``hit`` (c,): index of the span, -1 if there is none.
     """
     hit = np.full(len(lowest), -1, np.int64)
     tree, stack = build_tree(boxes), new_stack()
@@ -385,4 +380,53 @@ def _first_below(
                 continue
             if height > best + _MARGIN or _is_above(spans, i, hit[c]):
                 best, hit[c] = height, i
+        if hit[c] >= 0 and not inside[hit[c]]:
+            hit[c] = _entered_below(
+                x, best, c, hit[c], spans, owner, inside, tree, order, stack, touch
+            )  # fmt: skip
     return hit
+
+
+@kernel(checks_division=True)
+def _entered_below(
+    x: float,
+    best: float,
+    own: int,
+    left: int,
+    spans: F64_2,
+    owner: I32_1,
+    inside: Bool_1,
+    tree: BoxTree,
+    order: I64_1,
+    stack: OutI64_2,
+    touch: float,
+) -> int:
+    """Return the highest span at most ``touch`` mm below the height ``best`` at which a ray enters
+    a component that it leaves nowhere between; ``left`` if there is none.
+
+    ``left`` is the span at the height ``best``, at which the ray leaves its component; ``own`` is
+    the component at which the ray begins.  The other parameters are those of ``_first_below``.
+    """
+    # Of each component, only the highest span counts.
+    seen = np.empty(_MOST_TOUCHING, np.int64)
+    seen[0], seen[1] = own, owner[left]
+    limit = best
+    for count in range(2, _MOST_TOUCHING):
+        found, height = -1, best - touch
+        depth = start_query(tree, stack)
+        while True:
+            at, depth = next_overlap(tree.boxes, tree.level, stack, depth, x, height, x, limit, -1)
+            if at < 0:
+                break
+            i = order[at]
+            if not spans[i, 0] <= x < spans[i, 2] or (seen[:count] == owner[i]).any():
+                continue
+            y = _height_at(spans[i], x)
+            if height <= y <= limit:
+                found, height = i, y
+        if found < 0:
+            break
+        if inside[found]:
+            return int(found)
+        seen[count], limit = owner[found], height
+    return left

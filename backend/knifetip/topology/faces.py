@@ -114,19 +114,11 @@ def _half_edges_by_vertex(
     coincident pieces only the first one has half-edges.  A piece is the part of an edge between two
     neighbouring vertices of the graph.
 
-    Parameters
-    ----------
-    position : (q, 2)
-        Position of each vertex.
-    start, end, bulge : (p,)
-        Start vertex, end vertex and bulge of each piece.
-    twin : (p,)
-        First piece that coincides with each piece, the piece itself if there is none.
-
-    Returns
-    -------
-    half_edges, begins : (h,) and (q + 1,)
-        The half-edges at vertex v are ``half_edges[begins[v] : begins[v + 1]]``.
+    ``position`` (q, 2): position of each vertex.
+    ``start``, ``end``, ``bulge`` (p,): start vertex, end vertex and bulge of each piece.
+    ``twin`` (p,): first piece that coincides with each piece, the piece itself if there is none.
+    Returns ``half_edges, begins`` (h,) and (q + 1,): the half-edges at vertex v are
+    ``half_edges[begins[v] : begins[v + 1]]``.
     """
     pieces, vertex_count = len(start), len(position)
     begins = np.zeros(vertex_count + 1, np.int32)
@@ -217,17 +209,11 @@ def _trace(
     The area is signed: zero or negative for outer faces.  A piece is the part of an edge between
     two neighbouring vertices of the graph.
 
-    Parameters
-    ----------
-    position : (q, 2)
-        Position of each vertex.
-    start, end, bulge : (p,)
-        Start vertex, end vertex and bulge of each piece.
-    twin : (p,)
-        First piece that coincides with each piece, the piece itself if there is none.
-    half_edges, begins : (h,) and (q + 1,)
-        The half-edges that leave vertex v, counter-clockwise, are
-        ``half_edges[begins[v] : begins[v + 1]]``.
+    ``position`` (q, 2): position of each vertex.
+    ``start``, ``end``, ``bulge`` (p,): start vertex, end vertex and bulge of each piece.
+    ``twin`` (p,): first piece that coincides with each piece, the piece itself if there is none.
+    ``half_edges``, ``begins`` (h,) and (q + 1,): the half-edges that leave vertex v,
+    counter-clockwise, are ``half_edges[begins[v] : begins[v + 1]]``.
     """
     pieces = len(start)
     rank = np.empty(2 * pieces, np.int32)
@@ -285,14 +271,10 @@ def _outer_faces(
     The outer face of a component is its face with the least signed area.  A piece is the part of an
     edge between two neighbouring vertices of the graph.
 
-    Parameters
-    ----------
-    component_count
-        Number of components, c.
-    component, left, right : (p,)
-        Component of each piece, and the faces on its left and on its right.
-    area : (f,)
-        Signed area of each face.
+    ``component_count``: number of components, c.
+    ``component``, ``left``, ``right`` (p,): component of each piece, and the faces on its left and
+    on its right.
+    ``area`` (f,): signed area of each face.
     """
     outside = np.full(component_count, -1, np.int32)
     component_of_face = np.empty(len(area), np.int32)

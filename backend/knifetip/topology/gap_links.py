@@ -114,25 +114,15 @@ def _find_targets(
     search distance is raised to ``ahead`` for both ends of an edge that is long and straight,
     dangles at both ends, and has another edge straight ahead of each end within ``ahead``.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        Start and end points and bulges of the edges.
-    end_vertex : (2n,)
-        Vertex of the start and of the end of each edge.
-    twin : (n,)
-        First edge that coincides with each edge, the edge itself if there is none.
-    loose : (q,)
-        Whether only one edge ends at each vertex.
-    ahead
-        The greater search distance (drawing units).
-    gap_of : (2n,)
-        Search distance of each end (drawing units).
-    grid
-        Grid that lists the edges in each cell.
-    partner, position : (2n,)
-        Receive for each end the edge that is found, and the parameter of the nearest point on it (0
-        … 1).  The entries of ends without an edge ahead are not changed.
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
+    ``end_vertex`` (2n,): vertex of the start and of the end of each edge.
+    ``twin`` (n,): first edge that coincides with each edge, the edge itself if there is none.
+    ``loose`` (q,): whether only one edge ends at each vertex.
+    ``ahead``: the greater search distance (drawing units).
+    ``gap_of`` (2n,): search distance of each end (drawing units).
+    ``grid``: grid that lists the edges in each cell.
+    ``partner``, ``position`` (2n,): receive for each end the edge that is found, and the parameter
+    of the nearest point on it (0 … 1).  The entries of ends without an edge ahead are not changed.
     """
     low, size, side, first, listed = grid
     for i in range(begin, end):
@@ -183,20 +173,15 @@ def _make_links(
     A link connects a dangling end of an edge with the nearest point of the edge ahead of it.  The
     edge ahead is split at this point, unless the point is one of its ends.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        Start and end points and bulges of the edges.
-    tolerance
-        A link leads to an end of the edge ahead if the nearest point is at most this far from it.
-    end_vertex : (2n,)
-        Vertex of each end.
-    ends_ahead
-        Numbers of the ends that have an edge ahead; edge i has the ends 2 i and 2 i + 1.
-    partner, position : (2n,)
-        The edge ahead of each end, and the parameter of its nearest point (0 … 1).
-    vertices
-        Table of the vertices, to which the vertices of the splits are added.
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
+    ``tolerance``: a link leads to an end of the edge ahead if the nearest point is at most this far
+    from it.
+    ``end_vertex`` (2n,): vertex of each end.
+    ``ends_ahead``: numbers of the ends that have an edge ahead; edge i has the ends 2 i and 2 i +
+    1.
+    ``partner``, ``position`` (2n,): the edge ahead of each end, and the parameter of its nearest
+    point (0 … 1).
+    ``vertices``: table of the vertices, to which the vertices of the splits are added.
     """
     count = vertices.vertex_count
     row = np.empty(len(ends_ahead), np.int32)
@@ -278,20 +263,14 @@ def _find_crossed(
 ) -> None:
     """Write to ``is_crossed`` whether a straight edge crosses links ``begin`` … ``end`` - 1.
 
-    Parameters
-    ----------
-    ends, bulge, twin : (n, 2, 2), (n,) and (n,)
-        Start and end points and bulge of each edge, and the first edge that coincides with it.
-    tolerance
-        Distance from an end of the link or of the edge within which a crossing does not count.
-    link : (t, 2)
-        Start vertex and end vertex of each link.
-    point : (q, 2)
-        Positions of the vertices.
-    grid
-        Grid that lists the edges in each cell.
-    is_crossed : (t,)
-        Receives the result for each link.
+    ``ends``, ``bulge``, ``twin`` (n, 2, 2), (n,) and (n,): start and end points and bulge of each
+    edge, and the first edge that coincides with it.
+    ``tolerance``: distance from an end of the link or of the edge within which a crossing does not
+    count.
+    ``link`` (t, 2): start vertex and end vertex of each link.
+    ``point`` (q, 2): positions of the vertices.
+    ``grid``: grid that lists the edges in each cell.
+    ``is_crossed`` (t,): receives the result for each link.
     """
     for k in range(begin, end):
         is_crossed[k] = (
@@ -312,25 +291,15 @@ def _first_line_through(
 ) -> tuple[int, float, float, float]:
     """Return the straight edge that crosses link ``k`` nearest to its start, and the crossing.
 
-    Parameters
-    ----------
-    ends, bulge, twin : (n, 2, 2), (n,) and (n,)
-        Start and end points and bulge of each edge, and the first edge that coincides with it.
-    tolerance
-        Distance from an end of the link or of the edge within which a crossing does not count.
-    link : (t, 2)
-        Start vertex and end vertex of each link.
-    point : (q, 2)
-        Positions of the vertices.
-    grid
-        Grid that lists the edges in each cell.
-
-    Returns
-    -------
-    edge
-        Index of the edge, -1 if no edge crosses the link; the other results are then meaningless.
-    parameter, x, y
-        Parameter of the crossing on the edge, 0 … 1, and its coordinates.
+    ``ends``, ``bulge``, ``twin`` (n, 2, 2), (n,) and (n,): start and end points and bulge of each
+    edge, and the first edge that coincides with it.
+    ``tolerance``: distance from an end of the link or of the edge within which a crossing does not
+    count.
+    ``link`` (t, 2): start vertex and end vertex of each link.
+    ``point`` (q, 2): positions of the vertices.
+    ``grid``: grid that lists the edges in each cell.
+    Returns edge: index of the edge, -1 if no edge crosses the link; the other results are then
+    meaningless; parameter, x, y: parameter of the crossing on the edge, 0 … 1, and its coordinates.
     """
     low, size, side, first, listed = grid
     ax, ay = point[link[k, 0], 0], point[link[k, 0], 1]
@@ -368,29 +337,18 @@ def _split_at_lines(
 ) -> Any:
     """Split links at all edges that cross them, and split the edges at the same points.
 
-    Parameters
-    ----------
-    ends, bulge, twin : (n, 2, 2), (n,) and (n,)
-        Start and end points and bulge of each edge, and the first edge that coincides with it.
-    tolerance
-        Distance from an end of the link or of the edge within which a crossing does not count.
-    link : (t, 2)
-        Start vertex and end vertex of each link.  The end vertices of split links are overwritten.
-    crossed
-        Indices of the links that edges cross.
-    vertices
-        Table of the vertices, to which the vertices of the splits are added.
-    grid
-        Grid that lists the edges in each cell.
-
-    Returns
-    -------
-    edge, parameter, vertex : (k,) each
-        The edge, the parameter on it and the vertex of each split of an edge.
-    links : (at least t, 2)
-        Start vertex and end vertex of each link after the splits.
-    point, next_vertex, vertex_count
-        New values of these columns of ``vertices``.
+    ``ends``, ``bulge``, ``twin`` (n, 2, 2), (n,) and (n,): start and end points and bulge of each
+    edge, and the first edge that coincides with it.
+    ``tolerance``: distance from an end of the link or of the edge within which a crossing does not
+    count.
+    ``link`` (t, 2): start vertex and end vertex of each link.  The end vertices of split links are
+    overwritten.
+    ``crossed``: indices of the links that edges cross.
+    ``vertices``: table of the vertices, to which the vertices of the splits are added.
+    ``grid``: grid that lists the edges in each cell.
+    Returns ``edge, parameter, vertex`` (k,) each: the edge, the parameter on it and the vertex of
+    each split of an edge; ``links`` (at least t, 2): start vertex and end vertex of each link after
+    the splits; point, next_vertex, vertex_count: new values of these columns of ``vertices``.
     """
     point, vertex_count, next_vertex, head = vertices
     row = np.empty(16, np.int32)

@@ -121,28 +121,18 @@ def _find_left(
     first piece of another component that the ray meets.  A piece is the part of an edge between two
     neighbouring vertices.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        Start and end points and bulges of the edges.
-    grid
-        Grid that lists the edges in each cell.
-    position : (q, 2)
-        Positions of the vertices.
-    first_piece : (n + 1,)
-        Index of the first piece of each edge.
-    parameter : (p,)
-        Parameter on the edge, 0 … 1, at which each piece starts.
-    component : (p,)
-        Component of each piece.
-    leftmost : (c,)
-        Leftmost vertex of each component.
-    tolerance
-        Largest distance between ends that became one vertex.
-    piece : (c,)
-        Receives the left neighbour of each component; unchanged for a component without one.
-    upward : (c,)
-        Receives whether the left neighbour runs upwards at the point at which the ray meets it.
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
+    ``grid``: grid that lists the edges in each cell.
+    ``position`` (q, 2): positions of the vertices.
+    ``first_piece`` (n + 1,): index of the first piece of each edge.
+    ``parameter`` (p,): parameter on the edge, 0 … 1, at which each piece starts.
+    ``component`` (p,): component of each piece.
+    ``leftmost`` (c,): leftmost vertex of each component.
+    ``tolerance``: largest distance between ends that became one vertex.
+    ``piece`` (c,): receives the left neighbour of each component; unchanged for a component without
+    one.
+    ``upward`` (c,): receives whether the left neighbour runs upwards at the point at which the ray
+    meets it.
     """
     low, size, side, first, listed = grid
     for c in range(begin, end):
@@ -179,16 +169,11 @@ def _containing_faces(hit: I32_1, outside: I32_1, owner: I32_1) -> Any:
 
     A ray runs to the left from each component, until it meets an edge of another component.
 
-    Parameters
-    ----------
-    hit : (c,)
-        Face between each component and the edge that its ray meets, -1 if the ray meets no edge.
-        If this face is the outer face of the other component, both components are in one face,
-        and the face that contains the other component is returned.
-    outside : (c,)
-        Outer face of each component.
-    owner : (f,)
-        Component of each face.
+    ``hit`` (c,): face between each component and the edge that its ray meets, -1 if the ray meets
+    no edge. If this face is the outer face of the other component, both components are in one face,
+    and the face that contains the other component is returned.
+    ``outside`` (c,): outer face of each component.
+    ``owner`` (f,): component of each face.
     """
     component_count = len(hit)
     within = np.full(component_count, -1, np.int32)

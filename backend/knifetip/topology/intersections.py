@@ -124,14 +124,9 @@ def _split_at_crossings(
 
     A vertex is added at each crossing that has no vertex within the tolerance.
 
-    Parameters
-    ----------
-    ends : (n, 2, 2)
-        Start and end points of the edges.
-    pairs
-        The crossings.
-    vertices
-        The vertices before the function adds any.
+    ``ends`` (n, 2, 2): start and end points of the edges.
+    ``pairs``: the crossings.
+    ``vertices``: the vertices before the function adds any.
     """
     pair, parameter = pairs
     vertices = with_capacity(vertices, len(pair))
@@ -155,23 +150,14 @@ def _split_by_ends(
 ) -> Any:
     """Return the splits of edges at vertices ``begin`` … ``end`` - 1 that are inside an edge.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        Start and end points and bulges of the edges.
-    tolerance
-        Largest distance of a vertex from an edge that is split there.
-    end_vertex : (2n,)
-        Vertex of the start and the end of each edge; no edge is split at these two vertices.
-    point : (q, 2)
-        Positions of the vertices.
-    grid
-        Grid that lists the edges in each cell.
-
-    Returns
-    -------
-    row, parameter, cut : (k,)
-        Edge, parameter on the edge (0 … 1), and vertex of each split.
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
+    ``tolerance``: largest distance of a vertex from an edge that is split there.
+    ``end_vertex`` (2n,): vertex of the start and the end of each edge; no edge is split at these
+    two vertices.
+    ``point`` (q, 2): positions of the vertices.
+    ``grid``: grid that lists the edges in each cell.
+    Returns ``row, parameter, cut`` (k,): edge, parameter on the edge (0 … 1), and vertex of each
+    split.
     """
     low, size, side, first, listed = grid
     row = np.empty(end - begin + 16, np.int32)
@@ -206,19 +192,12 @@ def _crossings_in_cells(
 
     The search ends after the cell with which the number of crossings exceeds ``limit``.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        Start and end points and bulges of the edges; arcs are left out.
-    tolerance
-        A crossing that is at most this far from an end of one of the edges is left out.
-    grid
-        Grid that lists the edges in each cell.
-
-    Returns
-    -------
-    pair, parameter : (c, 2) and (c, 2)
-        The two edges of each crossing, and the parameters of the crossing on these edges, 0 … 1.
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges; arcs are
+    left out.
+    ``tolerance``: a crossing that is at most this far from an end of one of the edges is left out.
+    ``grid``: grid that lists the edges in each cell.
+    Returns ``pair, parameter`` (c, 2) and (c, 2): the two edges of each crossing, and the
+    parameters of the crossing on these edges, 0 … 1.
     """
     low, size, side, first, listed = grid
     pair = np.empty((64, 2), np.int32)

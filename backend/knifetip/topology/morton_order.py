@@ -81,14 +81,9 @@ def _sort_by_cell(ends: F64_3, left: float, low: float, scale: float) -> Any:
     The edges are sorted by the Morton code of a grid cell: the cell that contains the start point
     of the edge.
 
-    Parameters
-    ----------
-    ends : (n, 2, 2)
-        Start and end points of the edges.
-    left, low
-        Least x and least y of the start points.
-    scale
-        Number of grid cells per unit of length.
+    ``ends`` (n, 2, 2): start and end points of the edges.
+    ``left``, ``low``: least x and least y of the start points.
+    ``scale``: number of grid cells per unit of length.
     """
     count = len(ends)
     cell = np.empty(count, np.int64)

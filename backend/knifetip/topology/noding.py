@@ -67,11 +67,8 @@ def split_at_crossings(ends: F64, bulge: F64) -> tuple[F64, F64, I64]:
 def _end_contacts(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
     """Return the k points of edges at which ends of other edges lie.
 
-    Returns
-    -------
-    edge, fraction, point : (k,), (k,) and (k, 2) mm
-        Index of the edge, parameter of the point on it (0 … 1), and the position of the other
-        edge's end.
+    Returns ``edge, fraction, point`` (k,), (k,) and (k, 2) mm: index of the edge, parameter of the
+    point on it (0 … 1), and the position of the other edge's end.
     """
     points = ends.reshape(-1, 2)
     end, row = box_pairs(
@@ -90,10 +87,8 @@ def _crossings(ends: F64, bulge: F64) -> tuple[I64, F64, F64]:
     """Return the points at which two edges cross; each point is returned once for each of the two
     edges.
 
-    Returns
-    -------
-    edge, fraction, point : (k,), (k,) and (k, 2) mm
-        Index of the edge, parameter of the point on it (0 … 1), and the position of the point.
+    Returns ``edge, fraction, point`` (k,), (k,) and (k, 2) mm: index of the edge, parameter of the
+    point on it (0 … 1), and the position of the point.
     """
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
     one, other = box_pairs(boxes, boxes, JOIN)
@@ -109,12 +104,8 @@ def _are_inside(ends: F64_3, end: I64_1, row: I64_1) -> Any:
     """Return the mask of the pairs whose first end is more than ``JOIN`` mm from both ends of the
     edge, (p,).
 
-    Parameters
-    ----------
-    ends : (n, 2, 2) mm
-        Start and end points of the edges; edge i has the ends 2i and 2i + 1.
-    end, row : (p,) and (p,)
-        Index of the end, and index of the edge, of each pair.
+    ``ends`` (n, 2, 2) mm: start and end points of the edges; edge i has the ends 2i and 2i + 1.
+    ``end``, ``row`` (p,) and (p,): index of the end, and index of the edge, of each pair.
     """
     inside = np.ones(len(end), np.bool_)
     for k in range(len(end)):
@@ -129,17 +120,11 @@ def _are_inside(ends: F64_3, end: I64_1, row: I64_1) -> Any:
 def _inner_crossings(edges: F64_2, one: I64_1, other: I64_1) -> Any:
     """Return the c points at which two edges cross more than ``JOIN`` mm from the ends of both.
 
-    Parameters
-    ----------
-    edges : (n, 5)
-        Edges: x0, y0, x1, y1, bulge.
-    one, other : (p,) and (p,)
-        Indices of the edges of each pair; pairs with ``one`` ≥ ``other`` are left out.
-
-    Returns
-    -------
-    edge, fraction, point : (c, 2), (c, 2) and (c, 2) mm
-        The two edges, the parameter of the point on each of them (0 … 1), and the point.
+    ``edges`` (n, 5): edges: x0, y0, x1, y1, bulge.
+    ``one``, ``other`` (p,) and (p,): indices of the edges of each pair; pairs with ``one`` ≥
+    ``other`` are left out.
+    Returns ``edge, fraction, point`` (c, 2), (c, 2) and (c, 2) mm: the two edges, the parameter of
+    the point on each of them (0 … 1), and the point.
     """
     edge, fraction = np.empty((16, 2), np.int64), np.empty((16, 2))
     point, common = np.empty((16, 2)), np.empty((MAX_POINTS, 4))
@@ -170,17 +155,11 @@ def _inner_crossings(edges: F64_2, one: I64_1, other: I64_1) -> Any:
 def _split_at(ends: F64, bulge: F64, row: I64, fraction: F64, point: F64) -> tuple[F64, F64, I64]:
     """Split edges at points on them; return the m pieces.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) mm and (n,)
-        Start and end points, and bulges, of the edges.
-    row, fraction, point : (k,), (k,) and (k, 2) mm
-        Index of the edge of each point, parameter of the point on it (0 … 1), and position of the
-        point.
-
-    Returns
-    -------
-    Ends (m, 2, 2) mm and bulges (m,) of the pieces, and the index of the edge of each piece (m,).
+    ``ends``, ``bulge`` (n, 2, 2) mm and (n,): start and end points, and bulges, of the edges.
+    ``row``, ``fraction``, ``point`` (k,), (k,) and (k, 2) mm: index of the edge of each point,
+    parameter of the point on it (0 … 1), and position of the point.
+    Returns ends (m, 2, 2) mm and bulges (m,) of the pieces, and the index of the edge of each piece
+    (m,).
     """
     if len(row) == 0:
         return ends, bulge, np.arange(len(ends))

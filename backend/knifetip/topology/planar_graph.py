@@ -131,17 +131,11 @@ def _find_crossings(
     Returns None if the edges are too crowded for a grid: so many of them are in each cell that
     searches would be slow.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        Start and end points and bulges of the edges.
-    tolerance
-        A crossing that is at most this far from an end of one of the edges is left out.
-    reach
-        Largest distance from an edge at which the grid will be searched.
-    limit
-        Number of crossings to search for.  The search ends soon after it has found this number, and
-        further crossings are missing.
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
+    ``tolerance``: a crossing that is at most this far from an end of one of the edges is left out.
+    ``reach``: largest distance from an edge at which the grid will be searched.
+    ``limit``: number of crossings to search for.  The search ends soon after it has found this
+    number, and further crossings are missing.
     """
     grid = build_grid(ends, bulge, tolerance, reach)
     return None if grid is None else (grid, find_crossings(ends, bulge, tolerance, grid, limit))
@@ -150,21 +144,11 @@ def _find_crossings(
 def _merge_vertices(ends: F64, bulge: F64, tolerance: float) -> tuple[VertexTable, I32, I32]:
     """Return the vertices, the vertex of each edge end, and the first coincident edge of each edge.
 
-    Parameters
-    ----------
-    ends, bulge : (n, 2, 2) and (n,)
-        Start and end points and bulges of the edges.
-    tolerance
-        Ends that are nearer to each other than this get one vertex.
-
-    Returns
-    -------
-    vertices
-        Table of the vertices.
-    end_vertex : (2n,)
-        Vertex of the start and of the end of each edge.
-    twin : (n,)
-        First edge that coincides with each edge, the edge itself if there is none.
+    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
+    ``tolerance``: ends that are nearer to each other than this get one vertex.
+    Returns vertices: table of the vertices; ``end_vertex`` (2n,): vertex of the start and of the
+    end of each edge; ``twin`` (n,): first edge that coincides with each edge, the edge itself if
+    there is none.
     """
     vertices, end_vertex = merge_ends(ends, tolerance)
     return (
@@ -222,16 +206,10 @@ def _dangling_vertices(
 
     Coincident edges count as one edge.
 
-    Parameters
-    ----------
-    end_vertex : (2n,)
-        Vertex of the start and of the end of each of n edges.
-    twin : (n,)
-        First edge that coincides with each edge, the edge itself if there is none.
-    end_splits
-        Vertices at which an edge is split because another edge ends on it.
-    crossing_splits
-        Vertices at which edges are split because they cross.
+    ``end_vertex`` (2n,): vertex of the start and of the end of each of n edges.
+    ``twin`` (n,): first edge that coincides with each edge, the edge itself if there is none.
+    ``end_splits``: vertices at which an edge is split because another edge ends on it.
+    ``crossing_splits``: vertices at which edges are split because they cross.
     """
     degree = np.zeros(vertex_count, np.uint8)
     for half in range(len(end_vertex)):
@@ -249,24 +227,13 @@ def _split_into_pieces(
 ) -> Any:
     """Return the pieces of n edges, split at the given vertices, followed by the links.
 
-    Parameters
-    ----------
-    bulge : (n,)
-        Bulge of each edge.
-    end_vertex : (2n,)
-        Vertex of the start and the end of each edge.
-    row, parameter, cut : (c,)
-        Edge, parameter on the edge, and vertex of each split.
-    link : (t, 2)
-        Start vertex and end vertex of each link.
-
-    Returns
-    -------
-    start, end, bulge, edge, parameter : (p,)
-        Start vertex, end vertex and bulge of each piece, its edge (-1 for a link), and the
-        parameter on the edge at which it starts.
-    first : (n + 1,)
-        The pieces of edge i are ``first[i]`` … ``first[i + 1] - 1``.
+    ``bulge`` (n,): bulge of each edge.
+    ``end_vertex`` (2n,): vertex of the start and the end of each edge.
+    ``row``, ``parameter``, ``cut`` (c,): edge, parameter on the edge, and vertex of each split.
+    ``link`` (t, 2): start vertex and end vertex of each link.
+    Returns ``start, end, bulge, edge, parameter`` (p,): start vertex, end vertex and bulge of each
+    piece, its edge (-1 for a link), and the parameter on the edge at which it starts; ``first`` (n
+    + 1,): the pieces of edge i are ``first[i]`` … ``first[i + 1] - 1``.
     """
     n, cuts, links = len(bulge), len(row), len(link)
     begins = np.zeros(n + 1, np.int32)

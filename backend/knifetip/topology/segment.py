@@ -13,6 +13,8 @@ from knifetip.kernels import F64_1, F64_3, inline_kernel, kernel
 BULGE: Final = 1e-9
 #: Ratio above which two squares of distances differ by more than rounding.
 _CLEARLY: Final = 1.000001
+#: Square of the sine of the least angle between lines that cross; below it, it is rounding.
+_PARALLEL: Final = 1e-18
 
 
 @inline_kernel
@@ -127,9 +129,10 @@ def crossing_parameters(
 ) -> tuple[float, float]:
     """Return the parameters, 0 … 1, of the point at which two straight segments cross.
 
-    Returns NaN twice if the segments do not cross between their ends.  The first segment runs from
-    (``ax``, ``ay``) to (``ax + ux``, ``ay + uy``), the second from ``ends[j, 0]`` to ``ends[j,
-    1]``; the result has one parameter for each of the two.
+    Returns NaN twice if the segments do not cross between their ends, or are parallel except for
+    rounding: two lines that continue each other have no point of crossing.  The first segment runs
+    from (``ax``, ``ay``) to (``ax + ux``, ``ay + uy``), the second from ``ends[j, 0]`` to
+    ``ends[j, 1]``; the result has one parameter for each of the two.
     """
     vx, vy = ends[j, 1, 0] - ends[j, 0, 0], ends[j, 1, 1] - ends[j, 0, 1]
     ox, oy = ends[j, 0, 0] - ax, ends[j, 0, 1] - ay
@@ -138,6 +141,8 @@ def crossing_parameters(
     if cross < 0.0:
         cross, s, t = -cross, -s, -t
     if not (0.0 < s < cross and 0.0 < t < cross):
+        return np.nan, np.nan
+    if cross * cross <= _PARALLEL * (ux * ux + uy * uy) * (vx * vx + vy * vy):
         return np.nan, np.nan
     return s / cross, t / cross
 

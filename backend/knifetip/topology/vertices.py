@@ -87,18 +87,11 @@ def _merge_points(
     The numbers are the number of vertices in the table, and the number of ends with several
     vertices within the tolerance.
 
-    Parameters
-    ----------
-    ends : (n, 2, 2)
-        Start and end points of the edges; edge i has the ends 2 i and 2 i + 1.
-    tolerance
-        Largest distance of an end from its vertex.
-    vertices
-        Table to which vertices are added.
-    end_vertex : (2n,)
-        Receives the vertex of each end.
-    ambiguous : (2n,)
-        Set to True for ends with several vertices within the tolerance.
+    ``ends`` (n, 2, 2): start and end points of the edges; edge i has the ends 2 i and 2 i + 1.
+    ``tolerance``: largest distance of an end from its vertex.
+    ``vertices``: table to which vertices are added.
+    ``end_vertex`` (2n,): receives the vertex of each end.
+    ``ambiguous`` (2n,): set to True for ends with several vertices within the tolerance.
     """
     count = near = 0
     for half in range(len(end_vertex)):
@@ -124,14 +117,9 @@ def _slot(ends: F64_3, half: int, fine: float, table: I32_1) -> Any:
     has no such end.  Positions are the same if they are equal after rounding to multiples of 1 /
     ``fine``.
 
-    Parameters
-    ----------
-    ends : (n, 2, 2)
-        Start and end points of n edges.
-    half
-        Number of the end: 2 i for the start of edge i and 2 i + 1 for its end.
-    table
-        Hash table of numbers of ends; empty slots are negative.
+    ``ends`` (n, 2, 2): start and end points of n edges.
+    ``half``: number of the end: 2 i for the start of edge i and 2 i + 1 for its end.
+    ``table``: hash table of numbers of ends; empty slots are negative.
     """
     mask = len(table) - 1
     x, y = _rounded_position(ends, half, fine)
@@ -311,16 +299,10 @@ def _unify_equal_ends(
 
     Only positions of ends that have several vertices within the tolerance are treated.
 
-    Parameters
-    ----------
-    ends : (n, 2, 2)
-        Start and end points of n edges; edge i has the ends 2 i and 2 i + 1.
-    tolerance
-        Largest distance of an end from its vertex.
-    ambiguous
-        Numbers of the ends that have several vertices within the tolerance.
-    end_vertex : (2n,)
-        Vertex of each end; the entries of unified ends are overwritten.
+    ``ends`` (n, 2, 2): start and end points of n edges; edge i has the ends 2 i and 2 i + 1.
+    ``tolerance``: largest distance of an end from its vertex.
+    ``ambiguous``: numbers of the ends that have several vertices within the tolerance.
+    ``end_vertex`` (2n,): vertex of each end; the entries of unified ends are overwritten.
     """
     mask = 1
     while mask < 4 * len(ambiguous):

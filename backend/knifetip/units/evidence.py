@@ -20,6 +20,7 @@ from knifetip.messages import Message
 from knifetip.model.drawing import Drawing
 from knifetip.model.unit import DRAWN_IN, MILLIMETRES, UnitEvidence, UnitFinding
 from knifetip.units import weights
+from knifetip.units.corner_loops import loop_evidence
 from knifetip.units.lengths import (
     Lengths,
     drawing_lengths,
@@ -52,6 +53,7 @@ def find_unit(drawing: Drawing) -> UnitFinding:
             evidence += [
                 *size_evidence(found),
                 *feature_evidence(found),
+                *loop_evidence(drawing, found.longer),
                 *paper_evidence(found),
                 *grid_evidence(found),
                 *from_texts,
@@ -108,17 +110,11 @@ def _choose_unit(stated: str, best: str, margin: float, *, doubtful: bool) -> st
 
     The total weight of a unit is the sum of the weights of all evidence for it.
 
-    Parameters
-    ----------
-    stated
-        Unit that the header states, empty for none.
-    best
-        The likeliest unit: the unit with the greatest total weight.
-    margin
-        Total weight of the likeliest unit minus total weight of the second likeliest unit.
-    doubtful
-        Whether parts of the sheet have different scales, or the drawing has no physical size.
-        If so, only the unit that the header states can be returned.
+    ``stated``: unit that the header states, empty for none.
+    ``best``: the likeliest unit: the unit with the greatest total weight.
+    ``margin``: total weight of the likeliest unit minus total weight of the second likeliest unit.
+    ``doubtful``: whether parts of the sheet have different scales, or the drawing has no physical
+    size. If so, only the unit that the header states can be returned.
     """
     if stated and best == stated:
         return stated if margin >= weights.STATED_MARGIN else ""
@@ -133,16 +129,10 @@ def _contradictions(drawing: Drawing, lengths: Lengths, best: str, lead: float) 
     supports a third unit, which is neither the unit of the drawing nor the unit in the header.  The
     list is empty if the drawing has no unit.
 
-    Parameters
-    ----------
-    drawing
-        The drawing.
-    lengths
-        Lengths of the edges, and size, of the drawing.
-    best
-        The likeliest unit: the unit with the greatest total weight of evidence.
-    lead
-        Total weight of the likeliest unit minus the total weight of the unit of the drawing.
+    ``drawing``: the drawing.
+    ``lengths``: lengths of the edges, and size, of the drawing.
+    ``best``: the likeliest unit: the unit with the greatest total weight of evidence.
+    ``lead``: total weight of the likeliest unit minus the total weight of the unit of the drawing.
     """
     if not drawing.unit:
         return []
@@ -197,14 +187,10 @@ def _header_evidence(drawing: Drawing) -> list[UnitEvidence]:
 def _header_message(stated: str, unit: str, fraction: float) -> Message:
     """Return the message that states how often drawings with a given header are in ``unit``.
 
-    Parameters
-    ----------
-    stated
-        The unit that the header states, empty for none.
-    unit
-        The unit for which the message is evidence.
-    fraction
-        Fraction (0…1) of the drawings whose header states ``stated`` that are in ``unit``.
+    ``stated``: the unit that the header states, empty for none.
+    ``unit``: the unit for which the message is evidence.
+    ``fraction``: fraction (0…1) of the drawings whose header states ``stated`` that are in
+    ``unit``.
     """
     if not stated:
         return Message("unit.share-unstated", unit=unit, percent=100.0 * fraction)

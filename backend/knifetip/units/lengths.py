@@ -136,14 +136,9 @@ def edge_lengths(ends: F64, bulge: F64) -> Lengths:
 def _bounding_box(ends: F64, bulge: F64, straight: Bool) -> tuple[float, float, float, float]:
     """Return min x, min y, max x and max y of n edges, in the unit of their coordinates.
 
-    Parameters
-    ----------
-    ends : (n, 2, 2)
-        Start and end points of the edges.
-    bulge : (n,)
-        Bulges of the edges.
-    straight : (n,)
-        Mask of the straight edges.
+    ``ends`` (n, 2, 2): start and end points of the edges.
+    ``bulge`` (n,): bulges of the edges.
+    ``straight`` (n,): mask of the straight edges.
     """
     if not len(ends):
         return 0.0, 0.0, 0.0, 0.0
@@ -333,12 +328,8 @@ def _grid_message(lengths: Lengths, unit: str) -> Message:
     For each grid spacing, the total length of the edges whose lengths are multiples of it is
     computed.  The best grid spacing is the one with the greatest total length.
 
-    Parameters
-    ----------
-    lengths
-        Lengths of the edges of the drawing, in file units.
-    unit
-        Unit in which the drawing is assumed to be.
+    ``lengths``: lengths of the edges of the drawing, in file units.
+    ``unit``: unit in which the drawing is assumed to be.
     """
     scale = MILLIMETRES[unit]
     fits = []
@@ -367,10 +358,7 @@ def _interpolate(points: tuple[tuple[float, float], ...], size: float) -> float:
 
     The weight is interpolated linearly in the logarithm of the length.
 
-    Parameters
-    ----------
-    points
-        Lengths (mm) in ascending order, each with its weight of evidence.
+    ``points``: lengths (mm) in ascending order, each with its weight of evidence.
     """
     sizes, weight = zip(*points, strict=True)
     return float(np.interp(np.log(max(size, 1e-12)), np.log(sizes), weight))

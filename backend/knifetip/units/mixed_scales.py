@@ -80,14 +80,9 @@ def _largest_parts(ends: F64) -> list[I64]:
 def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
     """Return a warning if two parts have the same shape at different sizes, else an empty list.
 
-    Parameters
-    ----------
-    parts
-        Edge indices of each part.
-    ends : (n, 2, 2)
-        Start and end points of all n edges of the drawing (file units).
-    bulge : (n,)
-        Bulges of all edges of the drawing.
+    ``parts``: edge indices of each part.
+    ``ends`` (n, 2, 2): start and end points of all n edges of the drawing (file units).
+    ``bulge`` (n,): bulges of all edges of the drawing.
     """
     shapes = []
     for rows in parts:
@@ -111,14 +106,9 @@ def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
 def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
     """Return a warning if the edge lengths of two parts are round in different units, else [].
 
-    Parameters
-    ----------
-    parts
-        Indices of the edges of each part.
-    ends : (n, 2, 2)
-        Start and end points of all n edges of the drawing (file units).
-    bulge : (n,)
-        Bulges of all edges of the drawing.
+    ``parts``: indices of the edges of each part.
+    ``ends`` (n, 2, 2): start and end points of all n edges of the drawing (file units).
+    ``bulge`` (n,): bulges of all edges of the drawing.
     """
     candidates: list[tuple[dict[tuple[str, str], float], Lengths]] = []
     for rows in parts:

@@ -141,14 +141,9 @@ def _number_evidence(
     A number matches if it equals the length of an edge after conversion between two units.  The
     list is empty if no number matches.
 
-    Parameters
-    ----------
-    numbers
-        Numbers in the texts on the sheet.
-    lengths
-        Lengths of the edges, and size, of the drawing.
-    stated
-        Units that texts on the sheet state for all dimensions.
+    ``numbers``: numbers in the texts on the sheet.
+    ``lengths``: lengths of the edges, and size, of the drawing.
+    ``stated``: units that texts on the sheet state for all dimensions.
     """
     gain, hits = _match(numbers, lengths)
     matched = np.any(hits, axis=1)
@@ -190,14 +185,9 @@ def _number_evidence(
 def _match_message(unit: str, matches: Sequence[Message], count: int) -> Message:
     """Return the message that lists the numbers on the sheet that equal lengths of the drawing.
 
-    Parameters
-    ----------
-    unit
-        Unit in which the drawing is assumed to be.
-    matches
-        One message for each number that equals a length.
-    count
-        How many numbers on the sheet were compared with lengths.
+    ``unit``: unit in which the drawing is assumed to be.
+    ``matches``: one message for each number that equals a length.
+    ``count``: how many numbers on the sheet were compared with lengths.
     """
     if not matches:
         return Message("unit.no-number-matches", unit=unit, all=count)
@@ -210,22 +200,13 @@ def _match(numbers: Sequence[_Number], lengths: Lengths) -> tuple[F64, Bool]:
 
     A ratio is the number of file units in the unit of a written number.
 
-    Parameters
-    ----------
-    numbers
-        Numbers in the texts on the sheet.  A number in the text of a dimension is compared only
-        with the length that the dimension measures.
-    lengths
-        Lengths of the edges, and size, of the drawing.
-
-    Returns
-    -------
-    gain : (n, ratios)
-        Log-likelihood ratio of the outcome, which is a match or no match: the logarithm of p / q,
-        where p is the probability of the outcome if the number states a length of the drawing, and
-        q its probability by chance.
-    hits : (n, ratios)
-        Whether the number, multiplied by the ratio, equals a length.
+    ``numbers``: numbers in the texts on the sheet.  A number in the text of a dimension is compared
+    only with the length that the dimension measures.
+    ``lengths``: lengths of the edges, and size, of the drawing.
+    Returns ``gain`` (n, ratios): log-likelihood ratio of the outcome, which is a match or no match:
+    the logarithm of p / q, where p is the probability of the outcome if the number states a length
+    of the drawing, and q its probability by chance; ``hits`` (n, ratios): whether the number,
+    multiplied by the ratio, equals a length.
     """
     sides = np.append(lengths.value, [lengths.width, lengths.height])
     gain = np.zeros((len(numbers), len(_RATIOS)))
@@ -250,16 +231,10 @@ def _matches(written: WrittenLength, ratios: F64, lengths: F64, exact: float) ->
 
     The shape of the mask is (ratios,).
 
-    Parameters
-    ----------
-    written
-        The written length.
-    ratios
-        Possible numbers of file units in the unit of the written length.
-    lengths
-        Lengths in the drawing (file units).
-    exact
-        Precision of the lengths in ``lengths`` (file units).
+    ``written``: the written length.
+    ``ratios``: possible numbers of file units in the unit of the written length.
+    ``lengths``: lengths in the drawing (file units).
+    ``exact``: precision of the lengths in ``lengths`` (file units).
     """
     value = written.value * ratios
     near = np.maximum(np.maximum(exact, written.half * ratios), _TOLERANCE * value)

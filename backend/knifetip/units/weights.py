@@ -219,6 +219,8 @@ NUMBERS: Final = 6
 STATEMENT: Final = 2.5
 #: In this unit the drawing has the size of a paper sheet (A0 … A5, letter … tabloid).
 PAPER: Final = 2.5
+#: In this unit the curls at the corners of outlines are as large as those for a laser beam.
+CORNER_LOOPS: Final = 4.0
 #: Hints of the header (``model.unit.UnitHint``): the units that they support, and the weight.
 HINTS: Final[Mapping[str, tuple[tuple[str, ...], float]]] = {
     # Set by the template, seldom by the user: wrong in one file of ten.
@@ -231,6 +233,11 @@ HINTS: Final[Mapping[str, tuple[tuple[str, ...], float]]] = {
     "shown × 0.03937": (("mm",), 2.5),
     "shown × 10": (("cm",), 2.0),
     "shown × 1000": (("m",), 2.5),
+    # Programs that convert all coordinates to mm: a hundred to one, because another program may
+    # have scaled the drawing and kept the header.
+    "written in mm": (("mm",), 4.6),
+    # Programs without a unit of their own, whose other formats are in mm: ten to one.
+    "modelled in mm": (("mm",), 2.3),
     # An SVG without a physical size is as often a page in points or pixels as a carton in mm.
     "pixels": (("pt", "px", "px-90"), 3.5),
 }

@@ -40,6 +40,10 @@ LEVEL: Final = 1e-6
 CHORD: Final = 1e-4
 
 
+#: Greatest height above the table of a tip that cuts through the board (mm).
+_THROUGH: Final = 2e-4
+
+
 _MAX_CHORDS: Final = 10_000
 
 #: Shapes of the path of the tip in one move: a line, the end of a plunge, an arc, and a path that
@@ -118,16 +122,12 @@ def tip_poses(moves: Moves, machine: Machine, board: Board) -> TipPoses:
 def _tips_at(joints: F64_2, station: I32_1, datum: F64_2, tips: F64_2) -> Any:
     """Return the pose of the tip of the selected tool at each of n positions of the joints, (n, 4).
 
-    Parameters
-    ----------
-    joints : (n, 4)
-        Positions of X, Y, Z (mm) and C (degrees).
-    station : (n,)
-        Index of the selected station, -1 for none.
-    datum : (s, 4)
-        Position of the joints at which each station's tool is at the origin of the sheet.
-    tips : (s, 2) mm
-        Distance of each tool's tip ahead of the head's axis, and to the right of it.
+    ``joints`` (n, 4): positions of X, Y, Z (mm) and C (degrees).
+    ``station`` (n,): index of the selected station, -1 for none.
+    ``datum`` (s, 4): position of the joints at which each station's tool is at the origin of the
+    sheet.
+    ``tips`` (s, 2) mm: distance of each tool's tip ahead of the head's axis, and to the right of
+    it.
     """
     poses = joints.copy()
     heading, cos, sin = math.nan, 1.0, 0.0
@@ -160,6 +160,8 @@ def tip_paths(
     machine: Machine,
     board: Board,
     blade: TrailingBlade | None = None,
+    *,
+    split_at_caliper: bool = False,
 ) -> TipPaths:
     """Return the paths of the tip in the board, in the order of the program.
 
@@ -176,6 +178,9 @@ def tip_paths(
         Machine and board of the program.
     blade
         Paths of the tips of free blades, if the machine has any.
+    split_at_caliper
+        Whether every path of a knife that does not go through the board is a half-cut, because
+        depths are chosen; else it is a cut or a half-cut, whichever depth is nearer.
     """
     tools = [expected_tool(station.tool) for station in machine.stations]
     rests = blade.still if blade else np.zeros(len(moves.code), np.bool_)
@@ -216,7 +221,7 @@ def tip_paths(
         curve=curve,
         z=z,
         heading=heading,
-        operation=_operations(z, tip.station[rows], machine, board),
+        operation=_operations(z, tip.station[rows], machine, board, split_at_caliper),
         station=tip.station[rows],
         track=track,
         line=moves.line[rows],
@@ -227,17 +232,10 @@ def tip_paths(
 def _trailed_paths(blade: TrailingBlade, rows: I64, trailed: I64) -> tuple[I64, F64, F64]:
     """Return the k chords of the tip of a free blade in selected moves.
 
-    Parameters
-    ----------
-    rows
-        Indices of moves of the program.
-    trailed
-        Indices into ``rows`` of the selected moves.
-
-    Returns
-    -------
-    Index into ``rows`` of the move of each chord (k,); the chords as rows of six numbers, (k, 6);
-    and the headings at the start and the end of each, (k, 2) degrees.
+    ``rows``: indices of moves of the program.
+    ``trailed``: indices into ``rows`` of the selected moves.
+    Returns index into ``rows`` of the move of each chord (k,); the chords as rows of six numbers,
+    (k, 6); and the headings at the start and the end of each, (k, 2) degrees.
     """
     chord, owner = blade.chords_of(rows[trailed])
     curve = line_curves(blade.tip[chord, :2], blade.tip[chord, 2:])
@@ -295,21 +293,12 @@ def _select_paths(
     """Return the k moves that give paths of the tip in the board, and those paths that are lines
     and points.
 
-    Parameters
-    ----------
-    usable : (n,)
-        Mask of the moves that may give paths.
-    rests : (n,)
-        Mask of the moves that only turn a free blade about its tip.
-    beams, reach : (s + 1,)
-        Whether the tool of each station is a laser, and the distance of its tip from the head's
-        axis (mm); the last row is for no station.
-    top : mm
-        Height below which a tip is in the board.
-
-    Returns
-    -------
-    Index of each move, (k,); number of its track, (k,); ``_LINE``, ``_POINT``, ``_ARC`` or
+    ``usable`` (n,): mask of the moves that may give paths.
+    ``rests`` (n,): mask of the moves that only turn a free blade about its tip.
+    ``beams``, ``reach`` (s + 1,): whether the tool of each station is a laser, and the distance of
+    its tip from the head's axis (mm); the last row is for no station.
+    ``top`` mm: height below which a tip is in the board.
+    Returns index of each move, (k,); number of its track, (k,); ``_LINE``, ``_POINT``, ``_ARC`` or
     ``_BENT``, (k,); and the lines and points as rows of six numbers (see ``curves.curve``), (k, 6).
     The rows of arcs and bent paths are unset.
     """
@@ -369,21 +358,13 @@ def _flatten_paths(
 ) -> tuple[I64, F64, F64]:
     """Return k chords that replace tip paths which are neither lines nor arcs.
 
-    Parameters
-    ----------
-    moves, tip
-        All moves of the program, and the poses of the tip at their starts and ends.
-    rows
-        Indices of the selected moves in ``moves``.
-    bent
-        Indices into ``rows`` of the moves whose tip paths are replaced.
-    offset
-        Distance of the tip from the head's axis, one for each of ``rows``, mm.
-
-    Returns
-    -------
-    Index into ``rows`` of the move of each chord (k,); the chords as rows of six numbers (see
-    ``curves.curve``), (k, 6); and the start and end of each chord as fractions of the move (k, 2).
+    ``moves``, ``tip``: all moves of the program, and the poses of the tip at their starts and ends.
+    ``rows``: indices of the selected moves in ``moves``.
+    ``bent``: indices into ``rows`` of the moves whose tip paths are replaced.
+    ``offset``: distance of the tip from the head's axis, one for each of ``rows``, mm.
+    Returns index into ``rows`` of the move of each chord (k,); the chords as rows of six numbers
+    (see ``curves.curve``), (k, 6); and the start and end of each chord as fractions of the move (k,
+    2).
     """
     own = rows[bent]
     turn = np.radians(tip.end[own, 3] - tip.start[own, 3])
@@ -417,12 +398,15 @@ def _flatten_paths(
     return bent[owner], line_curves(sides[0], sides[1]), fraction
 
 
-def _operations(z: F64, station: I32, machine: Machine, board: Board) -> U8:
+def _operations(z: F64, station: I32, machine: Machine, board: Board, split_at_caliper: bool) -> U8:
+    """Return the ``OperationKind`` of each tip path, from its height (mm) and its station."""
     tools = [expected_tool(station.tool) for station in machine.stations]
     kinds = np.array([(tool.through_kind, tool.partial_kind) for tool in tools], np.uint8).reshape(
         -1, 2
     )
     # A knife has two depths; choose the operation with the nearer one.
     half = np.abs(z - (board.caliper - board.half_cut_depth)) < np.abs(z + machine.into_mat)
+    if split_at_caliper:
+        half = z > _THROUGH
     result: U8 = kinds[station, half.astype(np.int64)]
     return result

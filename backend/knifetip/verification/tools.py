@@ -38,7 +38,7 @@ class OperationKind(IntEnum):
 
     @property
     def tool(self) -> str:
-        """Return the key in ``english.TOOLS`` of the tool that makes this operation.
+        """Return the word in ``english.NAMES`` for the tool that makes this operation.
 
         Messages contain the name of the tool that has this key.
         """

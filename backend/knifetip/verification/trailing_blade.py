@@ -33,10 +33,16 @@ from knifetip.verification.reading.moves import Moves
 CHORD: Final = 1e-4
 #: Greatest turn of the axis along one chord of an arc (radians).
 _STEP: Final = 0.01
-#: A blade turns in place if its tip moves by less than this share of the travel of its axis, and
-#: by less than this distance (mm) in a move.
+#: A blade turns in place on an arc of its axis whose centre is at most so far from its tip (mm).  A
+#: tight bend of the tip has its centre at a distance of its radius.
+_STILL_CENTRE: Final = 0.005
+#: It turns in place on a line, such as a chord of such an arc, if its tip moves by less than this
+#: share of the travel of its axis, and by less than this distance (mm).
 _STILL_SHARE: Final = 0.2
 _STILL: Final = 0.03
+#: Greatest distance of the tip from where it was before, in consecutive moves that turn the blade
+#: (mm).  A program in coarse units follows a tight bend in such moves.
+_STILL_RUN: Final = 0.05
 #: Greatest length by which a tip may be pushed in a move, besides rounding (mm).
 MAX_PUSH: Final = 0.05
 #: Greatest difference between the last heading of a program and the park heading (degrees).
@@ -84,10 +90,34 @@ def follow_blades(moves: Moves, machine: Machine, board: Board) -> TrailingBlade
     count, _, _, _ = _follow(*columns, np.zeros((0, 6)), np.zeros(0, np.int64))
     chords, owner = np.empty((count, 6)), np.empty(count, np.int64)
     _, headings, still, pushed = _follow(*columns, chords, owner)
+    travels = (np.hypot(*(finish - begin)[:, :2].T) > 0.0) & ~still
+    # The centre of an arc shows whether the blade turns in place.
+    travels |= moves.sweep != 0.0
+    still &= ~_passes_without_travel(begin, finish, free, travels, board.caliper)
     start, end = np.degrees(headings).T
     return TrailingBlade(
         free, still, pushed, start, end, owner, chords[:, :4], np.degrees(chords[:, 4:])
     )
+
+
+def _passes_without_travel(
+    begin: F64, finish: F64, free: Bool, travels: Bool, caliper: float
+) -> Bool:
+    """Return the mask of the moves of passes in which a free blade only turns in place, (n,).
+
+    A blade is not lowered in order to turn only: such a pass is a contour that is hardly larger
+    than the unit of the coordinates.  A pass is a chain of moves between two lifts.
+
+    ``begin``, ``finish`` (n, 3) mm: position of the axis, and height of the tip, at the start and
+    the end of each move.
+    ``free``, ``travels`` (n,): whether the selected tool is a free blade, and whether the move is
+    not one that hardly moves its tip.
+    ``caliper`` mm: thickness of the board.
+    """
+    lowered = free & (np.fmin(begin[:, 2], finish[:, 2]) < caliper)
+    number = np.cumsum(~(lowered & (begin[:, 2] < caliper)))
+    result: Bool = lowered & (np.bincount(number, lowered & travels)[number] == 0.0)
+    return result
 
 
 def _free_blade(tool: Tool) -> Knife | None:
@@ -206,27 +236,23 @@ def _follow(
     """Return the number of chords, and for each of n moves the headings, (n, 2) radians, whether
     the blade turns in place, (n,), and by how much its tip is pushed, (n,) mm.
 
-    Parameters
-    ----------
-    begin, finish : (n, 3) mm
-        Position of the axis, and height of the tip, at the start and the end of each move.
-    centre, sweep : (n, 2) mm, (n,) radians
-        Centre and sweep of arcs; the sweep is 0 for lines.
-    station : (n,)
-        Index of the selected station, -1 for none.
-    trail, park : (s + 1,)
-        Distance of the tip behind the axis (mm; 0: no free blade) and heading at the start of the
-        program (degrees), for each station and for none.
-    caliper : mm
-        Thickness of the board.
-    chords, owner : (k, 6), (k,)
-        Get the chords of the tip (x, y at both ends, headings at both ends) and their moves.  With
-        k = 0, they are only counted.
+    ``begin``, ``finish`` (n, 3) mm: position of the axis, and height of the tip, at the start and
+    the end of each move.
+    ``centre``, ``sweep`` (n, 2) mm, (n,) radians: centre and sweep of arcs; the sweep is 0 for
+    lines.
+    ``station`` (n,): index of the selected station, -1 for none.
+    ``trail``, ``park`` (s + 1,): distance of the tip behind the axis (mm; 0: no free blade) and
+    heading at the start of the program (degrees), for each station and for none.
+    ``caliper`` mm: thickness of the board.
+    ``chords``, ``owner`` (k, 6), (k,): get the chords of the tip (x, y at both ends, headings at
+    both ends) and their moves.  With k = 0, they are only counted.
     """
     headings = np.empty((len(station), 2))
     still = np.zeros(len(station), np.bool_)
     pushed = np.zeros(len(station))
     state = np.radians(park)
+    # The first and last of consecutive moves in which the tip hardly moves, and its place before.
+    run, last, run_x, run_y, is_still = 0, -2, 0.0, 0.0, True
     count = 0
     writes = len(owner) > 0
     for row in range(len(station)):
@@ -285,5 +311,16 @@ def _follow(
                 tip_x, tip_y, heading = to_tip_x, to_tip_y, after
         state[own] = headings[row, 1] = heading
         moved = math.hypot(tip_x - first_x, tip_y - first_y)
-        still[row] = moved < _STILL and moved < _STILL_SHARE * length
+        if turned != 0.0:
+            rests = math.hypot(first_x - centre[row, 0], first_y - centre[row, 1]) <= _STILL_CENTRE
+        else:
+            rests = moved < _STILL and moved < _STILL_SHARE * length
+        if rests:
+            if last != row - 1:
+                run, run_x, run_y, is_still = row, first_x, first_y, True
+            last = row
+            if is_still and math.hypot(tip_x - run_x, tip_y - run_y) > _STILL_RUN:
+                is_still = False
+                still[run:row] = False
+            still[row] = is_still
     return count, headings, still, pushed

@@ -18,26 +18,31 @@ from knifetip.errors import ProgramError
 from knifetip.languages.registry import find_language
 from knifetip.messages import Message
 from knifetip.model.board import Board
+from knifetip.model.chosen_work import NOTHING_CHOSEN, ChosenWork
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.earlier_work import EarlierWork
+from knifetip.model.job_options import CutDepth
 from knifetip.model.machine import Machine
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Samples, Verdict
-from knifetip.verification.checks import motion_checks
-from knifetip.verification.checks.board_move_check import check_board_moves
-from knifetip.verification.checks.carriage_check import check_carriages
-from knifetip.verification.checks.check_context import CheckContext, EdgeFigures
+from knifetip.verification.checks.common.chosen_passes import check_chosen_passes
+from knifetip.verification.checks.common.context import CheckContext, EdgeFigures
+from knifetip.verification.checks.crease.rim import check_rims
 from knifetip.verification.checks.edge_checks import check_edges
-from knifetip.verification.checks.knife_passes import check_knife_passes, last_passes
-from knifetip.verification.checks.near_lines import check_near_lines
-from knifetip.verification.checks.output_checks import check_switching
-from knifetip.verification.checks.overlap_check import check_overlaps
-from knifetip.verification.checks.repeated_work import check_repeated_work
-from knifetip.verification.checks.rim_check import check_rims
-from knifetip.verification.checks.unreached_areas import merge_unreached
-from knifetip.verification.checks.work_order import check_work_order
-from knifetip.verification.checks.zone_check import check_zones
+from knifetip.verification.checks.knife.passes import check_knife_passes, last_passes
+from knifetip.verification.checks.lines.near_lines import check_near_lines
+from knifetip.verification.checks.milling.unreached_areas import merge_unreached
+from knifetip.verification.checks.motion import moves as motion_checks
+from knifetip.verification.checks.motion.board_moves import check_board_moves
+from knifetip.verification.checks.motion.carriages import check_carriages
+from knifetip.verification.checks.motion.outputs import check_switching
+from knifetip.verification.checks.motion.overlap import check_overlaps
+from knifetip.verification.checks.motion.zones import check_zones
+from knifetip.verification.checks.order.chosen_starts import check_chosen_starts
+from knifetip.verification.checks.order.repeated_work import check_repeated_work
+from knifetip.verification.checks.order.work_order import check_work_order
 from knifetip.verification.curves.group_order import order_in_groups
+from knifetip.verification.expectation.chosen_starts import ExpectedStart
 from knifetip.verification.expectation.edges import place_edges
 from knifetip.verification.expectation.sheet_area import SheetArea, place_sheet
 from knifetip.verification.findings import MAX_FINDINGS, Findings
@@ -69,6 +74,8 @@ def verify(
     sheet: Sheet | None = None,
     tolerance: float = 0.01,
     earlier: Sequence[EarlierWork] = (),
+    starts: Sequence[ExpectedStart] = (),
+    chosen: ChosenWork = NOTHING_CHOSEN,
 ) -> Verdict:
     """Return the verdict on a program: findings, figures for each edge, and the nominal time.
 
@@ -92,6 +99,10 @@ def verify(
         Programs that have done a part of the work on the same sheet, in the order of their
         execution.  Their completed work is not required again and must not be repeated.  The order
         of the work includes it, and the executed work that is made again.
+    starts : sequence of ExpectedStart
+        The starts and directions of closed cuts that the user has chosen.
+    chosen : ChosenWork, optional
+        What the user has chosen for edges of the dieline.
 
     Returns
     -------
@@ -115,10 +126,15 @@ def verify(
     figures = EdgeFigures.zeros(len(dieline))
     findings, joined_findings = Findings(), Findings()
     area = None if sheet is None else place_sheet(sheet, edges)
-    moves, _, paths, swivels = _trace(text, machine, board, tolerance, findings, area)
+    split = CutDepth in chosen
+    moves, _, paths, swivels = _trace(text, machine, board, tolerance, findings, area, split)
     _check_placement(text, placement, machine, findings)
     _check_unclassified(dieline, findings)
-    earlier_paths = [trace_program(one.text, machine, board)[2] for one in earlier]
+    _check_caliper(machine, board, findings)
+    earlier_paths = [
+        _trace(one.text, machine, board, math.inf, Findings(), split_at_caliper=split)[2]
+        for one in earlier
+    ]
     work = join_work(paths, earlier, earlier_paths)
     executed = join_work(paths, earlier, earlier_paths, with_repeated=True)
     tolerance += moves.resolution
@@ -135,6 +151,7 @@ def verify(
         moves.height_resolution,
         area,
         work.lines_before,
+        chosen,
         swivels,
     )
     check_knife_passes(context, executed)
@@ -142,27 +159,15 @@ def verify(
     check_rims(context, work.paths)
     check_work_order(context, last_passes(context, executed))
     check_repeated_work(context, work)
+    check_chosen_passes(context, work.paths)
+    check_chosen_starts(context, starts, work.paths)
     check_near_lines(context)
     findings.extend(work.own_line(finding) for finding in joined_findings.sorted())
     found = findings.sorted()
     return Verdict(
         accepted=not any(finding.refuses for finding in found),
         tolerance=tolerance,
-        deviation=figures.deviation,
-        path_deviation=figures.path_deviation,
-        blending=figures.blending,
-        fit_error=figures.fit_error,
-        overcut=figures.overcut,
-        uncut=figures.uncut,
-        setback=figures.setback,
-        width=figures.width,
-        web=figures.web,
-        flank=figures.flank,
-        unreached=figures.unreached,
-        bottom_uncut=figures.bottom_uncut,
-        top_overcut=figures.top_overcut,
-        unreached_distance=figures.unreached_distance,
-        slit_length=figures.slit_length,
+        **figures.columns(),
         samples=_samples(context),
         areas=merge_unreached(context.unreached, placement),
         findings=found,
@@ -199,7 +204,12 @@ def _trace(
     tolerance: float,
     findings: Findings,
     sheet: SheetArea | None = None,
+    split_at_caliper: bool = False,
 ) -> tuple[Moves, TipPoses, TipPaths, Swivels]:
+    """Return the moves of a program, the poses and paths of the tip, and the turns of free blades.
+
+    ``split_at_caliper`` is as in ``tip_paths``.
+    """
     moves, faults = _reader(machine).read(text, machine, board)
     findings.add_faults(faults)
     blade = follow_blades(moves, machine, board)
@@ -222,7 +232,8 @@ def _trace(
     swivels = Swivels.none()
     if blade is not None:
         swivels = find_swivels(blade, tip.start, tip.end, moves.line)
-    return moves, tip, tip_paths(turned, tip, usable, machine, board, blade), swivels
+    paths = tip_paths(turned, tip, usable, machine, board, blade, split_at_caliper=split_at_caliper)
+    return moves, tip, paths, swivels
 
 
 def read_placement(text: bytes, machine: Machine) -> tuple[float, float] | None:
@@ -257,6 +268,18 @@ def _check_placement(
             ),
             distance,
         )
+
+
+def _check_caliper(machine: Machine, board: Board, findings: Findings) -> None:
+    excess = board.caliper - machine.max_caliper
+    if machine.max_caliper > 0.0 and excess > 0.0:
+        message = Message(
+            "board.too-thick",
+            caliper=board.caliper,
+            machine=machine.title,
+            limit=machine.max_caliper,
+        )
+        findings.add("program", message, excess)
 
 
 def _check_unclassified(dieline: Dieline, findings: Findings) -> None:

@@ -53,6 +53,9 @@ describe("an error", () => {
         corners: null,
         sheet: null,
         lift: "clearance",
+        feed_factor: 1,
+        contour_starts: [],
+        cut_depths: [],
         external_id: "PO-1",
         customer: "",
         due: null,
@@ -135,6 +138,7 @@ describe("a request", () => {
     await service.command("j", "release");
     const headers = asked.mock.calls.map((call) => ((call as unknown[])[0] as Request).headers);
     expect(headers.map((one) => one.get("X-Knifetip"))).toEqual(["page", "page", "page"]);
+    expect(headers.map((one) => one.get("Accept-Language"))).toEqual(["en", "en", "en"]);
     expect(headers.map((one) => one.get("If-Match"))).toEqual(['"7"', null, null]);
     expect(headers.map((one) => one.get("Content-Type"))).toEqual([
       "application/json",

@@ -6,6 +6,7 @@ import type { Edges, Toolpath, VerdictColumns } from "../geometry/records";
 import { edgesOf, toolpathOf, verdictColumnsOf } from "./columns";
 import type { components, paths } from "./openapi.gen";
 import { operatorName } from "./operator";
+import type { EDGE_OPTIONS, OPTIONS } from "./options.gen";
 import { api, byId, dataOf, type Page, pageOf, revalidated, uncached } from "./restApi";
 import { fetchOnce, upload } from "./transport";
 
@@ -35,10 +36,8 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
   /** Revision of the drawing on display; null if unknown. */
   revision: number | null;
   copies: number;
-  corners: Corners | null;
-  sheet: Sheet | null;
-  lift: Lift;
-} & OrderDetails;
+} & Pick<Job, "corners" | "sheet" | keyof typeof OPTIONS | keyof typeof EDGE_OPTIONS> &
+  OrderDetails;
 export type JobState = Job["state"];
 export type ImportReportRow = Schemas["ImportReportRow"];
 export type LibraryEntry = Schemas["EntryOut"];
@@ -53,6 +52,7 @@ export type Activity = Schemas["ActivityOut"];
 /** What a person at a machine requests between two jobs. */
 export type OperationRequest = Omit<Schemas["OperationIn"], "hands_clear">;
 export type Override = Schemas["Override"];
+export type PageOfFile = Schemas["PageOut"];
 export type Profile = Schemas["ProfileOut"];
 export type ProfileDraft = Schemas["ProfileIn"];
 export type Preview = Schemas["PreviewOut"];
@@ -64,6 +64,10 @@ export type Rule = Schemas["RuleOut"];
 export type Queue = Schemas["QueueOut"];
 export type QueueEntry = Schemas["QueueEntry"];
 export type Question = Schemas["QuestionOut"];
+export type FollowingEdges = Schemas["FollowingEdgesOut"];
+export type LearnedLook = Drawing["learned"][number];
+export type TaughtLook = Schemas["TaughtLookOut"];
+export type LookUse = Schemas["LookPatch"];
 export type Sheet = Schemas["Sheet"];
 export type Shelf = Schemas["Shelf"];
 export type ServiceStatus = Schemas["ServiceOut"];
@@ -225,6 +229,10 @@ export const service = {
         ...uncached(signal),
       }),
     ),
+  pages: (id: string, signal?: AbortSignal): Promise<PageOfFile[]> =>
+    dataOf(api.GET("/api/v1/drawings/{id}/pages", { params: byId(id), ...uncached(signal) })),
+  choosePage: (id: string, page: number): Promise<Drawing> =>
+    dataOf(api.POST("/api/v1/drawings/{id}/pages/{page}", { params: { path: { id, page } } })),
   upload: async (file: File, onProgress: (fraction: number) => void): Promise<Drawing> =>
     JSON.parse(await upload(file, onProgress)) as Drawing,
   patchDrawing: (
@@ -237,6 +245,7 @@ export const service = {
       profile?: string;
       rules?: string;
       shared?: boolean;
+      customer?: string;
     },
     revision: number | null,
   ): Promise<Drawing> =>
@@ -471,6 +480,21 @@ export const service = {
   },
   preview: (id: string, profile: ProfileDraft): Promise<Preview> =>
     dataOf(api.POST("/api/v1/drawings/{id}/preview", { params: byId(id), body: profile })),
+  /** What other drawings of the customer of a drawing teach. */
+  customerAnswers: (id: string, signal?: AbortSignal): Promise<TaughtLook[]> =>
+    dataOf(
+      api.GET("/api/v1/drawings/{id}/customer-answers", {
+        params: byId(id),
+        signal: signal ?? null,
+      }),
+    ),
+  setCustomerAnswer: (id: string, look: LookUse, revision: number | null): Promise<Drawing> =>
+    dataOf(
+      api.PATCH("/api/v1/drawings/{id}/customer-answers", {
+        params: { ...byId(id), ...ifMatch(revision) },
+        body: look,
+      }),
+    ),
   learned: (id: string, signal?: AbortSignal): Promise<Proposal[]> =>
     dataOf(api.POST("/api/v1/drawings/{id}/learned", { params: byId(id), signal: signal ?? null })),
 };

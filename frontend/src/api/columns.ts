@@ -14,6 +14,7 @@ import {
   type Toolpath,
   type VerdictColumns,
 } from "../geometry/records";
+import { translate } from "../language/translate";
 
 type Column = Float64Array | Int32Array | Uint8Array;
 
@@ -39,15 +40,11 @@ const MAGIC = "KTIP";
 export function decodeColumns(bytes: ArrayBuffer): Columns {
   const magic = String.fromCharCode(...new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength)));
   if (magic !== MAGIC || bytes.byteLength < 8) {
-    throw new ColumnsError(
-      `The server sent data of an unknown format (“${magic}” instead of “${MAGIC}”). Reload the page.`,
-    );
+    throw new ColumnsError(translate("columns.theServerSentDataOf", { magic, magic2: MAGIC }));
   }
   const size = new DataView(bytes).getUint32(4, true);
   if (8 + size > bytes.byteLength) {
-    throw new ColumnsError(
-      `The data from the server is incomplete: its header should have ${size} bytes. Reload the page.`,
-    );
+    throw new ColumnsError(translate("columns.theDataFromTheServer", { size }));
   }
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 8, size))) as {
     columns: ColumnHead[];
@@ -60,9 +57,7 @@ export function decodeColumns(bytes: ArrayBuffer): Columns {
     const at = data + offset;
     const view = viewOf(dtype, bytes, at, count);
     if (view === null) {
-      throw new ColumnsError(
-        `The data from the server is incomplete: column ${name} should have ${count} values (${dtype}). Reload the page.`,
-      );
+      throw new ColumnsError(translate("columns.theDataFromTheServer2", { name, count, dtype }));
     }
     columns.set(name, view);
   }
@@ -82,7 +77,7 @@ function viewOf(dtype: string, bytes: ArrayBuffer, at: number, count: number): C
 function column<T extends Column>(from: Columns, name: string, kind: new (n: number) => T): T {
   const found = from.columns.get(name);
   if (!(found instanceof kind))
-    throw new ColumnsError(`The data from the server lacks the column ${name}. Reload the page.`);
+    throw new ColumnsError(translate("columns.theDataFromTheServer3", { name }));
   return found;
 }
 

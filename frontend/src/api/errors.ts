@@ -1,5 +1,6 @@
 /** Errors of requests: what the server reports as problem+json, or that it does not answer. */
 
+import { translate } from "../language/translate";
 import type { components } from "./openapi.gen";
 
 export type Problem = components["schemas"]["Problem"];
@@ -48,20 +49,20 @@ export const pageProblem = (status: number, title: string, detail: string, hint:
 export const noAnswer = (): ServiceError =>
   pageProblem(
     0,
-    "No response from the server",
-    "The knifetip server does not respond.",
-    "Check that the server is running and that this computer can reach it. Then try again.",
+    translate("errors.noResponseFromTheServer"),
+    translate("errors.theKnifetipServerDoesNot"),
+    translate("errors.checkThatTheServerIs"),
   );
 
 /** Read the body of an error response; whatever it lacks is derived from the status. */
 export function parseProblem(status: number, title: string, body: string): Problem {
   const fallback = problem(
     status,
-    title || `Error ${status}`,
-    `The knifetip server answered with error ${status}${title ? ` (${title})` : ""}.`,
-    status >= 500
-      ? "Try again. If the error persists, look for its cause in the log of the server."
-      : "",
+    title || translate("errors.error", { status }),
+    title
+      ? translate("errors.theKnifetipServerAnsweredWith", { status, title })
+      : translate("errors.theKnifetipServerAnsweredWith2", { status }),
+    status >= 500 ? translate("errors.tryAgainIfTheError") : "",
   );
   let parsed: unknown;
   try {

@@ -1,9 +1,13 @@
 /** Sends requests: repeats those that a busy server refused, and raises `ServiceError`. */
 
+import { language } from "../language/language";
 import { noAnswer, parseProblem, ServiceError } from "./errors";
 
-/** Pages of other origins cannot send this header without a preflight request. */
-export const OWN_PAGE = { "X-Knifetip": "page" } as const;
+/**
+ * Headers of each request. Pages of other origins cannot send the first one without a preflight
+ * request; errors have texts in the language of the second, for views without a catalogue.
+ */
+export const OWN_PAGE = { "X-Knifetip": "page", "Accept-Language": language } as const;
 
 /** Maximum number of attempts, and maximum delay between them (s). */
 const MAX_ATTEMPTS = 6;

@@ -1,23 +1,25 @@
 /** The page: drawings, with side panels and the canvas between them, or the station of a machine. */
 
 import { useEffect, useRef } from "react";
-import { DrawingsPanel } from "../panels/DrawingsPanel";
-import { MachinePanel } from "../panels/MachinePanel";
-import { NotificationList } from "../panels/NotificationList";
-import { OperatorDialog } from "../panels/OperatorForm";
-import { PreparationBanner } from "../panels/PreparationBanner";
-import { ProgressOverlay } from "../panels/ProgressOverlay";
-import { QueuePanel } from "../panels/QueuePanel";
-import { ShortcutsDialog } from "../panels/ShortcutsDialog";
-import { useMe } from "../state/accounts";
-import { syncDrawing } from "../state/drawingSync";
+import { Route, Switch, useRoute } from "wouter";
+import { translate } from "../language/translate";
+import { OperatorDialog } from "../panels/accounts/OperatorForm";
+import { DrawingsPanel } from "../panels/drawing/DrawingsPanel";
+import { PreparationBanner } from "../panels/drawing/PreparationBanner";
+import { MachinePanel } from "../panels/job/MachinePanel";
+import { QueuePanel } from "../panels/job/QueuePanel";
+import { NotificationList } from "../panels/shared/NotificationList";
+import { ProgressOverlay } from "../panels/shared/ProgressOverlay";
+import { ShortcutsDialog } from "../panels/shared/ShortcutsDialog";
+import { useMe } from "../state/accounts/accounts";
+import { syncDrawing } from "../state/drawing/drawingSync";
 import { subscribeToEvents, useDrawing } from "../state/queries";
+import { HISTORY, LIBRARY, STATION, syncWithAddress, WEBHOOKS } from "../state/routes";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 import { DrawingError } from "./DrawingError";
 import { DropZone } from "./DropZone";
 import { Part } from "./Part";
-import { syncWithAddress } from "./routes";
 import { listenToKeys, type PictureCommands } from "./shortcuts";
 import { TopBar } from "./TopBar";
 import {
@@ -33,9 +35,6 @@ import {
 import { Welcome } from "./Welcome";
 
 export function App() {
-  const station = useUiStore((ui) => ui.station);
-  const library = useUiStore((ui) => ui.library);
-  const webhooks = useUiStore((ui) => ui.webhooks);
   useEffect(() => {
     const ends = [syncWithAddress(), subscribeToEvents(syncDrawing)];
     return () => {
@@ -47,32 +46,37 @@ export function App() {
   useEffect(() => {
     if (paired) prefetch("station");
   }, [paired]);
-  if (library)
-    return (
-      <Part key="library" as="page">
-        <LibraryPage />
-      </Part>
-    );
-  if (webhooks)
-    return (
-      <Part key="webhooks" as="page">
-        <WebhooksPage />
-      </Part>
-    );
-  if (station !== null)
-    return (
-      <Part key={station} as="page">
-        <StationPage machine={station} />
-      </Part>
-    );
-  return <DrawingPage />;
+  return (
+    <Switch>
+      <Route path={LIBRARY}>
+        <Part key="library" as="page">
+          <LibraryPage />
+        </Part>
+      </Route>
+      <Route path={WEBHOOKS}>
+        <Part key="webhooks" as="page">
+          <WebhooksPage />
+        </Part>
+      </Route>
+      <Route path={STATION}>
+        {({ machine }) => (
+          <Part key={machine} as="page">
+            <StationPage machine={machine} />
+          </Part>
+        )}
+      </Route>
+      <Route>
+        <DrawingPage />
+      </Route>
+    </Switch>
+  );
 }
 
 /** The page on which drawings are prepared and jobs are sent. */
 function DrawingPage() {
   const picture = useRef<PictureCommands | null>(null);
   const drawing = useUiStore((ui) => ui.drawing);
-  const history = useUiStore((ui) => ui.history);
+  const [history] = useRoute(HISTORY);
   const uploading = useUiStore((ui) => ui.upload !== null);
   const leftOpen = useUiStore((ui) => ui.leftOpen);
   const rightOpen = useUiStore((ui) => ui.rightOpen);
@@ -95,7 +99,7 @@ function DrawingPage() {
       <aside
         className={`${css.side} ${css.right}`}
         hidden={!rightOpen || history}
-        aria-label="Job, queue and machine"
+        aria-label={translate("app.jobQueueAndMachine")}
       >
         {drawing !== null && (
           <Part as="side">
@@ -108,7 +112,7 @@ function DrawingPage() {
       <aside
         className={`${css.side} ${css.left}`}
         hidden={!leftOpen || history}
-        aria-label="Drawings, line types and import"
+        aria-label={translate("app.drawingsLineTypesAndImport")}
         onPointerEnter={() => prefetch("drawing")}
       >
         {drawing === null ? (

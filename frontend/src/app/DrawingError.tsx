@@ -2,21 +2,21 @@
 
 import { Button } from "@mantine/core";
 import { ServiceError } from "../api/client";
-import { errorText, renderHint } from "../messages/render";
-import { TO_ALL_DRAWINGS } from "../panels/labels";
-import { useUiStore } from "../state/store";
+import { translate } from "../language/translate";
+import { errorText, messageHint } from "../messages/translateMessage";
+import { TO_ALL_DRAWINGS } from "../panels/shared/labels";
+import { showDrawing } from "../state/routes";
 import css from "./app.module.css";
 
 export function DrawingError({ error }: { error: Error }) {
-  const open = useUiStore((ui) => ui.open);
   return (
     <div className={css.centre} role="alert">
       <div className={css.welcome}>
-        <h1>This drawing cannot be opened</h1>
+        <h1>{translate("drawingError.thisDrawingCannotBeOpened")}</h1>
         <p>
-          {errorText(error)} {error instanceof ServiceError && renderHint(error.problem)}
+          {errorText(error)} {error instanceof ServiceError && messageHint(error.problem)}
         </p>
-        <Button variant="default" onClick={() => open(null)}>
+        <Button variant="default" onClick={() => showDrawing(null)}>
           {TO_ALL_DRAWINGS}
         </Button>
       </div>

@@ -1,7 +1,8 @@
 /** Accepts files dropped anywhere on the page. */
 
 import { useEffect, useState } from "react";
-import { useRefusal } from "../state/accounts";
+import { translate } from "../language/translate";
+import { useRefusal } from "../state/accounts/accounts";
 import { uploadFiles } from "../state/actions";
 import css from "./app.module.css";
 
@@ -43,7 +44,7 @@ export function DropZone() {
   if (!over) return null;
   return (
     <div className={css.drop} data-testid="drop-zone">
-      <div className={css.dropCard}>{reason ?? "Drop drawing files here to open them"}</div>
+      <div className={css.dropCard}>{reason ?? translate("dropZone.dropDrawingFilesHereTo")}</div>
     </div>
   );
 }

@@ -1,16 +1,18 @@
 /** The page of machines, boards and tools: a list, and the editor of the chosen entry. */
 
+import "../messages/load";
 import { Button, FileButton } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { type LibraryEntry, type Shelf, service } from "../api/client";
-import { errorText } from "../messages/render";
-import { DefinitionEditor } from "../panels/DefinitionEditor";
-import css from "../panels/library.module.css";
-import { Permitted } from "../panels/Permitted";
-import { savingOf } from "../state/accounts";
-import { refreshLibrary, SHELF_TITLES, SHELF_WORDS } from "../state/definitions";
-import { slugOf } from "../state/draft";
+import { translate } from "../language/translate";
+import { errorText } from "../messages/translateMessage";
+import { Permitted } from "../panels/accounts/Permitted";
+import { DefinitionEditor } from "../panels/library/DefinitionEditor";
+import css from "../panels/library/library.module.css";
+import { savingOf } from "../state/accounts/accounts";
+import { slugOf } from "../state/drawing/draft";
+import { refreshLibrary, SHELF_TITLES } from "../state/library/definitions";
 import { byTitle } from "../state/naturalOrder";
 import { queries } from "../state/queries";
 
@@ -27,7 +29,7 @@ export function LibraryPage() {
     const version = same !== undefined && !same.shipped ? same.version : null;
     setFault("");
     try {
-      const note = `imported from ${file.name}`.slice(0, 200);
+      const note = translate("libraryPage.importedFrom", { name: file.name }).slice(0, 200);
       await service.putDefinition({ shelf, name }, await file.text(), { version, note });
       await refreshLibrary();
       setOpen({ shelf, name });
@@ -37,11 +39,11 @@ export function LibraryPage() {
   };
   return (
     <div className={css.page} data-open={open !== null} data-testid="library">
-      <nav className={css.list} aria-label="Machines, boards and tools">
+      <nav className={css.list} aria-label={translate("libraryPage.machinesBoardsAndTools")}>
         <Button component="a" href="#/" variant="default" size="sm">
-          Back to drawings
+          {translate("libraryPage.backToDrawings")}
         </Button>
-        <h1>Machines, boards and tools</h1>
+        <h1>{translate("libraryPage.machinesBoardsAndTools")}</h1>
         {fault !== "" && (
           <p className={css.fault} role="alert">
             {fault}
@@ -61,7 +63,11 @@ export function LibraryPage() {
                   data-testid={`entry-${name}`}
                 >
                   <span>{title || name}</span>
-                  <span className={css.mark}>{shipped ? "supplied" : `own · v${version}`}</span>
+                  <span className={css.mark}>
+                    {shipped
+                      ? translate("libraryPage.supplied")
+                      : `${translate("libraryPage.own")} · ${translate("libraryPage.v", { version })}`}
+                  </span>
                 </button>
               ),
             )}
@@ -69,7 +75,7 @@ export function LibraryPage() {
               <FileButton accept=".toml" onChange={(file) => void importFile(shelf, file)}>
                 {(props) => (
                   <Button {...props} size="sm" variant="subtle">
-                    Import {SHELF_WORDS[shelf]} from a TOML file
+                    {translate("libraryPage.importFromATomlFile", { shelf })}
                   </Button>
                 )}
               </FileButton>
@@ -79,10 +85,7 @@ export function LibraryPage() {
       </nav>
       <main className={css.editor}>
         {open === null ? (
-          <p className={css.hint}>
-            Choose a machine, a board or a tool. To make your own, copy a supplied entry, give the
-            copy a name, and change its values.
-          </p>
+          <p className={css.hint}>{translate("libraryPage.chooseAMachineABoard")}</p>
         ) : (
           <DefinitionEditor key={`${open.shelf} ${open.name}`} entry={open} onOpen={setOpen} />
         )}

@@ -1,16 +1,19 @@
 /** What the page of drawings shows of the open drawing: its panels, and the canvas between them. */
 
-import { DocumentPanel } from "../panels/DocumentPanel";
-import { ImportPanel } from "../panels/ImportPanel";
-import { InspectorPanel } from "../panels/InspectorPanel";
-import { JobPanel } from "../panels/JobPanel";
-import { LayersPanel } from "../panels/LayersPanel";
-import { LearnedPanel } from "../panels/LearnedPanel";
-import { LineTypesPanel } from "../panels/LineTypesPanel";
-import { OrderPanel } from "../panels/OrderPanel";
-import { ProfileEditor } from "../panels/ProfileEditor";
-import { QuestionsPanel } from "../panels/QuestionsPanel";
-import { UnitPanel } from "../panels/UnitPanel";
+import "../messages/load";
+import { DocumentPanel } from "../panels/drawing/DocumentPanel";
+import { ImportPanel } from "../panels/drawing/ImportPanel";
+import { InspectorPanel } from "../panels/drawing/InspectorPanel";
+import { LayersPanel } from "../panels/drawing/LayersPanel";
+import { LearnedPanel } from "../panels/drawing/LearnedPanel";
+import { LineTypesPanel } from "../panels/drawing/LineTypesPanel";
+import { PagesPanel } from "../panels/drawing/PagesPanel";
+import { ProfileEditor } from "../panels/drawing/ProfileEditor";
+import { QuestionsPanel } from "../panels/drawing/QuestionsPanel";
+import { TaughtPanel } from "../panels/drawing/TaughtPanel";
+import { UnitPanel } from "../panels/drawing/UnitPanel";
+import { JobPanel } from "../panels/job/JobPanel";
+import { OrderPanel } from "../panels/order/OrderPanel";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 
@@ -23,7 +26,9 @@ export function DrawingPanels() {
   return (
     <>
       <DocumentPanel />
+      <PagesPanel />
       <QuestionsPanel />
+      <TaughtPanel />
       <LearnedPanel />
       <LineTypesPanel />
       <LayersPanel />

@@ -2,6 +2,7 @@
 
 import { Button, Skeleton } from "@mantine/core";
 import { Component, type ReactNode, Suspense } from "react";
+import { translate } from "../language/translate";
 import css from "./app.module.css";
 import { PartNotFetched } from "./views";
 
@@ -26,7 +27,7 @@ export function Part({ as, children }: PartProps) {
   const loading = (
     <Frame className={css.loading}>
       <div role="status">
-        <h1>Loading</h1>
+        <h1>{translate("part.loading")}</h1>
       </div>
     </Frame>
   );
@@ -58,10 +59,10 @@ function LoadingPanel() {
 function NotFetched() {
   return (
     <div role="alert">
-      <h1>This part of the page cannot be loaded</h1>
-      <p>The server does not respond, or it has been updated since the page was opened.</p>
+      <h1>{translate("part.thisPartOfThePage")}</h1>
+      <p>{translate("part.theServerDoesNotRespond")}</p>
       <Button variant="default" onClick={() => window.location.reload()}>
-        Reload the page
+        {translate("part.reloadThePage")}
       </Button>
     </div>
   );

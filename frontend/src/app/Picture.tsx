@@ -2,13 +2,14 @@
 
 import { useState } from "react";
 import type { Point } from "../geometry/records";
-import { ColourBar } from "../panels/ColourBar";
-import { EdgeTooltip } from "../panels/EdgeTooltip";
-import { PathLegend } from "../panels/PathLegend";
-import { Scrubber } from "../panels/Scrubber";
-import { SelectionBar } from "../panels/SelectionBar";
-import { ViewBar } from "../panels/ViewBar";
-import { addCorner, cornerNear } from "../state/corners";
+import { translate } from "../language/translate";
+import { ColourBar } from "../panels/drawing/ColourBar";
+import { EdgeTooltip } from "../panels/drawing/EdgeTooltip";
+import { PathLegend } from "../panels/drawing/PathLegend";
+import { Scrubber } from "../panels/drawing/Scrubber";
+import { SelectionBar } from "../panels/drawing/SelectionBar";
+import { ViewBar } from "../panels/drawing/ViewBar";
+import { addCorner, cornerNear } from "../state/order/corners";
 import { queries, queryClient, useDrawing } from "../state/queries";
 import { useUiStore } from "../state/store";
 import type { Insets } from "../viewer/camera";
@@ -31,8 +32,7 @@ interface Shown {
 /** Width of the controls above the canvas, at its sides (pixels). */
 const INSETS: Insets = { left: 56, top: 108, right: 64, bottom: 104 };
 
-const LABEL =
-  "The dieline and the path of the machine head. Arrow keys move the view, plus and minus zoom, the key F shows the whole drawing.";
+const LABEL = translate("picture.theDielineAndThePath");
 
 export function Picture({ onReady }: Props) {
   const [shown, setShown] = useState<Shown | null>(null);

@@ -1,21 +1,22 @@
 /** The page of the person at a machine, for a tablet beside the table. */
 
+import "../messages/load";
 import { useEffect, useRef, useState } from "react";
-import { NotificationList } from "../panels/NotificationList";
-import { AskOperator, OperatorDialog } from "../panels/OperatorForm";
-import { Permitted } from "../panels/Permitted";
-import { StationAlarm } from "../panels/StationAlarm";
-import { StationControls } from "../panels/StationControls";
-import { StationHeader } from "../panels/StationHeader";
-import { StationJob } from "../panels/StationJob";
-import { StationNotices, UnknownOutputs } from "../panels/StationNotices";
-import { StationOperations } from "../panels/StationOperations";
-import { StationOutcome } from "../panels/StationOutcome";
-import css from "../panels/station.module.css";
-import { useChecks } from "../state/checks";
-import { useFollowedJob, useServerReached } from "../state/followMachine";
-import { HANDS, useHandsClear } from "../state/handsClear";
-import { isOnTable, needsOperator } from "../state/jobs";
+import { translate } from "../language/translate";
+import { translateRich } from "../language/translateRich";
+import { AskOperator, OperatorDialog } from "../panels/accounts/OperatorForm";
+import { Permitted } from "../panels/accounts/Permitted";
+import { NotificationList } from "../panels/shared/NotificationList";
+import { StationAlarm } from "../panels/station/StationAlarm";
+import { StationControls } from "../panels/station/StationControls";
+import { StationHeader } from "../panels/station/StationHeader";
+import { StationJob } from "../panels/station/StationJob";
+import { StationNotices, UnknownOutputs } from "../panels/station/StationNotices";
+import { StationOperations } from "../panels/station/StationOperations";
+import { StationOutcome } from "../panels/station/StationOutcome";
+import css from "../panels/station/station.module.css";
+import { useFollowedJob, useServerReached } from "../state/job/followMachine";
+import { isOnTable, needsOperator } from "../state/job/jobs";
 import {
   useDrawing,
   useEdges,
@@ -24,6 +25,8 @@ import {
   useStation,
   useTimeline,
 } from "../state/queries";
+import { useChecks } from "../state/station/checks";
+import { HANDS, useHandsClear } from "../state/station/handsClear";
 import type { ViewerEvents } from "../viewer/contract";
 import { Canvas } from "./Canvas";
 import type { PictureCommands } from "./shortcuts";
@@ -36,7 +39,7 @@ type Tab = "job" | "machine";
 
 /** The report of the last action covers the lower edge. */
 const INSETS = { left: 24, top: 24, right: 24, bottom: 68 };
-const LABEL = "The sheet on the table, the path of the head, and the head while a job runs.";
+const LABEL = translate("stationPage.theSheetOnTheTable");
 /** Nothing is chosen in this picture: it is looked at from a distance. */
 const NO_EVENTS: ViewerEvents = {
   onHover: () => {},
@@ -74,9 +77,9 @@ export function StationPage({ machine: name }: Props) {
       <main className={css.page}>
         <p className={css.lost} role="status">
           {machines === undefined
-            ? "Loading the machine"
-            : `There is no machine named ${name}. Open the drawings and choose a machine there.`}{" "}
-          <a href="#/">Back to all drawings</a>
+            ? translate("stationPage.loadingTheMachine")
+            : translate("stationPage.thereIsNoMachineNamed", { name })}{" "}
+          <a href="#/">{translate("stationPage.backToAllDrawings")}</a>
         </p>
       </main>
     );
@@ -87,13 +90,14 @@ export function StationPage({ machine: name }: Props) {
       <StationHeader {...shown} />
       {!reached && (
         <p className={css.lost} role="alert" data-testid="no-server">
-          <b>No connection to the server.</b> This page may be out of date, and its buttons have no
-          effect. In danger, use the emergency stop of the machine.
+          {translateRich("stationPage.noConnectionToTheServer", {
+            b: (children) => <b>{children}</b>,
+          })}
         </p>
       )}
       <div className={css.table} data-idle={job === undefined}>
         {job === undefined ? (
-          <p className={css.idle}>No job waits for this machine.</p>
+          <p className={css.idle}>{translate("stationPage.noJobWaitsForThis")}</p>
         ) : (
           <StationPicture place={needsOperator(job)} />
         )}
@@ -103,9 +107,14 @@ export function StationPage({ machine: name }: Props) {
         {station !== undefined && <UnknownOutputs station={station} />}
         {station !== undefined && <StationNotices station={station} />}
         <AskOperator />
-        <div className={css.tabs} role="tablist" aria-label="Job or machine">
-          <TabButton id="job" title="Job" tab={tab} select={setTab} />
-          <TabButton id="machine" title="Move machine" tab={tab} select={setTab} />
+        <div className={css.tabs} role="tablist" aria-label={translate("stationPage.jobOrMachine")}>
+          <TabButton id="job" title={translate("stationPage.job")} tab={tab} select={setTab} />
+          <TabButton
+            id="machine"
+            title={translate("stationPage.moveMachine")}
+            tab={tab}
+            select={setTab}
+          />
         </div>
         <div id="station-tab" role="tabpanel" aria-labelledby={`tab-${tab}`}>
           {tab === "machine" ? (
@@ -113,10 +122,7 @@ export function StationPage({ machine: name }: Props) {
               <StationOperations {...shown} />
             </Permitted>
           ) : job === undefined ? (
-            <p className={css.message}>
-              The queue of this machine is empty. A job appears here as soon as it is sent to the
-              machine.
-            </p>
+            <p className={css.message}>{translate("stationPage.theQueueOfThisMachine")}</p>
           ) : (
             <Permitted request="POST /api/v1/jobs/{id}/confirm">
               <StationJob

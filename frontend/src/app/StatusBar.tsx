@@ -1,6 +1,8 @@
 /** Scale bar and cursor position, at the bottom of the canvas. */
 
 import type { Point } from "../geometry/records";
+import { formatFixed, formatNumber } from "../language/numbers";
+import { translate } from "../language/translate";
 import css from "./app.module.css";
 
 /** A round length (mm) whose bar is 60 to 150 pixels long. */
@@ -26,12 +28,16 @@ export function StatusBar({ scale, cursor, unit }: Props) {
         <span className={css.scaleBar} style={{ width: bar * scale }} />
         {bar >= 1000 && unit === "mm"
           ? `${bar / 1000} m`
-          : `${Number(bar.toPrecision(2))} ${unit || "file units"}`}
+          : `${formatNumber(Number(bar.toPrecision(2)))} ${unit || translate("statusBar.fileUnits")}`}
       </span>
       <span style={{ flex: 1 }} />
       {cursor && (
         <span data-testid="cursor">
-          X {cursor.x.toFixed(digits)}&ensp; Y {cursor.y.toFixed(digits)} {unit}
+          {translate("statusBar.xY", {
+            x: formatFixed(cursor.x, digits),
+            y: formatFixed(cursor.y, digits),
+            unit,
+          })}
         </span>
       )}
     </div>

@@ -10,18 +10,22 @@ import {
   IconLayoutSidebarRight,
 } from "@tabler/icons-react";
 import { type ReactNode, useRef } from "react";
-import { AccountButton } from "../panels/AccountDialog";
-import { MachineChip } from "../panels/MachineChip";
-import { OperatorButton } from "../panels/OperatorForm";
+import { useRoute } from "wouter";
+import { navigate } from "wouter/use-hash-location";
+import { translate } from "../language/translate";
+import { AccountButton } from "../panels/accounts/AccountDialog";
+import { OperatorButton } from "../panels/accounts/OperatorForm";
+import { MachineChip } from "../panels/job/MachineChip";
+import { LanguageMenu } from "../panels/shared/LanguageMenu";
 import { redo, undo } from "../state/actions";
-import { useProfileDraft } from "../state/profileDraft";
+import { useProfileDraft } from "../state/drawing/profileDraft";
+import { HISTORY, returnToDrawing, showDrawing } from "../state/routes";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 import { Logo } from "./Logo";
 import { useRovingFocus } from "./roving";
 
 export function TopBar() {
-  const open = useUiStore((ui) => ui.open);
   const drawing = useUiStore((ui) => ui.drawing);
   const editing = useUiStore((ui) => ui.editedProfile !== null);
   const steps = useProfileDraft();
@@ -30,7 +34,7 @@ export function TopBar() {
   const busy = useUiStore((ui) => ui.busy);
   const leftOpen = useUiStore((ui) => ui.leftOpen);
   const rightOpen = useUiStore((ui) => ui.rightOpen);
-  const history = useUiStore((ui) => ui.history);
+  const [history] = useRoute(HISTORY);
   const set = useUiStore((ui) => ui.set);
   const tools = useRef<HTMLDivElement>(null);
   useRovingFocus(tools);
@@ -39,16 +43,21 @@ export function TopBar() {
       <button
         type="button"
         className={css.brand}
-        onClick={() => open(null)}
-        aria-label="knifetip: show all drawings"
+        onClick={() => showDrawing(null)}
+        aria-label={translate("topBar.knifetipShowAllDrawings")}
       >
         <Logo />
         knifetip
       </button>
-      <div ref={tools} className={css.tools} role="toolbar" aria-label="Views and account">
+      <div
+        ref={tools}
+        className={css.tools}
+        role="toolbar"
+        aria-label={translate("topBar.viewsAndAccount")}
+      >
         <span className={css.divider} />
         <Icon
-          label="Show or hide the left panel (key [)"
+          label={translate("topBar.showOrHideTheLeft")}
           on={leftOpen}
           act={() => set({ leftOpen: !leftOpen })}
         >
@@ -57,7 +66,7 @@ export function TopBar() {
         {drawing !== null && (
           <>
             <Icon
-              label="Undo the last change (Ctrl Z)"
+              label={translate("topBar.undoTheLastChangeCtrl")}
               off={past === 0 || busy}
               act={() => void undo()}
               testId="undo"
@@ -65,7 +74,7 @@ export function TopBar() {
               <IconArrowBackUp size={18} stroke={1.6} />
             </Icon>
             <Icon
-              label="Redo the undone change (Ctrl Shift Z)"
+              label={translate("topBar.redoTheUndoneChangeCtrl")}
               off={future === 0 || busy}
               act={() => void redo()}
               testId="redo"
@@ -79,20 +88,24 @@ export function TopBar() {
         <AccountButton />
         <MachineChip />
         <Icon
-          label="Ended jobs, statistics and tools"
+          label={translate("topBar.endedJobsStatisticsAndTools")}
           on={history}
-          act={() => set({ history: !history })}
+          act={() => (history ? returnToDrawing() : navigate(HISTORY))}
           testId="history-button"
         >
           <IconHistory size={18} stroke={1.6} />
         </Icon>
         <span className={css.keys}>
-          <Icon label="Keyboard and mouse shortcuts (?)" act={() => set({ helpOpen: true })}>
+          <LanguageMenu />
+          <Icon
+            label={translate("topBar.keyboardAndMouseShortcuts")}
+            act={() => set({ helpOpen: true })}
+          >
             <IconKeyboard size={18} stroke={1.6} />
           </Icon>
         </span>
         <Icon
-          label="Show or hide the right panel (key ])"
+          label={translate("topBar.showOrHideTheRight")}
           on={rightOpen}
           act={() => set({ rightOpen: !rightOpen })}
         >

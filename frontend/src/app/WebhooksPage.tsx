@@ -1,18 +1,20 @@
 /** The page of webhooks: endpoints of other systems, and the deliveries to them. */
 
+import "../messages/load";
 import { Button } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { type NewWebhook, webhookService } from "../api/webhooks";
-import { errorText } from "../messages/render";
-import { Refusal } from "../panels/Permitted";
-import { WebhookCard } from "../panels/WebhookCard";
-import { WebhookForm } from "../panels/WebhookForm";
-import { WebhookSecret } from "../panels/WebhookSecret";
-import css from "../panels/webhooks.module.css";
-import { useIsPermitted, useRefusal } from "../state/accounts";
+import { translate } from "../language/translate";
+import { errorText } from "../messages/translateMessage";
+import { Refusal } from "../panels/accounts/Permitted";
+import { WebhookCard } from "../panels/webhooks/WebhookCard";
+import { WebhookForm } from "../panels/webhooks/WebhookForm";
+import { WebhookSecret } from "../panels/webhooks/WebhookSecret";
+import css from "../panels/webhooks/webhooks.module.css";
+import { useIsPermitted, useRefusal } from "../state/accounts/accounts";
 import { queries } from "../state/queries";
-import { refreshWebhooks } from "../state/webhooks";
+import { refreshWebhooks } from "../state/webhooks/webhooks";
 
 const EMPTY = { url: "", description: "", event_types: [] };
 
@@ -40,7 +42,7 @@ export function WebhooksPage() {
   return (
     <main className={css.page} data-testid="webhooks">
       <header className={css.head}>
-        <h1>Webhooks</h1>
+        <h1>{translate("webhooksPage.webhooks")}</h1>
         {!none && !adding && (
           <Button
             disabled={refusal !== null}
@@ -48,16 +50,17 @@ export function WebhooksPage() {
             onClick={() => setAdding(true)}
             data-testid="webhook-new"
           >
-            Add a webhook
+            {translate("webhooksPage.addAWebhook")}
           </Button>
         )}
         <Button component="a" href="#/" variant="default">
-          Back to drawings
+          {translate("webhooksPage.backToDrawings")}
         </Button>
       </header>
       <p className={css.intro}>
-        Changes of jobs and drawings are sent to these URLs as signed requests (Standard Webhooks).
-        {none && " There are no webhooks yet."}
+        {none
+          ? translate("webhooksPage.changesOfJobsAndDrawings")
+          : translate("webhooksPage.changesOfJobsAndDrawings2")}
       </p>
       <Refusal reason={refusal} />
       {shown !== "" && (
@@ -67,10 +70,10 @@ export function WebhooksPage() {
       )}
       {added !== null && <WebhookSecret webhook={added} onClose={() => setAdded(null)} />}
       {(none || adding) && (
-        <section className={css.card} aria-label="New webhook">
+        <section className={css.card} aria-label={translate("webhooksPage.newWebhook")}>
           <WebhookForm
             fields={EMPTY}
-            label="Add"
+            label={translate("webhooksPage.add")}
             onSend={async (fields) => {
               const done = await act(async () => setAdded(await webhookService.add(fields)));
               if (done) setAdding(false);

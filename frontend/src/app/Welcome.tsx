@@ -1,7 +1,8 @@
 /** Start page. */
 
-import { ChooseFile } from "../panels/DrawingsPanel";
-import { Permitted } from "../panels/Permitted";
+import { translate } from "../language/translate";
+import { Permitted } from "../panels/accounts/Permitted";
+import { ChooseFile } from "../panels/drawing/DrawingsPanel";
 import css from "./app.module.css";
 import { Logo } from "./Logo";
 
@@ -10,26 +11,23 @@ export function Welcome() {
     <div className={css.centre}>
       <div className={css.welcome} data-testid="welcome">
         <Logo size={44} />
-        <h1>Drop a dieline file here</h1>
-        <p>
-          DXF, SVG, CF2, PDF, HPGL or LightBurn. knifetip recognises cuts, creases and grooves,
-          calculates the tool paths for your machine, and checks the program before the machine
-          moves.
-        </p>
+        <h1>{translate("welcome.dropADielineFileHere")}</h1>
+        <p>{translate("welcome.dxfSvgCf2PdfHpgl")}</p>
         <Permitted request="POST /api/v1/drawings">
           <ChooseFile large />
         </Permitted>
         <ol className={css.steps}>
           <li>
-            <b>1. Open</b>Drop a drawing file, or choose a drawing from the list.
+            <b>{translate("welcome.n1Open")}</b>
+            {translate("welcome.dropADrawingFileOr")}
           </li>
           <li>
-            <b>2. Prepare</b>Choose a machine and a board, prepare the machine program, and see how
-            far it deviates from the drawing.
+            <b>{translate("welcome.n2Prepare")}</b>
+            {translate("welcome.chooseAMachineAndA")}
           </li>
           <li>
-            <b>3. Send</b>Send the job to the machine. The operator checks the table there and
-            starts it. Follow the progress.
+            <b>{translate("welcome.n3Send")}</b>
+            {translate("welcome.sendTheJobToThe")}
           </li>
         </ol>
       </div>

@@ -2,20 +2,24 @@
 
 import { ActionIcon, Tooltip } from "@mantine/core";
 import { IconFocusCentered, IconMinus, IconPlus } from "@tabler/icons-react";
-import overlayCss from "../panels/overlay.module.css";
+import { translate } from "../language/translate";
+import overlayCss from "../panels/drawing/overlay.module.css";
 import type { Viewer } from "../viewer/viewer";
 import css from "./app.module.css";
 
 export function ZoomControls({ viewer }: { viewer: Viewer | null }) {
   return (
     <div className={`${overlayCss.float} ${css.zoom}`}>
-      <ZoomButton label="Zoom in (key +)" act={() => viewer?.zoomBy(1.4)}>
+      <ZoomButton label={translate("zoomControls.zoomInKey")} act={() => viewer?.zoomBy(1.4)}>
         <IconPlus size={16} />
       </ZoomButton>
-      <ZoomButton label="Zoom out (key −)" act={() => viewer?.zoomBy(1 / 1.4)}>
+      <ZoomButton label={translate("zoomControls.zoomOutKey")} act={() => viewer?.zoomBy(1 / 1.4)}>
         <IconMinus size={16} />
       </ZoomButton>
-      <ZoomButton label="Show the whole drawing (key F)" act={() => viewer?.fit()}>
+      <ZoomButton
+        label={translate("zoomControls.showTheWholeDrawingKey")}
+        act={() => viewer?.fit()}
+      >
         <IconFocusCentered size={16} />
       </ZoomButton>
     </div>

@@ -4,7 +4,7 @@ import { LINE_TYPES, type LineType } from "../geometry/records";
 import type { Palette } from "../scene/dieline";
 import type { Scale } from "../scene/figureColours";
 import { rgba } from "../scene/lines";
-import { CANVAS, LINE_STYLES, MARKS, SCALE, SWEPT, TRAVEL, UNCUT } from "../state/palette";
+import { CANVAS, LINE_STYLES, MARKS, SCALE, SWEPT, TRAVEL, UNCUT } from "../state/drawing/palette";
 import type { ViewerColours } from "../viewer/contract";
 
 const lineLook = (type: LineType) =>

@@ -7,21 +7,27 @@ import { MantineProvider } from "@mantine/core";
 import { QueryClientProvider } from "@tanstack/react-query";
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
+import { Router } from "wouter";
+import { useHashLocation } from "wouter/use-hash-location";
+import { language } from "../language/language";
 import { queryClient } from "../state/queries";
+import { openAddress } from "../state/routes";
 import { App } from "./App";
-import { openAddress } from "./routes";
 import { theme } from "./theme";
 
 const root = document.getElementById("root");
-if (root === null) throw new Error("The page has no element #root.");
+if (root === null) throw new Error("#root");
 
+document.documentElement.lang = language;
 // Before the first rendering, so that no other view is seen or fetched.
 openAddress();
 createRoot(root).render(
   <StrictMode>
     <MantineProvider theme={theme} defaultColorScheme="auto">
       <QueryClientProvider client={queryClient}>
-        <App />
+        <Router hook={useHashLocation}>
+          <App />
+        </Router>
       </QueryClientProvider>
     </MantineProvider>
   </StrictMode>,

@@ -1,8 +1,8 @@
 /** Keyboard shortcuts. */
 
-import { refusalOf } from "../state/accounts";
+import { refusalOf } from "../state/accounts/accounts";
 import { redo, retype, undo } from "../state/actions";
-import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/palette";
+import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/drawing/palette";
 import { queries, queryClient } from "../state/queries";
 import { COLOUR_MODES, type Layer, useUiStore } from "../state/store";
 

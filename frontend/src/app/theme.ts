@@ -1,6 +1,8 @@
 /** Theme of the component library. */
 
 import { createTheme, type MantineColorsTuple } from "@mantine/core";
+import { decimalSeparator } from "../language/numbers";
+import { translate } from "../language/translate";
 
 const dark: MantineColorsTuple = [
   "#eef2f7",
@@ -74,6 +76,8 @@ export const theme = createTheme({
     InputWrapper: {
       styles: { label: { color: "var(--ink-2)", fontSize: 12, fontWeight: 500, marginBottom: 4 } },
     },
+    // A comma and a point are both typed as the separator of decimals.
+    NumberInput: { defaultProps: { decimalSeparator, allowedDecimalSeparators: [".", ","] } },
     Button: { defaultProps: { fw: 600 } },
     // A menu that is longer than the space beside its button scrolls inside the window.
     Menu: {
@@ -88,7 +92,7 @@ export const theme = createTheme({
     },
     Modal: {
       defaultProps: {
-        closeButtonProps: { "aria-label": "Close" },
+        closeButtonProps: { "aria-label": translate("theme.close") },
         // Its header is an HTML header, and the page has a banner already.
         attributes: { header: { role: "presentation" } },
       },

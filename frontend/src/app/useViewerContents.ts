@@ -9,8 +9,12 @@ import { type TipOffset, tipOffset } from "../geometry/tip";
 import { workedSpans } from "../geometry/workedSpans";
 import { figureColours, stretchColours } from "../scene/figureColours";
 import type { Tools } from "../scene/swept";
-import { isDropped } from "../state/importReport";
-import { isOnTable } from "../state/jobs";
+import { isDropped } from "../state/drawing/importReport";
+import { layerKey, layerOf } from "../state/drawing/rows";
+import { verdictMapOf } from "../state/drawing/verdictMap";
+import { isOnTable } from "../state/job/jobs";
+import { chosenPlaces } from "../state/order/edgeOptions";
+import { sheetBox } from "../state/order/sheet";
 import {
   useBoardCaliper,
   useDrawing,
@@ -22,11 +26,8 @@ import {
   useVerdict,
   useVerdictColumns,
 } from "../state/queries";
-import { layerKey, layerOf } from "../state/rows";
-import { sheetBox } from "../state/sheet";
-import { runAboveBoard } from "../state/station";
+import { runAboveBoard } from "../state/station/station";
 import { useUiStore } from "../state/store";
-import { verdictMapOf } from "../state/verdictMap";
 import type { Viewer } from "../viewer/viewer";
 import { MAP_SCALE } from "./colours";
 import type { PictureCommands } from "./shortcuts";
@@ -168,6 +169,7 @@ function useShownMarks(viewer: MaybeViewer, edges: Edges | null): void {
   const { data: machines } = useMachines();
   const selected = useUiStore((ui) => ui.machine);
   const corners = useUiStore((ui) => ui.corners);
+  const options = useUiStore((ui) => ui.options);
   const selection = useUiStore((ui) => ui.selection);
   const retypePreviews = useUiStore((ui) => ui.retypePreviews);
   const hovered = useUiStore((ui) => ui.hover?.row ?? null);
@@ -175,7 +177,10 @@ function useShownMarks(viewer: MaybeViewer, edges: Edges | null): void {
   const pin = useUiStore((ui) => ui.pin);
   const zoomRequest = useUiStore((ui) => ui.zoomRequest);
   const hasCorners = machines?.find(({ name }) => name === selected)?.offset_cuts === true;
-  useEffect(() => viewer?.showCorners(hasCorners ? corners.at : []), [viewer, corners, hasCorners]);
+  useEffect(
+    () => viewer?.showCorners([...(hasCorners ? corners.at : []), ...chosenPlaces(options, edges)]),
+    [viewer, corners, hasCorners, options, edges],
+  );
   // biome-ignore lint/correctness/useExhaustiveDependencies: the rows refer to the edges
   useEffect(() => viewer?.showChosen(selection), [viewer, selection, edges]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the rows refer to the edges

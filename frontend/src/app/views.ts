@@ -11,7 +11,7 @@ const FETCH = {
   station: () => import("./StationPage"),
   library: () => import("./LibraryPage"),
   webhooks: () => import("./WebhooksPage"),
-  history: () => import("../panels/HistoryPage"),
+  history: () => import("../panels/history/HistoryPage"),
 } as const;
 
 /** A part of the page cannot be fetched. */
@@ -25,7 +25,7 @@ const part = <Module, Props>(
     fetch().then(
       (module) => ({ default: choose(module) }),
       (cause: unknown) => {
-        throw new PartNotFetched("A part of the page cannot be fetched.", { cause });
+        throw new PartNotFetched("part", { cause });
       },
     ),
   );

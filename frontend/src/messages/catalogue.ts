@@ -1,6 +1,7 @@
 /** Type of a catalogue: a text and a hint for every code, with no other arguments than its own. */
 
 import type { components } from "../api/openapi.gen";
+import type { ArgumentsOf as IcuArguments } from "../language/arguments";
 
 export type Message = components["schemas"]["Message"];
 export type Code = components["schemas"]["Message"]["code"];
@@ -8,28 +9,26 @@ export type Code = components["schemas"]["Message"]["code"];
 type Arguments = { readonly [M in Message as M["code"]]: M["arguments"] };
 export type ArgumentsOf<C extends Code> = Arguments[C];
 
-/** An entry; `render` describes the format of both templates. Without a hint it is empty. */
+/** An entry in ICU MessageFormat. Without a hint it is empty. */
 interface Entry {
   readonly text: string;
   readonly hint: string;
 }
 
+/** Names of words in arguments, such as units, by what the words are. */
+export type Names = Readonly<Record<string, Readonly<Record<string, string>>>>;
+
 /** The compiler reports codes that a catalogue lacks. */
 export type Catalogue = Readonly<Record<Code, Entry>>;
 
-/** Names between the braces of a template. */
-type Names<T extends string> = T extends `${string}{${infer Field}}${infer Rest}`
-  ? NameOf<Field> | Names<Rest>
-  : never;
+/** The argument from which one with an ending is derived, such as `reason` for `reason__hint`. */
+type Given<Name> = Name extends `${infer Sent}__${string}` ? Sent : Name;
 
-/** The name of a field, without its conversion and format. */
-type NameOf<Field extends string> = Field extends `${infer Name}:${string}`
-  ? Name
-  : Field extends `${infer Name}!r`
-    ? Name
-    : Field;
-
-/** The codes of a catalogue whose templates name arguments that the code does not have. */
+/** The codes of a catalogue whose texts name arguments that the code does not have. */
 export type Mismatched<T extends Catalogue> = {
-  [C in Code]: Names<T[C]["text"] | T[C]["hint"]> extends keyof ArgumentsOf<C> ? never : C;
+  [C in Code]: Given<
+    keyof IcuArguments<T[C]["text"]> | keyof IcuArguments<T[C]["hint"]>
+  > extends keyof ArgumentsOf<C>
+    ? never
+    : C;
 }[Code];

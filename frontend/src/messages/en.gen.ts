@@ -1,6 +1,9 @@
-/** English texts and hints of all messages. Written by frontend/catalogue.py: do not edit. */
+/**
+ * Texts and hints of all messages in the language "en", in ICU MessageFormat.
+ * Written by frontend/catalogue.py: do not edit.
+ */
 
-import type { Catalogue } from "./catalogue";
+import type { Catalogue, Names } from "./catalogue";
 
 export const TEXTS = {
   "advice.compiling": {
@@ -16,7 +19,7 @@ export const TEXTS = {
     "hint": ""
   },
   "advice.of-reason": {
-    "text": "{reason:hint}",
+    "text": "{reason__hint}",
     "hint": ""
   },
   "advice.queued": {
@@ -56,31 +59,35 @@ export const TEXTS = {
     "hint": "Free space on the disk or choose another folder. The database was not changed."
   },
   "board.above-travel": {
-    "text": "The board is {caliper:g} mm thick, but the head of {machine} travels only {travel:g} mm above the table and must stay {clearance:g} mm above the board.",
+    "text": "The board is {caliper, number, ::@#####} mm thick, but the head of {machine} travels only {travel, number, ::@#####} mm above the table and must stay {clearance, number, ::@#####} mm above the board.",
     "hint": "Choose a thinner board, or a machine whose head travels higher."
   },
+  "board.too-thick": {
+    "text": "The board is {caliper, number, ::@#####} mm thick, but {machine} takes board up to {limit, number, ::@#####} mm.",
+    "hint": "Choose a thinner board or another machine. The limit is max_caliper in the machine file."
+  },
   "bridges.divided-blank": {
-    "text": "The part at edge {edge} would be held by {count:# bridge|# bridges}, because cuts divide its blank. The board requires {fewest:# bridge|# bridges} (uncut gaps) on each part.",
+    "text": "The part at edge {edge} would be held by {count, plural, one {# bridge} other {# bridges}}, because cuts divide its blank. The board requires {fewest, plural, one {# bridge} other {# bridges}} (uncut gaps) on each part.",
     "hint": "Set the line type of the cuts between the parts to ignored and make them by hand, choose a smaller spacing of bridges in the board file, or choose a board without bridges."
   },
   "bridges.no-room": {
-    "text": "The contour at edge {edge} is {length:.1f} mm long, which is too short for {fewest:# bridge|# bridges} of {gap:.2f} mm width. The board requires bridges (uncut gaps that hold a part) at most {spacing:.1f} mm apart, and away from corners and narrow slots.",
+    "text": "The contour at edge {edge} is {length, number, ::.0} mm long, which is too short for {fewest, plural, one {# bridge} other {# bridges}} of {gap, number, ::.00} mm width. The board requires bridges (uncut gaps that hold a part) at most {spacing, number, ::.0} mm apart, and away from corners and narrow slots.",
     "hint": "Choose narrower bridges or a larger spacing of bridges in the board file, or choose a board without bridges."
   },
   "calibration.bad-points": {
-    "text": "The {count:# measured point|# measured points} of the test cut cannot be used. At least one point is needed, and all values must be finite numbers.",
+    "text": "The {count, plural, one {# measured point} other {# measured points}} of the test cut cannot be used. At least one point is needed, and all values must be finite numbers.",
     "hint": "Measure at least one point on a slanted part of the contour of the test cut."
   },
   "calibration.choose-cutter": {
-    "text": "{machine} has {count:# cutter|# cutters}, so the cutter to calibrate must be named.",
-    "hint": "Choose one of {cutters:, }."
+    "text": "{machine} has {count, plural, one {# cutter} other {# cutters}}, so the cutter to calibrate must be named.",
+    "hint": "Choose one of {cutters}."
   },
   "calibration.missing-column": {
-    "text": "Line {line} of {file} has no value for {columns:or}.",
+    "text": "Line {line} of {file} has no value for {columns__or}.",
     "hint": "Write the heading azimuth,dx,dy on the first line. Write three numbers, in degrees, mm and mm, on each other line, for example 45,-0.05,0.06."
   },
   "calibration.not-a-number": {
-    "text": "Line {line} of {file} has a value that is not a number: {values:, }.",
+    "text": "Line {line} of {file} has a value that is not a number: {values}.",
     "hint": "Write three numbers with decimal points, for example 45,-0.05,0.06."
   },
   "calibration.not-csv": {
@@ -88,11 +95,11 @@ export const TEXTS = {
     "hint": "Save the file as CSV in UTF-8."
   },
   "calibration.undetermined": {
-    "text": "At every measured point the contour runs nearly along {along}, so the deflection of the cutter in {along} ({other}) cannot be determined. The sum of sin² of the angles between the contour and the {along} axis is {weight:.4f}, but must be at least {least}.",
+    "text": "At every measured point the contour runs nearly along {along}, so the deflection of the cutter in {along} ({other}) cannot be determined. The sum of sin² of the angles between the contour and the {along} axis is {weight, number, ::.0000}, but must be at least {least, number, ::@##############}.",
     "hint": "Measure one more point where the contour runs along {direction}, or at 45°."
   },
   "calibration.wrong-sign": {
-    "text": "The measured points give a deflection of {x:.3f} mm in X and {y:.3f} mm in Y. A negative value means that the cutter moves towards the contour, although the board normally pushes it away from the contour, so a sign or the side is probably wrong.",
+    "text": "The measured points give a deflection of {x, number, ::.000} mm in X and {y, number, ::.000} mm in Y. A negative value means that the cutter moves towards the contour, although the board normally pushes it away from the contour, so a sign or the side is probably wrong.",
     "hint": "Check the signs of dx and dy, and check on which side of the contour the tool moves."
   },
   "cf2.cut-short": {
@@ -128,11 +135,11 @@ export const TEXTS = {
     "hint": ""
   },
   "check.caliper": {
-    "text": ", {caliper:g} mm thick",
+    "text": ", {caliper, number, ::@#####} mm thick",
     "hint": ""
   },
   "check.drawing-place": {
-    "text": ": the lower left corner of the drawing comes to X {x:g}, Y {y:g} mm",
+    "text": ": the lower left corner of the drawing comes to X {x, number, ::@#####}, Y {y, number, ::@#####} mm",
     "hint": ""
   },
   "check.fed-sheet": {
@@ -160,11 +167,11 @@ export const TEXTS = {
     "hint": ""
   },
   "check.sheet-place": {
-    "text": ", its lower left corner at X {x:g}, Y {y:g} mm",
+    "text": ", its lower left corner at X {x, number, ::@#####}, Y {y, number, ::@#####} mm",
     "hint": ""
   },
   "check.sheet-size": {
-    "text": "A sheet of {width:g} × {height:g} mm lies in its place{place}.",
+    "text": "A sheet of {width, number, ::@#####} × {height, number, ::@#####} mm lies in its place{place}.",
     "hint": ""
   },
   "check.station": {
@@ -183,6 +190,14 @@ export const TEXTS = {
     "text": "The unfinished sheet of job {job} is removed.",
     "hint": ""
   },
+  "classification.across": {
+    "text": "the edge meets other lines inside the blank, one of which is a slit if the blank is folded to a box; the edge is perpendicular to the longest of them",
+    "hint": ""
+  },
+  "classification.along": {
+    "text": "the edge meets other lines inside the blank, one of which is a slit if the blank is folded to a box; the edge is parallel to the longest of them",
+    "hint": ""
+  },
   "classification.around": {
     "text": "the edge encloses a complete carton",
     "hint": ""
@@ -193,6 +208,10 @@ export const TEXTS = {
   },
   "classification.as-its-style": {
     "text": "the edge is treated like all edges with the same layer, colour and line style",
+    "hint": ""
+  },
+  "classification.beside-gap": {
+    "text": "{reason} if a straight line is missing in the outline beside the edge, without which the blank falls apart",
     "hint": ""
   },
   "classification.bleed": {
@@ -212,7 +231,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.convention": {
-    "text": "the colours fit the colour convention \"{name}\": with this convention the cut lines form a closed outline, and {folds} of {lines:# line|# lines} inside the outline are folds",
+    "text": "the colours fit the colour convention \"{name}\": with this convention the cut lines form a closed outline, and {folds} of {lines, plural, one {# line} other {# lines}} inside the outline are folds",
+    "hint": ""
+  },
+  "classification.corners": {
+    "text": "the edge turns a corner at both ends, and no fold does",
     "hint": ""
   },
   "classification.cuts-panel-off": {
@@ -235,8 +258,12 @@ export const TEXTS = {
     "text": ", whereas an edge of type {type} divides two panels",
     "hint": ""
   },
+  "classification.fold-end": {
+    "text": "the edge lies between the outline and a fold of the same two panels, as a slit that locks a flap does",
+    "hint": ""
+  },
   "classification.follows": {
-    "text": "the user gave this line type to the other edges with the same colour and line style",
+    "text": "the answer for other edges decides this line type: they have the same colour and line style, or show whether the profile swaps cut and crease",
     "hint": ""
   },
   "classification.frame": {
@@ -269,6 +296,14 @@ export const TEXTS = {
   },
   "classification.layer-name-against": {
     "text": "but the name of the layer of the edge contains \"{word}\"",
+    "hint": ""
+  },
+  "classification.learned": {
+    "text": "learned from drawings of the same customer: edges with this layer, colour and line style have this line type in {drawings}",
+    "hint": ""
+  },
+  "classification.learned-guess": {
+    "text": "edges with this layer, colour and line style have this line type in {drawings} of the same customer",
     "hint": ""
   },
   "classification.legend": {
@@ -339,6 +374,10 @@ export const TEXTS = {
     "text": ", so the edge must not be processed",
     "hint": ""
   },
+  "classification.oblique": {
+    "text": "the edge meets other lines inside the blank, one of which is a slit if the blank is folded to a box; the edge is neither parallel nor perpendicular to the longest of them",
+    "hint": ""
+  },
   "classification.on-cut": {
     "text": "{rule}, and the edge lies on top of a cut",
     "hint": ""
@@ -349,6 +388,10 @@ export const TEXTS = {
   },
   "classification.open": {
     "text": "the edge belongs to an outline that does not close",
+    "hint": ""
+  },
+  "classification.open-flap": {
+    "text": "equal lines that lead nowhere begin at both ends of the edge, so a flap beside it may be open",
     "hint": ""
   },
   "classification.other-style-closes": {
@@ -383,6 +426,18 @@ export const TEXTS = {
     "text": "the name of the layer \"{layer}\" means the line type {type}, and most of the outline lies on layers whose names mean cuts",
     "hint": ""
   },
+  "classification.part-of-side": {
+    "text": "the side of one of the panels goes on beyond the edge, as it does beside a slit",
+    "hint": ""
+  },
+  "classification.ring-fold": {
+    "text": "the edge meets lines inside the blank that are probably slits, beside which it is a fold",
+    "hint": ""
+  },
+  "classification.ring-slit": {
+    "text": "the edge ends inside the blank at three folds, or is parallel to such an edge, and four folds at one point do not make a box",
+    "hint": ""
+  },
   "classification.role-against": {
     "text": "{role}{against}",
     "hint": ""
@@ -392,7 +447,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.shape": {
-    "text": "{parts:, }",
+    "text": "{parts}",
+    "hint": ""
+  },
+  "classification.shared": {
+    "text": "the edge lies where equal parts of the drawing touch, so it may be a common cut of blanks",
     "hint": ""
   },
   "classification.slit": {
@@ -401,6 +460,10 @@ export const TEXTS = {
   },
   "classification.slot": {
     "text": "the edge closes a slot or a round hole in a panel",
+    "hint": ""
+  },
+  "classification.slot-side": {
+    "text": "the edge is a side of a slot at a fold",
     "hint": ""
   },
   "classification.speck": {
@@ -412,11 +475,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.swapped": {
-    "text": "this rule turns edges of the closed outline into creases, so cut and crease may be swapped",
+    "text": "this rule turns edges of the closed outline into creases, so cut and crease may be swapped; the answer also decides the edges that the profile cuts",
     "hint": ""
   },
   "classification.swapped-both": {
-    "text": "this rule turns edges of the closed outline into creases and edges between panels into cuts, so cut and crease may be swapped",
+    "text": "this rule turns edges of the closed outline into creases and edges between panels into cuts, so cut and crease may be swapped; the answer also decides the edges that the profile cuts",
     "hint": ""
   },
   "classification.swapped-like": {
@@ -427,12 +490,16 @@ export const TEXTS = {
     "text": "the edge belongs to boxes with texts, as in a title block",
     "hint": ""
   },
+  "classification.through": {
+    "text": "the edge passes points inside the blank at which other lines end, and a slit ends there",
+    "hint": ""
+  },
   "classification.unknown": {
     "text": "the geometry of the drawing does not show which line type the edge has",
     "hint": ""
   },
   "classification.votes": {
-    "text": "{votes:; }",
+    "text": "{votes__semicolon}",
     "hint": ""
   },
   "classification.with-text": {
@@ -452,11 +519,11 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.dropped-speck": {
-    "text": "the edge was dropped, because it is only {length:.4g} mm long and connects no other edges",
+    "text": "the edge was dropped, because it is only {length, number, ::@###} mm long and connects no other edges",
     "hint": ""
   },
   "cleaning.end-moved": {
-    "text": "one end of the edge was moved by {distance:.2g} mm to meet another edge",
+    "text": "one end of the edge was moved by {distance, number, ::@#} mm to meet another edge",
     "hint": ""
   },
   "cleaning.fitted": {
@@ -464,11 +531,15 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.fitted-edge": {
-    "text": "the edge and edge {edge} were parts of a curve made of short lines; one line or arc, which deviates by at most {distance:.2g} mm from this curve, replaces them",
+    "text": "the edge and edge {edge} were parts of a curve made of short lines; one line or arc, which deviates by at most {distance, number, ::@#} mm from this curve, replaces them",
     "hint": ""
   },
+  "cleaning.folds-on-cuts": {
+    "text": "{count, plural, one {# edge} other {# edges}} of the line type {type} {count, plural, one {lies} other {lie}} on cuts and {count, plural, one {is} other {are}} not made along {length, number, ::.0} mm: the cuts are made instead.",
+    "hint": "If the board should stay connected there, set the line type of the cuts to {type}. Otherwise nothing needs to be done."
+  },
   "cleaning.folds-trimmed": {
-    "text": "Creases or V-grooves in {count} edges were shortened: {length:.2f} mm of them lie outside all panels and are not made.",
+    "text": "Creases or V-grooves in {count} edges were shortened: {length, number, ::.00} mm of them lie outside all panels and are not made.",
     "hint": "If a panel should be there, close its outline. Otherwise nothing needs to be done."
   },
   "cleaning.ignored": {
@@ -488,15 +559,19 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.kept-changed": {
-    "text": "the edge was kept, with these changes: {changes:; }",
+    "text": "the edge was kept, with these changes: {changes__semicolon}",
     "hint": ""
   },
   "cleaning.length-on-others": {
-    "text": "a part of the edge, {length:.4g} mm long, lies on other edges and was merged with them",
+    "text": "a part of the edge, {length, number, ::@###} mm long, lies on other edges and was merged with them",
     "hint": ""
   },
   "cleaning.longer": {
     "text": "other edges on the same line were merged into the edge, which is longer now",
+    "hint": ""
+  },
+  "cleaning.loop": {
+    "text": "the edge was dropped, because it belongs to a loop of at most 0.3 mm at a corner of an outline, which no tool can follow; the outline is complete without it",
     "hint": ""
   },
   "cleaning.moved": {
@@ -508,7 +583,7 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.near-edge": {
-    "text": "the edge was drawn twice: it lies {distance:.2g} mm beside edge {edge} and was merged into it",
+    "text": "the edge was drawn twice: it lies {distance, number, ::@#} mm beside edge {edge} and was merged into it",
     "hint": ""
   },
   "cleaning.no-work": {
@@ -524,11 +599,11 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.part-dropped": {
-    "text": "a part of the edge, {length:.2g} mm long, was dropped because it is too short to process",
+    "text": "a part of the edge, {length, number, ::@#} mm long, was dropped because it is too short to process",
     "hint": ""
   },
   "cleaning.part-off-panel": {
-    "text": "a part of the edge, {length:.4g} mm long, was dropped because it lies outside all panels",
+    "text": "a part of the edge, {length, number, ::@###} mm long, was dropped because it lies outside all panels",
     "hint": ""
   },
   "cleaning.shortened": {
@@ -548,28 +623,32 @@ export const TEXTS = {
     "hint": ""
   },
   "command.bad-corner": {
-    "text": "The option --corner-at {text!r} does not have the form X,Y=TYPE or X,Y=TYPE:K.",
+    "text": "The option --corner-at ''{text}'' does not have the form X,Y=TYPE or X,Y=TYPE:K.",
     "hint": "Write for example --corner-at 300,100=C or --corner-at 300,100=D:0.3."
   },
   "command.bad-edge": {
-    "text": "The option --edge {pair!r} does not have the form EDGE=TYPE or EDGE,EDGE=TYPE.",
+    "text": "The option --edge ''{pair}'' does not have the form EDGE=TYPE or EDGE,EDGE=TYPE.",
     "hint": "Write for example --edge 12,13=ignored. The first edge has number 0."
   },
   "command.bad-layer": {
-    "text": "The option --layer {pair!r} does not have the form NAME=TYPE.",
+    "text": "The option --layer ''{pair}'' does not have the form NAME=TYPE.",
     "hint": "Write for example --layer FOLDS=crease."
   },
   "command.bad-line-type": {
-    "text": "The line type in the option {pair!r} does not exist.",
-    "hint": "Choose the line type {known:or}."
+    "text": "The line type in the option ''{pair}'' does not exist.",
+    "hint": "Choose the line type {known__or}."
+  },
+  "command.bad-option": {
+    "text": "The option {option} cannot be used: {faults__semicolon}.",
+    "hint": "{faults__hint} knifetip program --help describes all options."
   },
   "command.file-too-large": {
     "text": "The file {path} is larger than {limit} MB.",
     "hint": "Export a single carton, without pictures."
   },
   "command.no-such-layer": {
-    "text": "The file {file} has no layer {layer!r}.",
-    "hint": "Choose one of the layers of the file: {layers:, }."
+    "text": "The file {file} has no layer ''{layer}''.",
+    "hint": "Choose one of the layers of the file: {layers}."
   },
   "command.unreadable-file": {
     "text": "The file {path} cannot be read: {reason}.",
@@ -584,7 +663,7 @@ export const TEXTS = {
     "hint": "Restore the content from a backup, or compile the job again. Nothing was sent to a machine."
   },
   "content.bad-url": {
-    "text": "{url!r} is not the URL of a folder or a bucket.",
+    "text": "''{url}'' is not the URL of a folder or a bucket.",
     "hint": "Write the URL as file:///FOLDER or s3://BUCKET/PREFIX, with the keys of S3 in AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY."
   },
   "content.missing": {
@@ -624,7 +703,7 @@ export const TEXTS = {
     "hint": ""
   },
   "controller.answer-lost": {
-    "text": "{name} has been in the state {state} for {seconds:g} s{due}. This means that a response of the controller was lost.",
+    "text": "{name} has been in the state {state} for {seconds, number, ::@#####} s{due}. This means that a response of the controller was lost.",
     "hint": "Check the cable to the controller, then check the board on the table."
   },
   "controller.answer-missing": {
@@ -632,15 +711,15 @@ export const TEXTS = {
     "hint": "Check the cable to the controller, then check the board on the table."
   },
   "controller.bad-address": {
-    "text": "{address!r} is not the address of a controller.",
-    "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323, or as a URL. Known schemes: {schemes:, }."
+    "text": "''{address}'' is not the address of a controller.",
+    "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323, or as a URL. Known schemes: {schemes}."
   },
   "controller.bad-host": {
-    "text": "The address {address!r} of the controller cannot be right: {host!r} is neither an IP address nor the name of a host.",
+    "text": "The address ''{address}'' of the controller cannot be right: ''{host}'' is neither an IP address nor the name of a host.",
     "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323."
   },
   "controller.bad-serial-address": {
-    "text": "{address!r} is not the address of a serial port.",
+    "text": "''{address}'' is not the address of a serial port.",
     "hint": "Write it as serial:///dev/ttyUSB0 or serial://COM3; ?baud=250000 at its end sets another speed than 115200 bits per second, &flow=rtscts or &flow=xonxoff the flow control."
   },
   "controller.busy": {
@@ -648,7 +727,7 @@ export const TEXTS = {
     "hint": "Wait until the controller is idle, or reset it at the table."
   },
   "controller.check-end-not-confirmed": {
-    "text": "{name} did not confirm within {seconds:g} s that its check mode ($C), in which nothing moves, has ended.",
+    "text": "{name} did not confirm within {seconds, number, ::@#####} s that its check mode ($C), in which nothing moves, has ended.",
     "hint": "Check the table, then try again."
   },
   "controller.closed": {
@@ -669,18 +748,18 @@ export const TEXTS = {
   },
   "controller.in-alarm": {
     "text": "{name} is locked by alarm {code}: {alarm}.",
-    "hint": "{alarm:hint}"
+    "hint": "{alarm__hint}"
   },
   "controller.left-program": {
-    "text": "{name} executes the program no more: its state is {state}.",
+    "text": "{name} no longer executes the program: its state is {state}.",
     "hint": "Check the table, and why the machine changed its state. Another program or a person may have operated it."
   },
   "controller.lift-not-finished": {
-    "text": "{name} did not finish lifting the tool within {seconds:g} s.",
+    "text": "{name} did not finish lifting the tool within {seconds, number, ::@#####} s.",
     "hint": "Lift the tool and raise the stations at the table."
   },
   "controller.line-changed": {
-    "text": "{name} received {received!r} instead of program line {line} ({sent}).",
+    "text": "{name} received ''{received}'' instead of program line {line} ({sent}).",
     "hint": "Check the cable to the controller. Check the board on the table, which may be spoiled."
   },
   "controller.locked": {
@@ -700,7 +779,7 @@ export const TEXTS = {
     "hint": "Keep clear of the table until the machine has stopped, then check the table."
   },
   "controller.no-host-and-port": {
-    "text": "The address {address!r} of the controller has no host or no port.",
+    "text": "The address ''{address}'' of the controller has no host or no port.",
     "hint": "Write the address as HOST:PORT, for example 127.0.0.1:2323."
   },
   "controller.not-ready": {
@@ -717,14 +796,14 @@ export const TEXTS = {
   },
   "controller.not-stopped": {
     "text": "{error} {progress} The machine is not in a safe state: {unsafe}",
-    "hint": "{unsafe:hint}"
+    "hint": "{unsafe__hint}"
   },
   "controller.off-heading": {
-    "text": "At X{x:.3f} Y{y:.3f} mm the tool was turned to C{c:.3f}, which is {turn:.1f} degrees away from the program near program line {line}. Either a program line was corrupted on its way to the controller, or a motor lost steps.",
+    "text": "At X{x, number, ::.000} Y{y, number, ::.000} mm the tool was turned to C{c, number, ::.000}, which is {turn, number, ::.0} degrees away from the program near program line {line}. Either a program line was corrupted on its way to the controller, or a motor lost steps.",
     "hint": "Check the cable to the controller and home the machine. Check the board on the table, which may be spoiled."
   },
   "controller.off-path": {
-    "text": "The machine was at X{x:.3f} Y{y:.3f} Z{z:.3f} mm, which is {distance:.1f} mm away from the path of the program near program line {line}. Either a program line was corrupted on its way to the controller, or a motor lost steps.",
+    "text": "The machine was at X{x, number, ::.000} Y{y, number, ::.000} Z{z, number, ::.000} mm, which is {distance, number, ::.0} mm away from the path of the program near program line {line}. Either a program line was corrupted on its way to the controller, or a motor lost steps.",
     "hint": "Check the cable to the controller and home the machine. Check the board on the table, which may be spoiled."
   },
   "controller.one-carriage": {
@@ -748,11 +827,11 @@ export const TEXTS = {
     "hint": "Correct the name of the port or its speed."
   },
   "controller.ports-found": {
-    "text": "; this computer has {ports:, }",
+    "text": "; this computer has {ports}",
     "hint": ""
   },
   "controller.refused-safe-state": {
-    "text": "{refusals: }",
+    "text": "{refusals__space}",
     "hint": "Lift the tool and raise the stations at the table. Then compare the outputs in the machine file with the outputs of the controller."
   },
   "controller.rejected-command": {
@@ -776,23 +855,23 @@ export const TEXTS = {
     "hint": "Check the table and home the machine. Then queue the job again or scrap it."
   },
   "controller.reset-not-confirmed": {
-    "text": "{name} did not confirm its reset within {seconds:g} s.",
+    "text": "{name} did not confirm its reset within {seconds, number, ::@#####} s.",
     "hint": "Check the table, then try again."
   },
   "controller.settings-refused": {
-    "text": "{name} has settings with which the programs of this machine would be dangerous: {differences: } Nothing was sent.",
-    "hint": "{differences:hint} The gateway then connects by itself."
+    "text": "{name} has settings with which the programs of this machine would be dangerous: {differences__space} Nothing was sent.",
+    "hint": "{differences__hint} The gateway then connects by itself."
   },
   "controller.silent": {
-    "text": "{name} has not responded for {seconds:g} s{due}.",
+    "text": "{name} has not responded for {seconds, number, ::@#####} s{due}.",
     "hint": "Check the cable to the controller, then check the board on the table."
   },
   "controller.stopped": {
-    "text": "{error} {progress} The machine was stopped, the head was lifted to Z {height:.1f} mm, and the stations were raised.",
-    "hint": "{error:hint}"
+    "text": "{error} {progress} The machine was stopped, the head was lifted to Z {height, number, ::.0} mm, and the stations were raised.",
+    "hint": "{error__hint}"
   },
   "controller.too-few-outputs": {
-    "text": "{name} has {count:# digital output|# digital outputs}, but the machine file contains a station with output {output}. Nothing was sent.",
+    "text": "{name} has {count, plural, one {# digital output} other {# digital outputs}}, but the machine file contains a station with output {output}. Nothing was sent.",
     "hint": "Use a controller with more outputs, for example grblHAL, or correct the machine file."
   },
   "controller.unable": {
@@ -809,7 +888,7 @@ export const TEXTS = {
   },
   "controller.unsafe": {
     "text": "{error} {progress} The machine is not in a safe state: the stations may still be lowered.",
-    "hint": "Lift the tool and raise the stations at the table. {error:hint}"
+    "hint": "Lift the tool and raise the stations at the table. {error__hint}"
   },
   "controller.was-reset": {
     "text": "{name} was reset.",
@@ -819,36 +898,52 @@ export const TEXTS = {
     "text": "A web server answers at {address}, not a controller.",
     "hint": "Correct the host or the port in the address of the controller."
   },
-  "corner.at": {
-    "text": " at X {x:g} mm, Y {y:g} mm",
-    "hint": ""
+  "conversion.failed": {
+    "text": "The file is {what}. {program}, which converts such files, stopped with the error ''{reason}''.",
+    "hint": "{what__hint}"
   },
-  "corner.bad-interference": {
-    "text": "{interference!r} is not a valid method for the parts of a contour that the cutter cannot reach.",
-    "hint": "Choose trim (leave these parts uncut) or refuse (write no program)."
+  "conversion.failed-at": {
+    "text": "The file is {what}. {program}, which converts such files, stopped at byte {position, number} of the file with the error ''{reason}''.",
+    "hint": "{what__hint}"
+  },
+  "conversion.no-program": {
+    "text": "The file is {what}, which knifetip reads only if the program {program} is installed.",
+    "hint": "{what__hint} Or ask the administrator of knifetip to install {program} (command {command}). Files that need no other program are {formats__or}."
+  },
+  "conversion.no-result": {
+    "text": "The file is {what}. {program}, which converts such files, found no drawing in it.",
+    "hint": "{what__hint}"
+  },
+  "conversion.result-unreadable": {
+    "text": "The file is {what}. {program} has converted it, but the result cannot be read: {error}",
+    "hint": "{what__hint}"
+  },
+  "conversion.too-large": {
+    "text": "The file is {what}. Its conversion by {program} makes files of more than {limit, number, ::precision-integer} MB.",
+    "hint": "Export a single carton, without pictures. {what__hint}"
+  },
+  "conversion.too-much-memory": {
+    "text": "The file is {what}. Its conversion by {program} needs more than {limit, number, ::precision-integer} MB of memory.",
+    "hint": "Export a single carton, without pictures. {what__hint}"
+  },
+  "conversion.too-slow": {
+    "text": "The file is {what}. Its conversion by {program} takes longer than {seconds, number, ::@#####} s.",
+    "hint": "Export a single carton, without pictures. {what__hint}"
   },
   "corner.bad-k": {
     "text": "The parameter k of the corner at the start of edge {edge} is {k}, but must be between 0 and 1.",
     "hint": "Choose a k from 0 (the path of corner type B) to 1 (the path of corner type C)."
-  },
-  "corner.bad-k-at": {
-    "text": "The parameter k of the corner of type D{where} is {k}, but must be greater than 0 and less than 1.",
-    "hint": "Choose corner type B instead of k = 0, and corner type C instead of k = 1."
-  },
-  "corner.bad-place": {
-    "text": "The position ({x}, {y}) of a corner is not valid.",
-    "hint": "Give X and Y as numbers in mm, in the coordinates of the drawing."
   },
   "corner.bad-share": {
     "text": "Corner {corner} in the list of corners (the first corner has number 0) has type D with the parameter k = {k}, which must be between 0 and 1.",
     "hint": "Choose a k from 0 (the path of corner type B) to 1 (the path of corner type C)."
   },
   "corner.inside": {
-    "text": "The corner at X {x:g} mm, Y {y:g} mm is an inside corner, but corner types apply only to outside corners.",
+    "text": "The corner at X {x, number, ::@#####} mm, Y {y, number, ::@#####} mm is an inside corner, but corner types apply only to outside corners.",
     "hint": "Remove the corner type of this corner from the request."
   },
   "corner.no-contour": {
-    "text": "No corner type can be set at X {x:g} mm, Y {y:g} mm (searched within {within:g} mm), because the drawing has no contour whose outside corners are milled.",
+    "text": "No corner type can be set at X {x, number, ::@#####} mm, Y {y, number, ::@#####} mm (searched within {within, number, ::@#####} mm), because the drawing has no contour whose outside corners are milled.",
     "hint": "Remove the corner types from the request for this drawing."
   },
   "corner.no-cutter": {
@@ -856,27 +951,23 @@ export const TEXTS = {
     "hint": "Remove the corner types from the request, or choose a machine with a rotating cutter."
   },
   "corner.not-found": {
-    "text": "No corner of a milled contour lies within {within:g} mm of X {x:g} mm, Y {y:g} mm. The nearest corner is {distance:.2f} mm away.",
-    "hint": "Give X and Y of a corner in mm, in the coordinates of the drawing. The nearest corners are {known:, }."
+    "text": "No corner of a milled contour lies within {within, number, ::@#####} mm of X {x, number, ::@#####} mm, Y {y, number, ::@#####} mm. The nearest corner is {distance, number, ::.00} mm away.",
+    "hint": "Give X and Y of a corner in mm, in the coordinates of the drawing. The nearest corners are {known}."
   },
   "corner.replaced": {
-    "text": "{count:# corner has|# corners have} type B instead of {type}, because the path of the cutter in type {type} would cross another path or come too near to another edge. X and Y on the sheet in mm ({count:one corner|the first corners}): {places:; }.",
-    "hint": "Choose corner type B for {count:this corner|these corners}, or a cutter with a smaller diameter."
+    "text": "{count, plural, one {# corner has} other {# corners have}} type B instead of {type}, because the path of the cutter in type {type} would cross another path or come too near to another edge. X and Y on the sheet in mm ({count, plural, one {one corner} other {the first corners}}): {places__semicolon}.",
+    "hint": "Choose corner type B for {count, plural, one {this corner} other {these corners}}, or a cutter with a smaller diameter."
   },
   "corner.unknown-number": {
     "text": "Corner {corner} in the list of corners (the first corner has number 0) has the corner type {type}, which does not exist.",
     "hint": "Choose corner type B, C or D."
   },
   "corner.unknown-type": {
-    "text": "The corner type {type!r} does not exist.",
-    "hint": "Choose corner type B, C, D or auto."
-  },
-  "corner.unknown-type-at": {
-    "text": "The corner type {type!r}{where} does not exist.",
+    "text": "The corner type ''{type}'' does not exist.",
     "hint": "Choose corner type B, C, D or auto."
   },
   "crease.tight-bend": {
-    "text": "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is too small for a second crease line {offset:.2f} mm inside the bend.",
+    "text": "The double crease at edge {edge} is bent with a radius of {radius, number, ::.00} mm, which is too small for a second crease line {offset, number, ::.00} mm inside the bend.",
     "hint": "Draw the crease with a larger radius, or set the double crease of the board to 0."
   },
   "curve.bad-ellipse": {
@@ -888,7 +979,7 @@ export const TEXTS = {
     "hint": "Draw the spline again, or export it as lines and arcs."
   },
   "curve.bad-tolerance": {
-    "text": "The tolerance for converting curves is {tolerance} mm, which is not valid.",
+    "text": "The tolerance for converting curves is {tolerance, number, ::@##############} mm, which is not valid.",
     "hint": "Give a tolerance greater than 0."
   },
   "curve.not-finite": {
@@ -896,63 +987,59 @@ export const TEXTS = {
     "hint": "Draw the curve again, as lines and arcs."
   },
   "curve.not-fitted": {
-    "text": "A curve cannot be converted to lines and arcs that deviate from it by at most {tolerance:g} mm.",
-    "hint": "Draw the curve again, as lines and arcs."
-  },
-  "curve.parameters": {
-    "text": "A curve is damaged: its parameter values (knots) do not increase.",
+    "text": "A curve cannot be converted to lines and arcs that deviate from it by at most {tolerance, number, ::@#####} mm.",
     "hint": "Draw the curve again, as lines and arcs."
   },
   "curve.too-many-pieces": {
-    "text": "More than {limit:,} lines and arcs are needed to convert a curve with a deviation of at most {tolerance:g} mm.",
+    "text": "More than {limit, number} lines and arcs are needed to convert a curve with a deviation of at most {tolerance, number, ::@#####} mm.",
     "hint": "Allow a larger deviation, or simplify the curve."
   },
   "curve.too-many-spans": {
-    "text": "A spline has {spans:,} spans (polynomial pieces), but the limit is {limit:,}.",
+    "text": "A spline has {spans, number} spans (polynomial pieces), but the limit is {limit, number}.",
     "hint": "Simplify the spline in the CAD program before exporting."
   },
   "cut.too-many-crossings": {
-    "text": "The drawing has more than {limit:,} pairs of cuts that cross each other or lie beside each other.",
+    "text": "The drawing has more than {limit, number} pairs of cuts that cross each other or lie beside each other.",
     "hint": "Delete hatching and duplicate lines, or split the drawing into several drawings."
   },
   "cut.too-short": {
-    "text": "The cut at edge {edge} is {length:.2f} mm long and ends inside a panel or at a bridge. The slanted blade of the knife needs a cut of at least {lead:.2f} mm.",
+    "text": "The cut at edge {edge} is {length, number, ::.00} mm long and ends inside a panel or at a bridge. The slanted blade of the knife needs a cut of at least {lead, number, ::.00} mm.",
     "hint": "Set the line type of the cut to ignored, join the cut to another cut, or choose a knife with a less slanted blade."
   },
   "cutter.contour-touches-itself": {
-    "text": "A contour touches itself at X{x:.3f} Y{y:.3f}, in the edges {edge} and {other}, so the path of a cutter of {diameter:.3g} mm diameter beside it is not closed.",
+    "text": "A contour touches itself at X{x, number, ::.000 group-off} Y{y, number, ::.000 group-off}, in the edges {edge} and {other}, so the path of a cutter of {diameter, number, ::@##} mm diameter beside it is not closed.",
     "hint": "Trim the two edges at their intersection, or move one of them."
   },
   "cutter.corner-loop": {
-    "text": "The edges {edge} and {other} cross {size:.4g} mm before the corner at X{x:.3f} Y{y:.3f}, where they meet, so the path of a cutter of {diameter:.3g} mm diameter beside them is not closed.",
+    "text": "The edges {edge} and {other} cross {size, number, ::@###} mm before the corner at X{x, number, ::.000 group-off} Y{y, number, ::.000 group-off}, where they meet, so the path of a cutter of {diameter, number, ::@##} mm diameter beside them is not closed.",
     "hint": "Trim the two edges at their crossing, so that the corner is there."
   },
   "cutter.interference": {
-    "text": "The cutter of {diameter:.2f} mm diameter does not fit beside edge {edge}: it would cut {depth:.3g} mm into the part at edge {other}. The job allows no parts of contours that the cutter leaves uncut.",
+    "text": "The cutter of {diameter, number, ::.00} mm diameter does not fit beside edge {edge}: it would cut {depth, number, ::@##} mm into the part at edge {other}. The job allows no parts of contours that the cutter leaves uncut.",
     "hint": "Choose 'Leave this part uncut' (interference 'trim') and accept the shortfalls that the verdict then lists, or choose a thinner cutter."
   },
   "cutter.misses-bridge": {
-    "text": "A bridge is needed on the contour at edge {edge}, {distance:.1f} mm from the start of this edge in the direction of milling, but the cutter does not reach the contour there.",
+    "text": "A bridge is needed on the contour at edge {edge}, {distance, number, ::.0} mm from the start of this edge in the direction of milling, but the cutter does not reach the contour there.",
     "hint": "Choose a thinner cutter, a board with another spacing of bridges, or a board without bridges."
   },
   "cutter.narrower-slits": {
-    "text": "{count:# slit|# slits} become {width:g} mm wide. The thinnest cutter of the library, '{title}', makes them {diameter:g} mm wide.",
-    "hint": "Fit a cutter of {diameter:g} mm diameter, state it in the file of the machine and compile again, or accept the wide slits."
+    "text": "{count, plural, one {# slit} other {# slits}} become {width, number, ::@#####} mm wide. The thinnest cutter of the library, ''{title}', makes them {diameter, number, ::@#####} mm wide.",
+    "hint": "Fit a cutter of {diameter, number, ::@#####} mm diameter, state it in the file of the machine and compile again, or accept the wide slits."
   },
   "cutter.short-lead": {
-    "text": "The lead-in of the cutter is {lead:g} mm long, but must be longer than the radius of the cutter, {radius:g} mm.",
+    "text": "The lead-in of the cutter is {lead, number, ::@#####} mm long, but must be longer than the radius of the cutter, {radius, number, ::@#####} mm.",
     "hint": "Correct the lead-in in the machine file."
   },
   "cutter.thinner-chosen": {
-    "text": "The cutter of {diameter:g} mm diameter in station {station} makes the cuts: with the one of {thickest:g} mm, not all edges could be made as they are drawn.",
+    "text": "The cutter of {diameter, number, ::@#####} mm diameter in station {station} makes the cuts: with the one of {thickest, number, ::@#####} mm, not all edges could be made as they are drawn.",
     "hint": ""
   },
   "cutter.thinner-needed": {
-    "text": "The cutter of {own:g} mm diameter leaves {total:# edge|# edges} uncut. A cutter of {diameter:g} mm diameter, such as '{title}' of the library, makes {count} of them.",
-    "hint": "Fit a cutter of {diameter:g} mm diameter, state it in the file of the machine and compile again, or accept the uncut edges."
+    "text": "The cutter of {own, number, ::@#####} mm diameter leaves {total, plural, one {# edge} other {# edges}} uncut. A cutter of {diameter, number, ::@#####} mm diameter, such as ''{title}' of the library, makes {count} of them.",
+    "hint": "Fit a cutter of {diameter, number, ::@#####} mm diameter, state it in the file of the machine and compile again, or accept the uncut edges."
   },
   "database.bad-url": {
-    "text": "{url!r} is not the URL of a database.",
+    "text": "''{url}'' is not the URL of a database.",
     "hint": "Write the URL as sqlite:///FILE or postgresql://USER@HOST/NAME."
   },
   "database.damaged": {
@@ -1003,17 +1090,57 @@ export const TEXTS = {
     "text": "The database cannot be reached: {reason}",
     "hint": "Check the URL of the database, and that its server is running."
   },
+  "database.unreleased": {
+    "text": "The database {url} has revision {revision}, from before the first release. knifetip {version} migrates databases from revision {oldest} on.",
+    "hint": "Start the version of knifetip that wrote it, and order unfinished jobs again with this version and a new database."
+  },
   "database.unusable": {
     "text": "The database cannot be used: {reason}.",
     "hint": "Check that its file, its folder and its disk exist and can be written by this user, or choose another one with --database."
   },
   "deflection.exceeds-radius": {
-    "text": "The deflection of {deflection:.3f} mm cannot be corrected, because it is not smaller than the cutter's radius of {radius:.3f} mm.",
+    "text": "The deflection of {deflection, number, ::.000} mm cannot be corrected, because it is not smaller than the cutter's radius of {radius, number, ::.000} mm.",
     "hint": "Measure the deflection of the cutter again, or correct it in the board file."
   },
+  "depth.not-set": {
+    "text": "Passes or a depth were chosen for edge {edge}, but programs of {machine} do not set the depth of the knife.",
+    "hint": "Remove the choice, and set the depth at the machine."
+  },
+  "depth.of-cutter": {
+    "text": "A depth was chosen for edge {edge}, but the cutter or laser of station {station} cuts through the board at one depth.",
+    "hint": "Remove the depth; passes can be chosen for a cutter."
+  },
+  "depth.one-pass": {
+    "text": "Passes were chosen for edge {edge}, but the tool of station {station} cuts in one pass.",
+    "hint": "Remove the choice, or choose another machine."
+  },
+  "depth.other-type": {
+    "text": "Passes or a depth were chosen for edge {edge}, which has the line type {type}, but they can be chosen for cuts and half-cuts only.",
+    "hint": "Remove the choice."
+  },
+  "depth.several": {
+    "text": "The contour of edge {edge} and edge {other} is milled as a whole, but different passes were chosen for its edges.",
+    "hint": "Choose the same passes for all edges of the contour."
+  },
+  "depth.too-deep": {
+    "text": "The depth chosen for edge {edge} is {depth, number, ::@#####} mm, but on this board and table the tool may cut {most, number, ::@#####} mm deep.",
+    "hint": "Choose a smaller depth."
+  },
+  "depth.too-few-passes": {
+    "text": "{passes, plural, one {# pass was} other {# passes were}} chosen for edge {edge}, but at {step, number, ::@#####} mm in one pass the tool needs {least} for a depth of {depth, number, ::@#####} mm.",
+    "hint": "Choose more passes, or leave their number to the tool."
+  },
   "drawing.all-ignored": {
-    "text": "There is nothing to make: {count:the only edge|all # edges} of the drawing {count:is|are} ignored.",
+    "text": "There is nothing to make: {count, plural, one {the only edge} other {all # edges}} of the drawing {count, plural, one {is} other {are}} ignored.",
     "hint": "Give the edges that shall be made the line type cut, crease or another one."
+  },
+  "drawing.answer-taken-back": {
+    "text": "An answer from earlier drawings of {customer} was taken back.",
+    "hint": ""
+  },
+  "drawing.answer-used": {
+    "text": "An answer from earlier drawings of {customer} is used again.",
+    "hint": ""
   },
   "drawing.changing": {
     "text": "Another request is changing drawing {drawing} at the same time.",
@@ -1032,7 +1159,7 @@ export const TEXTS = {
     "hint": "Export the drawing again, with the lines of the carton in model space."
   },
   "drawing.fits-turned": {
-    "text": "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} measures only {room_x:.0f} × {room_y:.0f} mm. Turned by 90°, the drawing fits.",
+    "text": "The drawing measures {width, number, ::.0} × {height, number, ::.0} mm, but the table of {machine} measures only {room_x, number, ::precision-integer} × {room_y, number, ::precision-integer} mm. Turned by 90°, the drawing fits.",
     "hint": "Turn the drawing by 90° and import it again."
   },
   "drawing.in-use": {
@@ -1040,15 +1167,19 @@ export const TEXTS = {
     "hint": "Keep the drawing. Only drawings from which no job was made can be deleted."
   },
   "drawing.larger-than-table": {
-    "text": "The drawing measures {width:.1f} × {height:.1f} mm, but the table of {machine} measures only {room_x:.0f} × {room_y:.0f} mm.",
+    "text": "The drawing measures {width, number, ::.0} × {height, number, ::.0} mm, but the table of {machine} measures only {room_x, number, ::precision-integer} × {room_y, number, ::precision-integer} mm.",
     "hint": "Check the unit of the drawing, choose a larger machine, or divide the drawing."
   },
+  "drawing.no-customer": {
+    "text": "Drawing {drawing} has no customer, so no other drawing teaches it anything.",
+    "hint": "Set the customer of the drawing first."
+  },
   "drawing.no-lines": {
-    "text": "There is nothing to make: the file contains no lines that a tool can follow. {count:The only object was|All # objects were} left out: {reasons:; }.",
+    "text": "There is nothing to make: the file contains no lines that a tool can follow. {count, plural, one {The only object was} other {All # objects were}} left out: {reasons__semicolon}.",
     "hint": "Draw the carton with lines, arcs or curves in model space, parallel to the XY plane, and import it again."
   },
   "drawing.no-lines-reason": {
-    "text": "{count:once|# times}, {reason}",
+    "text": "{count, plural, one {once} other {# times}}, {reason}",
     "hint": ""
   },
   "drawing.of-another": {
@@ -1056,7 +1187,7 @@ export const TEXTS = {
     "hint": "Ask its owner or an operator to share it with all designers, or upload the file again."
   },
   "drawing.open-questions": {
-    "text": "{count:# question|# questions} about the drawing must be answered first: {questions: }",
+    "text": "{count, plural, one {# question} other {# questions}} about the drawing must be answered first: {questions__space}",
     "hint": "Answer the questions on the page of the drawing. Edges without an answer are not cut."
   },
   "drawing.read": {
@@ -1064,7 +1195,7 @@ export const TEXTS = {
     "hint": ""
   },
   "drawing.reinterpreted": {
-    "text": "The drawing was imported again with the unit {unit:unit} and the profile {profile}.",
+    "text": "The drawing was imported again with the unit {unit__unit} and the profile {profile}.",
     "hint": ""
   },
   "drawing.stale": {
@@ -1072,7 +1203,7 @@ export const TEXTS = {
     "hint": "Load the drawing again, check it, and repeat the request."
   },
   "drawing.types-set": {
-    "text": "{count:# edge was|# edges were} given a line type.",
+    "text": "{count, plural, one {# edge was} other {# edges were}} given a line type.",
     "hint": ""
   },
   "drawing.unit-for-cleaning": {
@@ -1100,7 +1231,7 @@ export const TEXTS = {
     "hint": "Release a job for this machine, and ask before it is started."
   },
   "dry-run.no-lift": {
-    "text": "Line {line} of the dry program is not a lift straight up to Z {height:g}. Nothing was sent.",
+    "text": "Line {line} of the dry program is not a lift straight up to Z {height, number, ::@#####}. Nothing was sent.",
     "hint": "Report this to the maker of knifetip, with the program of the job."
   },
   "dry-run.no-work": {
@@ -1120,11 +1251,11 @@ export const TEXTS = {
     "hint": "Report this to the maker of knifetip, with the program of the job."
   },
   "dry-run.too-low": {
-    "text": "Line {line} of the dry program moves Z to {z:g}, below {height:g}. Nothing was sent.",
+    "text": "Line {line} of the dry program moves Z to {z, number, ::@#####}, below {height, number, ::@#####}. Nothing was sent.",
     "hint": "Report this to the maker of knifetip, with the program of the job."
   },
   "dry-run.unknown-line": {
-    "text": "Line {line} of the program cannot be run above the board: {text!r}. Nothing was sent.",
+    "text": "Line {line} of the program cannot be run above the board: ''{text}''. Nothing was sent.",
     "hint": "Have the job compiled again. A program that was edited by hand cannot be run dry."
   },
   "dry-run.uses-machine": {
@@ -1136,7 +1267,7 @@ export const TEXTS = {
     "hint": ""
   },
   "dxf.blocks-expand-too-far": {
-    "text": "The blocks of the DXF file expand to {count} entities (drawn objects), but the limit is {limit:,}.",
+    "text": "The blocks of the DXF file expand to {count} entities (drawn objects), but the limit is {limit, number}.",
     "hint": "Export a drawing with a single carton, or explode the blocks and delete the copies that are not needed."
   },
   "dxf.blocks-too-deep": {
@@ -1148,7 +1279,7 @@ export const TEXTS = {
     "hint": "Export the drawing again."
   },
   "dxf.cut-short": {
-    "text": "The DXF file is incomplete: it ends {where} in the section {section}, after {count:# entity (drawn object)|# entities (drawn objects)}. Objects of the drawing may be missing.",
+    "text": "The DXF file is incomplete: it ends {where} in the section {section}, after {count, plural, one {# entity (drawn object)} other {# entities (drawn objects)}}. Objects of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again."
   },
   "dxf.no-section": {
@@ -1156,11 +1287,11 @@ export const TEXTS = {
     "hint": "Export the drawing as DXF (text or binary, any version)."
   },
   "dxf.not-a-group-code": {
-    "text": "The file is not a DXF file, because line {line} is {text!r} instead of a group code (a whole number).",
+    "text": "The file is not a DXF file, because line {line} is ''{text}'' instead of a group code (a whole number).",
     "hint": "Export the drawing as DXF (text or binary, any version)."
   },
   "dxf.not-a-number": {
-    "text": "The DXF file is damaged at line {line}: the value {text!r} of group code {code} of an object of the type {kind} is not a number.",
+    "text": "The DXF file is damaged at line {line}: the value ''{text}'' of group code {code} of an object of the type {kind} is not a number.",
     "hint": "Export the drawing again, with a point as the decimal separator of numbers."
   },
   "dxf.other-kind": {
@@ -1168,15 +1299,27 @@ export const TEXTS = {
     "hint": "Export the drawing as DXF (text or binary, any version)."
   },
   "dxf.too-large-unusual": {
-    "text": "The DXF file has {size:.1f} MB and uses features that take long to read. The limit for such files is {limit:.1f} MB.",
+    "text": "The DXF file has {size, number, ::.0} MB and uses features that take long to read. The limit for such files is {limit, number, ::.0} MB.",
     "hint": "Export a drawing with a single carton, or save it as DXF R2000."
   },
   "dxf.without-end-mark": {
     "text": "without the end marker EOF",
     "hint": ""
   },
+  "edge-choice.bad-syntax": {
+    "text": "''{text}'' is not a value of {option}.",
+    "hint": "Give numbers of edges and what is chosen for them as EDGES:NAME=VALUE,NAME=VALUE."
+  },
+  "edge-choice.joined": {
+    "text": "Edge {edge} and edge {other} are made as one edge, but different options were chosen for them.",
+    "hint": "Choose the same for both."
+  },
+  "edge-choice.no-edge": {
+    "text": "An option was chosen for edge {row}, but the drawing has {count, plural, one {# edge} other {# edges}}, numbered from 0.",
+    "hint": "Choose an edge of this drawing."
+  },
   "edge.no-length": {
-    "text": "Edges with a length of 0 have no direction: edge {edges:, }.",
+    "text": "Edges with a length of 0 have no direction: edge {edges}.",
     "hint": "Delete these edges from the drawing."
   },
   "edge.not-finite": {
@@ -1188,43 +1331,43 @@ export const TEXTS = {
     "hint": ""
   },
   "edge.too-crowded": {
-    "text": "More than {limit:,} pairs of end points of edges lie closer together than {distance} mm.",
+    "text": "More than {limit, number} pairs of end points of edges lie closer together than {distance, number, ::@##############} mm.",
     "hint": "Delete edges that are drawn many times on top of each other."
   },
   "edge.too-far": {
-    "text": "Edge {edge} lies {distance:.3g} mm away from the origin of the drawing, which is too far to be processed.",
+    "text": "Edge {edge} lies {distance, number, ::@##} mm away from the origin of the drawing, which is too far to be processed.",
     "hint": "Check the unit of the drawing, or delete the edge."
   },
   "edge.too-many-overlaps": {
-    "text": "{edges:,} edges overlap each other at more than {limit:,} positions.",
+    "text": "{edges, number} edges overlap each other at more than {limit, number} positions.",
     "hint": "Delete edges that are drawn many times on top of each other."
   },
   "error.at-edge": {
-    "text": "{error} This concerns {count:edge|# edges:} {edges:, }{more}. Edge {edge} is part of the object with the handle {handle} on the layer \"{layer}\".",
-    "hint": "{error:hint}"
+    "text": "{error} This concerns {count, plural, one {edge} other {# edges:}} {edges}{more}. Edge {edge} is part of the object with the handle {handle} on the layer \"{layer}\".",
+    "hint": "{error__hint}"
   },
   "error.at-edges": {
-    "text": "Edges {edges: and }: {error}",
-    "hint": "{error:hint}"
+    "text": "Edges {edges__and}: {error}",
+    "hint": "{error__hint}"
   },
   "error.in-file": {
     "text": "File {name}: {error}",
-    "hint": "{error:hint}"
+    "hint": "{error__hint}"
   },
   "error.more-edges": {
     "text": " and {count} more",
     "hint": ""
   },
   "field.above": {
-    "text": "{path} is {value}, but must be at most {limit:g}",
+    "text": "{path} is {value}, but must be at most {limit, number, ::@#####}",
     "hint": ""
   },
   "field.above-clearance": {
-    "text": "{path} is {value:g} mm, but must not be more than clearance, {clearance:g} mm",
+    "text": "{path} is {value, number, ::@#####} mm, but must not be more than clearance, {clearance, number, ::@#####} mm",
     "hint": ""
   },
   "field.bad-arguments": {
-    "text": "{path} has arguments that do not fit the message code {name!r}",
+    "text": "{path} has arguments that do not fit the message code ''{name}''",
     "hint": ""
   },
   "field.bad-json": {
@@ -1232,7 +1375,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.below": {
-    "text": "{path} is {value}, but must be at least {limit:g}",
+    "text": "{path} is {value}, but must be at least {limit, number, ::@#####}",
     "hint": ""
   },
   "field.blank": {
@@ -1242,6 +1385,10 @@ export const TEXTS = {
   "field.control-character": {
     "text": "{path} contains the control character {character}, which cannot be seen or typed",
     "hint": "Remove it, or type the text again."
+  },
+  "field.edges-or-line-type": {
+    "text": "{path} must have either edges or line_type",
+    "hint": ""
   },
   "field.gantry-without-heading": {
     "text": "{path}: a machine with carriages needs an axis c in [axes]",
@@ -1284,7 +1431,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.no-such-carriage": {
-    "text": "{path}: station {station} is on carriage {carriage}, but the machine has {count:# carriage|# carriages}",
+    "text": "{path}: station {station} is on carriage {carriage}, but the machine has {count, plural, one {# carriage} other {# carriages}}",
     "hint": ""
   },
   "field.no-year": {
@@ -1296,7 +1443,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.not-a-line-type": {
-    "text": "{path} is {value!r}, but must be a line type: {known:or}",
+    "text": "{path} is ''{value}'', but must be a line type: {known__or}",
     "hint": ""
   },
   "field.not-a-list": {
@@ -1308,7 +1455,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.not-a-profile": {
-    "text": "{path} is {value!r}, but must be a profile of the library: {known:or}",
+    "text": "{path} is ''{value}'', but must be a profile of the library: {known__or}",
     "hint": ""
   },
   "field.not-a-table": {
@@ -1320,15 +1467,15 @@ export const TEXTS = {
     "hint": ""
   },
   "field.not-above": {
-    "text": "{path} is {value}, but must be greater than {limit:g}",
+    "text": "{path} is {value}, but must be greater than {limit, number, ::@#####}",
     "hint": ""
   },
   "field.not-above-low": {
-    "text": "{path} is {value:g}, but must be greater than the value of the field low, which is {low:g}",
+    "text": "{path} is {value, number, ::@#####}, but must be greater than the value of the field low, which is {low, number, ::@#####}",
     "hint": ""
   },
   "field.not-below": {
-    "text": "{path} is {value}, but must be less than {limit:g}",
+    "text": "{path} is {value}, but must be less than {limit, number, ::@#####}",
     "hint": ""
   },
   "field.not-boolean": {
@@ -1344,11 +1491,11 @@ export const TEXTS = {
     "hint": ""
   },
   "field.not-less-than-caliper": {
-    "text": "{path} is {value:g} mm, but must be less than the caliper of {caliper:g} mm",
+    "text": "{path} is {value, number, ::@#####} mm, but must be less than the caliper of {caliper, number, ::@#####} mm",
     "hint": ""
   },
   "field.not-one-of": {
-    "text": "{path} is {value}, but must be {known:or}",
+    "text": "{path} is {value}, but must be {known__or}",
     "hint": ""
   },
   "field.not-text": {
@@ -1364,7 +1511,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.outside": {
-    "text": "{path} is {value}, but must be from {low:g} to {high:g}",
+    "text": "{path} is {value}, but must be from {low, number, ::@#####} to {high, number, ::@#####}",
     "hint": ""
   },
   "field.override-range": {
@@ -1372,19 +1519,19 @@ export const TEXTS = {
     "hint": ""
   },
   "field.park-outside": {
-    "text": "{path} parks at {park:g} mm, but its y moves from {low:g} to {high:g} mm",
+    "text": "{path} parks at {park, number, ::@#####} mm, but its y moves from {low, number, ::@#####} to {high, number, ::@#####} mm",
     "hint": ""
   },
   "field.parks-too-near": {
-    "text": "{path} has two carriages that park {distance:g} mm apart, but min_distance is {least:g} mm",
+    "text": "{path} has two carriages that park {distance, number, ::@#####} mm apart, but min_distance is {least, number, ::@#####} mm",
     "hint": ""
   },
   "field.repeated-letters": {
-    "text": "{path} has the letters {letters:, }; each letter may occur only once",
+    "text": "{path} has the letters {letters}; each letter may occur only once",
     "hint": ""
   },
   "field.repeated-numbers": {
-    "text": "{path} has the numbers {numbers:, }; each number may occur only once",
+    "text": "{path} has the numbers {numbers}; each number may occur only once",
     "hint": ""
   },
   "field.rest-choice": {
@@ -1396,7 +1543,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.spacing": {
-    "text": "{path} is {value:g} mm, but must be either 0 or at least {least:g} mm",
+    "text": "{path} is {value, number, ::@#####} mm, but must be either 0 or at least {least, number, ::@#####} mm",
     "hint": ""
   },
   "field.spindle-of-beam": {
@@ -1404,7 +1551,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.too-few": {
-    "text": "{path} has {count:# value|# values}, but needs at least {least}",
+    "text": "{path} has {count, plural, one {# value} other {# values}}, but needs at least {least}",
     "hint": ""
   },
   "field.too-long": {
@@ -1416,11 +1563,11 @@ export const TEXTS = {
     "hint": ""
   },
   "field.too-many-passes": {
-    "text": "{path} is {value:g} mm, which is too small: the V-groove would need more than {most} passes",
+    "text": "{path} is {value, number, ::@#####} mm, which is too small: the V-groove would need more than {most} passes",
     "hint": ""
   },
   "field.too-short": {
-    "text": "{path} has fewer than {least:# character|# characters}",
+    "text": "{path} has fewer than {least, plural, one {# character} other {# characters}}",
     "hint": ""
   },
   "field.unknown": {
@@ -1428,7 +1575,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.unknown-kind": {
-    "text": "{path} has the unknown kind {value!r}; known kinds are {known:, }",
+    "text": "{path} has the unknown kind ''{value}''; known kinds are {known}",
     "hint": ""
   },
   "field.wrong-form": {
@@ -1440,7 +1587,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.zone-above-travel": {
-    "text": "{path}: the top of the zone {zone} is {top:g} mm above the mat and the clearance is {clearance:g} mm, but tools travel at travel_z = {travel_z:g} mm; raise travel_z",
+    "text": "{path}: the top of the zone {zone} is {top, number, ::@#####} mm above the mat and the clearance is {clearance, number, ::@#####} mm, but tools travel at travel_z = {travel_z, number, ::@#####} mm; raise travel_z",
     "hint": ""
   },
   "file.3mf": {
@@ -1489,7 +1636,7 @@ export const TEXTS = {
   },
   "file.dwg": {
     "text": "a DWG drawing",
-    "hint": "In AutoCAD or another CAD program, choose File > Save As, and DXF as the type."
+    "hint": "In AutoCAD or another CAD program, choose File > Save As, and DXF (such as DXF 2013) as the type."
   },
   "file.eps": {
     "text": "an EPS file",
@@ -1541,7 +1688,7 @@ export const TEXTS = {
   },
   "file.old-dwg": {
     "text": "an old DWG drawing",
-    "hint": "In AutoCAD or another CAD program, choose File > Save As, and DXF as the type."
+    "hint": "In AutoCAD or another CAD program, choose File > Save As, and DXF (such as DXF 2013) as the type."
   },
   "file.photoshop": {
     "text": "a Photoshop picture",
@@ -1592,7 +1739,7 @@ export const TEXTS = {
     "hint": "A picture has no lines that can be cut. In the program that drew it, export the drawing as DXF, SVG or PDF."
   },
   "file.xml": {
-    "text": "an XML file of the type {element!r}",
+    "text": "an XML file of the type ''{element}''",
     "hint": ""
   },
   "file.xps": {
@@ -1605,22 +1752,22 @@ export const TEXTS = {
   },
   "finding.at-edge": {
     "text": "Edge {edge}: {fault}",
-    "hint": "{fault:hint}"
+    "hint": "{fault__hint}"
   },
   "finding.at-edge-and-line": {
     "text": "Edge {edge}, program line {line}: {fault}",
-    "hint": "{fault:hint}"
+    "hint": "{fault__hint}"
   },
   "finding.at-line": {
     "text": "Program line {line}: {fault}",
-    "hint": "{fault:hint}"
+    "hint": "{fault__hint}"
   },
   "finding.more": {
-    "text": " {count:# more finding is|# more findings are} not listed here.",
+    "text": " {count, plural, one {# more finding is} other {# more findings are}} not listed here.",
     "hint": ""
   },
   "folder.bad-address": {
-    "text": "{address!r} is not the address of a folder on this computer.",
+    "text": "''{address}'' is not the address of a folder on this computer.",
     "hint": "Write it as file:///FOLDER with the full path of the folder, for example file:///srv/programs."
   },
   "folder.deleted": {
@@ -1928,7 +2075,7 @@ export const TEXTS = {
     "hint": ""
   },
   "grbl.no-output": {
-    "text": "the controller has no digital output {output} (it has {count:# output|# outputs})",
+    "text": "the controller has no digital output {output} (it has {count, plural, one {# output} other {# outputs}})",
     "hint": ""
   },
   "grbl.no-reverse": {
@@ -1936,7 +2083,7 @@ export const TEXTS = {
     "hint": "Install a build without the option, or set `spindle = \"M3\"` for the station."
   },
   "grbl.no-rotary-axis": {
-    "text": "the controller has no axis that rotates the tool (its axes are {axes:, })",
+    "text": "the controller has no axis that rotates the tool (its axes are {axes})",
     "hint": ""
   },
   "grbl.unknown-alarm": {
@@ -1948,43 +2095,43 @@ export const TEXTS = {
     "hint": ""
   },
   "groove.along-edge": {
-    "text": "The V-groove at edge {edge} meets the edge of the board at an angle of only {angle:.1f}°, so it would run along the edge of the board instead of ending there.",
+    "text": "The V-groove at edge {edge} meets the edge of the board at an angle of only {angle, number, ::.0}°, so it would run along the edge of the board instead of ending there.",
     "hint": "End the groove before the edge of the board, or let it meet the edge of the board at 5° or more."
   },
   "groove.curved": {
-    "text": "{count:# V-groove is an arc|# V-grooves are arcs} (first: edge {edge}), which a straight blade cannot follow.",
+    "text": "{count, plural, one {# V-groove is an arc} other {# V-grooves are arcs}} (first: edge {edge}), which a straight blade cannot follow.",
     "hint": "Draw the V-grooves with straight lines, permit chords in the board file (groove_curve), or choose another line type for them."
   },
   "groove.overcut": {
-    "text": "The V-cutter cuts {overrun:.2f} mm too far at each end of a groove that ends inside the board, but the board allows an overcut of only {allowed:.2f} mm.",
+    "text": "The V-cutter cuts {overrun, number, ::.00} mm too far at each end of a groove that ends inside the board, but the board allows an overcut of only {allowed, number, ::.00} mm.",
     "hint": "Choose a V-cutter with a narrower blade, or allow a longer overcut in the board file."
   },
   "groove.runs-out": {
-    "text": "The V-groove at edge {edge} would continue {distance:.2f} mm beyond the edge of the board and cut into the next part.",
+    "text": "The V-groove at edge {edge} would continue {distance, number, ::.00} mm beyond the edge of the board and cut into the next part.",
     "hint": "End the groove before the edge of the board, let it meet the edge of the board at a larger angle, or move the parts apart."
   },
   "groove.through-cut": {
-    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the centre line of the groove. The board allows a groove to be shifted away from cuts on one side by at most {limit:.2f} mm.",
-    "hint": "Move the groove and the cut {through:.2f} mm further apart, or choose a board with a shallower groove."
+    "text": "The V-groove at edge {groove} is {width, number, ::.00} mm wide at the top face of the board. At {place, number, ::.0} mm from the start of the groove, its flank reaches {through, number, ::.00} mm sideways across the cut at edge {cut}. The cut lies only {distance, number, ::.00} mm from the centre line of the groove. The board allows a groove to be shifted away from cuts on one side by at most {limit, number, ::.00} mm.",
+    "hint": "Move the groove and the cut {through, number, ::.00} mm further apart, or choose a board with a shallower groove."
   },
   "groove.through-cut-at-it": {
-    "text": "The V-groove at edge {groove} is {width:.2f} mm wide at the top face of the board. At {place:.1f} mm from the start of the groove, its flank reaches {through:.2f} mm sideways across the cut at edge {cut}. The cut lies only {distance:.2f} mm from the centre line of the groove.",
+    "text": "The V-groove at edge {groove} is {width, number, ::.00} mm wide at the top face of the board. At {place, number, ::.0} mm from the start of the groove, its flank reaches {through, number, ::.00} mm sideways across the cut at edge {cut}. The cut lies only {distance, number, ::.00} mm from the centre line of the groove.",
     "hint": "End the groove at the cut, let the cut cross the groove at 45° or more, or move one of them."
   },
   "groove.tight-bend": {
-    "text": "The V-groove at edge {edge} is bent with a radius of {radius:.1f} mm. A straight blade of {blade:.2f} mm width would deviate from this bend by more than {error:.3f} mm.",
+    "text": "The V-groove at edge {edge} is bent with a radius of {radius, number, ::.0} mm. A straight blade of {blade, number, ::.00} mm width would deviate from this bend by more than {error, number, ::.000} mm.",
     "hint": "Draw the groove with a larger radius, choose a V-cutter with a narrower blade, or allow a larger deviation in the board file."
   },
   "groove.too-deep": {
-    "text": "The V-groove at edge {edge} is {depth:.2f} mm deep, but the board is only {caliper:.2f} mm thick.",
+    "text": "The V-groove at edge {edge} is {depth, number, ::.00} mm deep, but the board is only {caliper, number, ::.00} mm thick.",
     "hint": "Choose a shallower groove or a thicker board."
   },
   "groove.too-short": {
-    "text": "The V-groove at edge {edge} is {length:.2f} mm long, but the blade is {blade:.2f} mm wide.",
+    "text": "The V-groove at edge {edge} is {length, number, ::.00} mm long, but the blade is {blade, number, ::.00} mm wide.",
     "hint": "Draw a longer groove, or choose a V-cutter with a narrower blade."
   },
   "hpgl.bad-address": {
-    "text": "{address!r} is not the address of a plotter.",
+    "text": "''{address}'' is not the address of a plotter.",
     "hint": "Write it as tcp://HOST, or as serial:///dev/ttyUSB0?baud=9600&flow=rtscts; a serial port needs flow=rtscts or flow=xonxoff, as it is set at the plotter. &buffer=1024 states how many bytes the connection and the plotter hold."
   },
   "hpgl.bad-area": {
@@ -1996,7 +2143,7 @@ export const TEXTS = {
     "hint": "Remove the byte."
   },
   "hpgl.bad-feed": {
-    "text": "{place} has a feed of {feed:g} mm/min, but {device} supports only multiples of {step:g} mm/min from {slowest} to {fastest} mm/min.",
+    "text": "{place} has a feed of {feed, number, ::@#####} mm/min, but {device} supports only multiples of {step, number, ::@#####} mm/min from {slowest, number} to {fastest, number} mm/min.",
     "hint": "Choose one of these feeds for the tool in the machine file."
   },
   "hpgl.bad-number": {
@@ -2024,7 +2171,7 @@ export const TEXTS = {
     "hint": "Deselect the pen (SP0) before the end of the program."
   },
   "hpgl.feed-not-supported": {
-    "text": "{path} is {value:g} mm/min, but {device} supports only multiples of {step:g} mm/min from {slowest:g} to {fastest:g}",
+    "text": "{path} is {value, number, ::@#####} mm/min, but {device} supports only multiples of {step, number, ::@#####} mm/min from {slowest, number, ::@#####} to {fastest, number, ::@#####}",
     "hint": "Choose one of these feeds."
   },
   "hpgl.force-out-of-range": {
@@ -2104,7 +2251,7 @@ export const TEXTS = {
     "hint": "Write IN at the beginning of the program."
   },
   "hpgl.not-raised": {
-    "text": "{name} has accepted nothing for {seconds:g} s, so the tool was not raised from here. It may still be lowered.",
+    "text": "{name} has accepted nothing for {seconds, number, ::@#####} s, so the tool was not raised from here. It may still be lowered.",
     "hint": "Stop the program at the machine and raise the tool there."
   },
   "hpgl.not-reached": {
@@ -2116,7 +2263,7 @@ export const TEXTS = {
     "hint": "Move the drawing on the table, or choose a larger machine."
   },
   "hpgl.pen-cannot": {
-    "text": "{path} is {work!r}, but the tool of station {station} cannot do this operation",
+    "text": "{path} is ''{work}'', but the tool of station {station} cannot do this operation",
     "hint": "Assign the pen to another station, or choose another operation in the field work."
   },
   "hpgl.plunge-without-move": {
@@ -2164,7 +2311,7 @@ export const TEXTS = {
     "hint": "Set the trail of the knife to 0 in the machine file."
   },
   "hpgl.swivel-depth": {
-    "text": "{path} is {value:g} mm, but an HPGL program cannot change the depth of a lowered tool",
+    "text": "{path} is {value, number, ::@#####} mm, but an HPGL program cannot change the depth of a lowered tool",
     "hint": "Set swivel_depth to 0."
   },
   "hpgl.tool-not-supported": {
@@ -2172,15 +2319,15 @@ export const TEXTS = {
     "hint": "Remove the station, or choose another controller language."
   },
   "hpgl.trail": {
-    "text": "{path} (knife offset) is {value:g} mm, but an HPGL machine itself compensates for the offset of its knife",
+    "text": "{path} (knife offset) is {value, number, ::@#####} mm, but an HPGL machine itself compensates for the offset of its knife",
     "hint": "Set trail to 0, or set free if the device does not compensate."
   },
   "hpgl.travel": {
-    "text": "{path} extends from {low:g} to {high:g} mm, but the working area in the HPGL settings extends from {least:g} to {greatest:g} mm",
+    "text": "{path} extends from {low, number, ::@#####} to {high, number, ::@#####} mm, but the working area in the HPGL settings extends from {least, number, ::@#####} to {greatest, number, ::@#####} mm",
     "hint": "Reduce the travel of the axis, or correct the working area in the HPGL settings."
   },
   "hpgl.turn-in-board": {
-    "text": "The tool turns by {degrees:.2f}° while it is in the board, but at most {most:.2f}° is allowed.",
+    "text": "The tool turns by {degrees, number, ::.00}° while it is in the board, but at most {most, number, ::.00}° is allowed.",
     "hint": "Lift the tool before it turns."
   },
   "hpgl.unknown-instruction": {
@@ -2208,7 +2355,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.annotations": {
-    "text": "{count:# note or form field|# notes and form fields} on the PDF page {count:is|are} not cut",
+    "text": "{count, plural, one {# note or form field} other {# notes and form fields}} on the PDF page {count, plural, one {is} other {are}} not cut",
     "hint": ""
   },
   "import.area-outline": {
@@ -2228,15 +2375,15 @@ export const TEXTS = {
     "hint": ""
   },
   "import.aspect-ratio": {
-    "text": "The size of the page ({size: }) does not have the proportions of its viewBox ({width:g} × {height:g}): the width gives the scale {across:.4g}, the height {down:.4g}. The drawing is read at the scale {used:.4g}, as browsers display it.",
+    "text": "The size of the page ({size__space}) does not have the proportions of its viewBox ({width, number, ::@#####} × {height, number, ::@#####}): the width gives the scale {across, number, ::@###}, the height {down, number, ::@###}. The drawing is read at the scale {used, number, ::@###}, as browsers display it.",
     "hint": "Check the size of the drawing. If it is wrong, correct the page size in the program that drew it, and export the drawing again."
   },
   "import.bad-operands": {
-    "text": "the path uses the PDF operator {operator!r} with a wrong number or type of values",
+    "text": "the path uses the PDF operator ''{operator}'' with a wrong number or type of values",
     "hint": ""
   },
   "import.bad-path-data": {
-    "text": "the path data of the object is invalid at character {character} ({text!r})",
+    "text": "the path data of the object is invalid at character {character} (''{text}'')",
     "hint": "Correct the object in the program that drew it, and export the drawing again."
   },
   "import.bad-place": {
@@ -2244,15 +2391,15 @@ export const TEXTS = {
     "hint": ""
   },
   "import.bad-points": {
-    "text": "the points of the object cannot be read: {points!r}",
+    "text": "the points of the object cannot be read: ''{points}''",
     "hint": ""
   },
   "import.bad-primitive": {
-    "text": "the path of the object joins vertices that it does not have, or in an unknown way ({kind!r} from {first} to {second})",
+    "text": "the path of the object joins vertices that it does not have, or in an unknown way (''{kind}'' from {first} to {second})",
     "hint": "Correct the object in the program that drew it, and export the drawing again."
   },
   "import.bad-radius": {
-    "text": "the radius of the object is {radius:g}, but must be greater than 0",
+    "text": "the radius of the object is {radius, number, ::@#####}, but must be greater than 0",
     "hint": ""
   },
   "import.bad-size": {
@@ -2264,7 +2411,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.bad-value": {
-    "text": "the value {value!r} is not a length",
+    "text": "the value ''{value}'' is not a length",
     "hint": ""
   },
   "import.bad-window": {
@@ -2272,36 +2419,36 @@ export const TEXTS = {
     "hint": ""
   },
   "import.block-external": {
-    "text": "the object inserts the block {block!r}, which is defined in another file",
+    "text": "the object inserts the block ''{block}'', which is defined in another file",
     "hint": "Bind the external reference in the CAD program, and export the drawing again."
   },
   "import.block-in-itself": {
-    "text": "the block {block!r} inserts itself",
+    "text": "the block ''{block}'' inserts itself",
     "hint": ""
   },
   "import.block-missing": {
-    "text": "the object inserts the block {block!r}, which is not defined in the file",
+    "text": "the object inserts the block ''{block}'', which is not defined in the file",
     "hint": "Add the definition of the block in the CAD program, and export the drawing again."
   },
   "import.bridge": {
-    "text": "the steel rule of the cutting die has 1 bridge (gap), {width:g} file units wide; the edge is cut without the gap",
+    "text": "the steel rule of the cutting die has 1 bridge (gap), {width, number, ::@#####} file units wide; the edge is cut without the gap",
     "hint": ""
   },
   "import.bridges": {
-    "text": "the steel rule of the cutting die has {bridges:g} bridges (gaps), each {width:g} file units wide; the edge is cut without the gaps",
+    "text": "the steel rule of the cutting die has {bridges, number, ::@#####} bridges (gaps), each {width, number, ::@#####} file units wide; the edge is cut without the gaps",
     "hint": ""
   },
   "import.changed": {
-    "text": "{objects:# object is|# objects are} imported with a change: {reason}.",
-    "hint": "The import report lists {objects:it|them}. {reason:hint}"
+    "text": "{objects, plural, one {# object is} other {# objects are}} imported with a change: {reason}.",
+    "hint": "The import report lists {objects, plural, one {it} other {them}}. {reason__hint}"
   },
   "import.changed-on-layer": {
-    "text": "{objects:# object|# objects} on layer {layer!r} {objects:is|are} imported with a change: {reason}.",
-    "hint": "The import report lists {objects:it|them}. {reason:hint}"
+    "text": "{objects, plural, one {# object} other {# objects}} on layer ''{layer}'' {objects, plural, one {is} other {are}} imported with a change: {reason}.",
+    "hint": "The import report lists {objects, plural, one {it} other {them}}. {reason__hint}"
   },
   "import.check-drawing": {
     "text": "Check the drawing: {reason}.",
-    "hint": "{reason:hint}"
+    "hint": "{reason__hint}"
   },
   "import.clip-path": {
     "text": "the object only limits the visible area of other objects (clipping path)",
@@ -2319,16 +2466,24 @@ export const TEXTS = {
     "text": "the object contains a reference to itself",
     "hint": ""
   },
+  "import.conversion-doubtful": {
+    "text": "{program}, which converted the file, reported {count, plural, one {# object or place} other {# objects or places}} that it could not convert ({losses}). Objects of the drawing may be missing or wrong.",
+    "hint": "Compare the drawing with the original. {what__hint}"
+  },
+  "import.converted": {
+    "text": "the file was converted by {program}",
+    "hint": ""
+  },
   "import.coordinate-not-a-number": {
     "text": "a coordinate of the object is not a number",
     "hint": ""
   },
   "import.curves-fitted": {
-    "text": "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units from the curves",
+    "text": "the curves of the object were converted to {pieces, plural, one {# line or arc} other {# lines and arcs}}, which deviate by at most {tolerance, number, ::@#} file units from the curves",
     "hint": ""
   },
   "import.curves-fitted-relative": {
-    "text": "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, which deviate by at most {tolerance:.2g} file units from the curves (1/250,000 of the size of the drawing)",
+    "text": "the curves of the object were converted to {pieces, plural, one {# line or arc} other {# lines and arcs}}, which deviate by at most {tolerance, number, ::@#} file units from the curves (1/250,000 of the size of the drawing)",
     "hint": ""
   },
   "import.damaged": {
@@ -2344,11 +2499,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.drawn-twice": {
-    "text": "the object is drawn twice: it has the same shape and position as {same:, }",
+    "text": "the object is drawn twice: it has the same shape and position as {same}",
     "hint": ""
   },
   "import.drawn-twice-often": {
-    "text": "the object is drawn several times: it has the same shape and position as {same:, } and {more} more {more:object|objects}",
+    "text": "the object is drawn several times: it has the same shape and position as {same} and {more} more {more, plural, one {object} other {objects}}",
     "hint": ""
   },
   "import.empty-path": {
@@ -2368,7 +2523,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.few-vertices": {
-    "text": "the object is a polyline with {vertices:# vertex|# vertices}, but needs at least 2",
+    "text": "the object is a polyline with {vertices, plural, one {# vertex} other {# vertices}}, but needs at least 2",
     "hint": ""
   },
   "import.filled-area": {
@@ -2400,7 +2555,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.height-too-far": {
-    "text": "the height (z) of the object is {height:g} file units, but the limit is {limit:g}",
+    "text": "the height (z) of the object is {height, number, ::@#####} file units, but the limit is {limit, number, ::@#####}",
     "hint": ""
   },
   "import.hidden": {
@@ -2432,11 +2587,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.kept-changed": {
-    "text": "the object was imported; note: {notes:; }",
+    "text": "the object was imported; note: {notes__semicolon}",
     "hint": ""
   },
   "import.laid-flat": {
-    "text": "the object was moved from the height z = {height:g} file units to z = 0",
+    "text": "the object was moved from the height z = {height, number, ::@#####} file units to z = 0",
     "hint": ""
   },
   "import.layer-frozen": {
@@ -2456,16 +2611,16 @@ export const TEXTS = {
     "hint": "Switch the layer on and export the drawing again if the object must be cut."
   },
   "import.left-out": {
-    "text": "{objects:# object is|# objects are} not cut: {reason}.",
-    "hint": "The import report lists {objects:it|them}. {reason:hint}"
+    "text": "{objects, plural, one {# object is} other {# objects are}} not cut: {reason}.",
+    "hint": "The import report lists {objects, plural, one {it} other {them}}. {reason__hint}"
   },
   "import.left-out-further": {
-    "text": "{objects:# further object is|# further objects are} not cut.",
+    "text": "{objects, plural, one {# further object is} other {# further objects are}} not cut.",
     "hint": "The import report gives the reason for each object."
   },
   "import.left-out-on-layer": {
-    "text": "{objects:# object|# objects} on layer {layer!r} {objects:is|are} not cut: {reason}.",
-    "hint": "The import report lists {objects:it|them}. {reason:hint}"
+    "text": "{objects, plural, one {# object} other {# objects}} on layer ''{layer}'' {objects, plural, one {is} other {are}} not cut: {reason}.",
+    "hint": "The import report lists {objects, plural, one {it} other {them}}. {reason__hint}"
   },
   "import.light": {
     "text": "the object is a light, which is not cut",
@@ -2476,7 +2631,7 @@ export const TEXTS = {
     "hint": "In LightBurn, select the object, choose Edit > Convert to Path, and save the project again."
   },
   "import.line-not-numbers": {
-    "text": "the values in line {line} of the file are not all numbers: {values:, }",
+    "text": "the values in line {line} of the file are not all numbers: {values}",
     "hint": ""
   },
   "import.lone-vertex": {
@@ -2488,7 +2643,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.missing-id": {
-    "text": "the object refers to another object by the id {id!r}, which does not exist in the file",
+    "text": "the object refers to another object by the id ''{id}'', which does not exist in the file",
     "hint": ""
   },
   "import.missing-subroutine": {
@@ -2504,7 +2659,7 @@ export const TEXTS = {
     "hint": "Compare the drawing with the original, or export it again."
   },
   "import.no-length": {
-    "text": "the length of the object is {length:g}, which is too short to be cut",
+    "text": "the length of the object is {length, number, ::@#####}, which is too short to be cut",
     "hint": ""
   },
   "import.no-major-axis": {
@@ -2516,7 +2671,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.no-parameter-range": {
-    "text": "the ellipse has no length, because its start parameter and its end parameter are both {parameter:g}",
+    "text": "the ellipse has no length, because its start parameter and its end parameter are both {parameter, number, ::@#####}",
     "hint": ""
   },
   "import.no-pen": {
@@ -2528,11 +2683,11 @@ export const TEXTS = {
     "hint": ""
   },
   "import.no-scale": {
-    "text": "the object has no size, because it is scaled by {x:g} in X and {y:g} in Y",
+    "text": "the object has no size, because it is scaled by {x, number, ::@#####} in X and {y, number, ::@#####} in Y",
     "hint": ""
   },
   "import.no-size": {
-    "text": "the object has no size: its width is {width:g} and its height {height:g}",
+    "text": "the object has no size: its width is {width, number, ::@#####} and its height {height, number, ::@#####}",
     "hint": ""
   },
   "import.no-stroke-width": {
@@ -2540,7 +2695,7 @@ export const TEXTS = {
     "hint": "Give the stroke a width and export the drawing again if the object must be cut."
   },
   "import.no-sweep": {
-    "text": "the arc has no length, because it starts and ends at the same angle, {degrees:g}°",
+    "text": "the arc has no length, because it starts and ends at the same angle, {degrees, number, ::@#####}°",
     "hint": ""
   },
   "import.not-a-line": {
@@ -2556,7 +2711,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.not-numbers": {
-    "text": "the coordinates of the object are not all numbers: {values:, }",
+    "text": "the coordinates of the object are not all numbers: {values}",
     "hint": ""
   },
   "import.not-svg": {
@@ -2568,7 +2723,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.nothing-named": {
-    "text": "the PDF page uses a form or image with the name {name!r}, which the PDF does not contain",
+    "text": "the PDF page uses a form or image with the name ''{name}'', which the PDF does not contain",
     "hint": ""
   },
   "import.odd-points": {
@@ -2580,7 +2735,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.other-file": {
-    "text": "the object is in another file, {file!r}, which is not loaded",
+    "text": "the object is in another file, ''{file}'', which is not loaded",
     "hint": "Embed the object in the file and export again."
   },
   "import.other-language": {
@@ -2588,12 +2743,12 @@ export const TEXTS = {
     "hint": ""
   },
   "import.other-pages": {
-    "text": "The PDF has {pages:# page|# pages}, but only the first page is read.",
-    "hint": "If the drawing is on another page, export this page as a separate file."
+    "text": "The file has {pages, plural, one {# page} other {# pages}}, but only page {page} is read.",
+    "hint": "If the drawing is on another page, choose this page, or export it as a separate file."
   },
   "import.other-pages-lines": {
-    "text": "The PDF has {others:# other page|# other pages} besides the first page, and only the first page is read. Page {most} has the most lines of the other pages ({lines:,}).",
-    "hint": "If the drawing is on another page, export this page as a separate file."
+    "text": "The file has {others, plural, one {# other page} other {# other pages}} besides page {page}, and only page {page} is read. Page {most} has the most lines of the other pages ({lines, number}).",
+    "hint": "If the drawing is on another page, choose this page, or export it as a separate file."
   },
   "import.other-sheet": {
     "text": "the object is on sheet {sheet} of the plot, but only the first sheet is read",
@@ -2628,19 +2783,19 @@ export const TEXTS = {
     "hint": ""
   },
   "import.picture-block": {
-    "text": "the block {block} with {entities:# object|# objects} is the graphic of a dimension or a hatch, which is not cut",
+    "text": "the block {block} with {entities, plural, one {# object} other {# objects}} is the graphic of a dimension or a hatch, which is not cut",
     "hint": ""
   },
   "import.pieces-drawn-twice": {
-    "text": "{pieces} of the {all} segments of the object {pieces:is|are} drawn twice: {pieces:it lies|they lie} exactly on {same:, }",
+    "text": "{pieces} of the {all} segments of the object {pieces, plural, one {is} other {are}} drawn twice: {pieces, plural, one {it lies} other {they lie}} exactly on {same}",
     "hint": ""
   },
   "import.pieces-drawn-twice-often": {
-    "text": "{pieces} of the {all} segments of the object {pieces:is|are} drawn several times: {pieces:it lies|they lie} exactly on {same:, } and {more} more {more:object|objects}",
+    "text": "{pieces} of the {all} segments of the object {pieces, plural, one {is} other {are}} drawn several times: {pieces, plural, one {it lies} other {they lie}} exactly on {same} and {more} more {more, plural, one {object} other {objects}}",
     "hint": ""
   },
   "import.pieces-no-length": {
-    "text": "{pieces} of the {all} segments of the object {pieces:has|have} no length",
+    "text": "{pieces} of the {all} segments of the object {pieces, plural, one {has} other {have}} no length",
     "hint": ""
   },
   "import.place-not-a-number": {
@@ -2680,7 +2835,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.rules-not-read": {
-    "text": "the style sheet of the drawing has rules that are not supported: {rules:, }",
+    "text": "the style sheet of the drawing has rules that are not supported: {rules}",
     "hint": ""
   },
   "import.script": {
@@ -2716,19 +2871,19 @@ export const TEXTS = {
     "hint": ""
   },
   "import.tilted": {
-    "text": "the object is not parallel to the XY plane: its plane is tilted by {degrees:g}°",
+    "text": "the object is not parallel to the XY plane: its plane is tilted by {degrees, number, ::@#####}°",
     "hint": ""
   },
   "import.tilted-axis": {
-    "text": "the object is not parallel to the XY plane: its major axis rises by {rise:g} file units",
+    "text": "the object is not parallel to the XY plane: its major axis rises by {rise, number, ::@#####} file units",
     "hint": ""
   },
   "import.too-far": {
-    "text": "a coordinate of the object is {coordinate:g} file units, but the limit is {limit:g}",
+    "text": "a coordinate of the object is {coordinate, number, ::@#####} file units, but the limit is {limit, number, ::@#####}",
     "hint": ""
   },
   "import.too-many-fit-points": {
-    "text": "the curve has {points:,} fit points, but the limit is {limit:,}",
+    "text": "the curve has {points, number} fit points, but the limit is {limit, number}",
     "hint": ""
   },
   "import.turned-page": {
@@ -2736,7 +2891,7 @@ export const TEXTS = {
     "hint": "Compare the drawing with the original, or export it as DXF, PDF or SVG."
   },
   "import.uncentred-arc": {
-    "text": "the centre of the arc is {first:g} file units away from the start of the arc, but {second:g} file units away from the end of the arc",
+    "text": "the centre of the arc is {first, number, ::@#####} file units away from the start of the arc, but {second, number, ::@#####} file units away from the end of the arc",
     "hint": ""
   },
   "import.underlay": {
@@ -2744,7 +2899,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.uneven-height": {
-    "text": "the object is not parallel to the XY plane: its height z varies from {low:g} to {high:g} file units",
+    "text": "the object is not parallel to the XY plane: its height z varies from {low, number, ::@#####} to {high, number, ::@#####} file units",
     "hint": ""
   },
   "import.unknown-instruction": {
@@ -2752,7 +2907,7 @@ export const TEXTS = {
     "hint": "Compare the drawing with the original, or export it as DXF, PDF or SVG."
   },
   "import.unknown-operator": {
-    "text": "the PDF page uses the operator {operator!r}, which is not supported",
+    "text": "the PDF page uses the operator ''{operator}'', which is not supported",
     "hint": ""
   },
   "import.unknown-position": {
@@ -2768,23 +2923,23 @@ export const TEXTS = {
     "hint": ""
   },
   "import.unused-block": {
-    "text": "the file defines the block {block} with {entities:# object|# objects}, but the drawing does not use it",
+    "text": "the file defines the block {block} with {entities, plural, one {# object} other {# objects}}, but the drawing does not use it",
     "hint": ""
   },
   "import.unused-subroutine": {
-    "text": "the file defines the subroutine {name} with {records:# record|# records}, but the drawing does not use it",
+    "text": "the file defines the subroutine {name} with {records, plural, one {# record} other {# records}}, but the drawing does not use it",
     "hint": ""
   },
   "import.value-angle": {
-    "text": "the angle {degrees:g}° is not finite",
+    "text": "the angle {degrees, number, ::@#####}° is not finite",
     "hint": ""
   },
   "import.value-not-numbers": {
-    "text": "the value {value!r} is not a number",
+    "text": "the value ''{value}'' is not a number",
     "hint": ""
   },
   "import.value-not-transform": {
-    "text": "the value {value!r} is not a valid transform",
+    "text": "the value ''{value}'' is not a valid transform",
     "hint": ""
   },
   "import.value-transform-numbers": {
@@ -2792,7 +2947,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.value-unit": {
-    "text": "the value {value!r} has an unknown unit of length",
+    "text": "the value ''{value}'' has an unknown unit of length",
     "hint": ""
   },
   "import.viewport": {
@@ -2808,7 +2963,7 @@ export const TEXTS = {
     "hint": "Give the object another colour and export the drawing again if it must be cut."
   },
   "import.wrong-field-count": {
-    "text": "line {line} of the file has {fields:# field|# fields}, which is the wrong number of fields for its record",
+    "text": "line {line} of the file has {fields, plural, one {# field} other {# fields}}, which is the wrong number of fields for its record",
     "hint": ""
   },
   "input.not-finite": {
@@ -2852,7 +3007,7 @@ export const TEXTS = {
     "hint": ""
   },
   "job.checked": {
-    "text": "The operator checked at the machine: {checks:; }.",
+    "text": "The operator checked at the machine: {checks__semicolon}.",
     "hint": ""
   },
   "job.claim-returned": {
@@ -2908,7 +3063,7 @@ export const TEXTS = {
     "hint": ""
   },
   "job.exceptions-accepted": {
-    "text": "{by} accepted {count:# shortfall|# shortfalls}: {reason}",
+    "text": "{by} accepted {count, plural, one {# shortfall} other {# shortfalls}}: {reason}",
     "hint": ""
   },
   "job.executed": {
@@ -2937,23 +3092,23 @@ export const TEXTS = {
   },
   "job.interrupted": {
     "text": "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
-    "hint": "{cause:hint} Check the table. If the sheet has not moved, continue it: only the tracks that are left are made. Otherwise queue the job again (a new sheet is cut from the first program line), or mark the job finished if the sheet is complete, or scrap the job."
+    "hint": "{cause__hint} Check the table. If the sheet has not moved, continue it: only the tracks that are left are made. Otherwise queue the job again (a new sheet is cut from the first program line), or mark the job finished if the sheet is complete, or scrap the job."
   },
   "job.interrupted-at-end": {
     "text": "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
-    "hint": "{cause:hint} Check the table. Mark the job finished if the sheet is complete, otherwise scrap the job."
+    "hint": "{cause__hint} Check the table. Mark the job finished if the sheet is complete, otherwise scrap the job."
   },
   "job.interrupted-between-copies": {
     "text": "The job was interrupted after copy {copy} of {copies}, before the first program line of the next copy. {cause}",
-    "hint": "{cause:hint} Check the table. Then either queue the job again for the remaining copies, or mark the job finished, or scrap it."
+    "hint": "{cause__hint} Check the table. Then either queue the job again for the remaining copies, or mark the job finished, or scrap it."
   },
   "job.interrupted-in-first-line": {
     "text": "The job was interrupted before its first program line of {lines} was complete{copy}. It is not known whether the machine has moved. {cause}",
-    "hint": "{cause:hint} Check the table. If the sheet is untouched and has not moved, continue it or queue the job again. Otherwise scrap the job."
+    "hint": "{cause__hint} Check the table. If the sheet is untouched and has not moved, continue it or queue the job again. Otherwise scrap the job."
   },
   "job.interrupted-unobserved": {
     "text": "The job was interrupted at program line {line} of {lines} or later{copy}: {most}. {cause}",
-    "hint": "{cause:hint} Look at the sheet: it shows which tracks are made. To continue it, state for each track that is not known whether it is made."
+    "hint": "{cause__hint} Look at the sheet: it shows which tracks are made. To continue it, state for each track that is not known whether it is made."
   },
   "job.late-report": {
     "text": "A late report of the gateway arrived: {report}",
@@ -2961,7 +3116,7 @@ export const TEXTS = {
   },
   "job.machine-not-free": {
     "text": "Job {job} cannot start, because its machine takes no job now. {reason}",
-    "hint": "{reason:hint}"
+    "hint": "{reason__hint}"
   },
   "job.may-have-ended": {
     "text": "nobody observed the machine then, so it may have executed the program to its end",
@@ -3000,7 +3155,7 @@ export const TEXTS = {
     "hint": "Check the unit of the drawing and the line types of its edges. Otherwise choose another machine or machine file: a smaller creasing wheel for short creases, a thinner cutter or a knife for narrow contours."
   },
   "job.not-checked": {
-    "text": "The confirmation of job {job} leaves out what must be checked at the machine: {missing:; }.",
+    "text": "The confirmation of job {job} leaves out what must be checked at the machine: {missing__semicolon}.",
     "hint": "Make these checks at the machine, then confirm the job with all of them in `checked`."
   },
   "job.not-confirmed": {
@@ -3040,15 +3195,15 @@ export const TEXTS = {
     "hint": "Check what the job waits for, then resume it if the machine may continue."
   },
   "job.outdated": {
-    "text": "The program of job {job} is out of date: {changes:; }.",
+    "text": "The program of job {job} is out of date: {changes__semicolon}.",
     "hint": "Compile the job again. Its program is then made and verified for the present machine and board."
   },
   "job.program-has-shortfalls": {
-    "text": "The tools cannot make every line as it is drawn: {findings: }{more}",
+    "text": "The tools cannot make every line as it is drawn: {findings__space}{more}",
     "hint": "Accept these shortfalls for this job, or change the drawing, the line types of its edges, the tools or the board."
   },
   "job.program-refused": {
-    "text": "The program does not match the drawing, so nothing was cut: {findings: }{more}",
+    "text": "The program does not match the drawing, so nothing was cut: {findings__space}{more}",
     "hint": "Choose another machine or board, change the drawing, or set the line types of these edges to ignored and make them by hand."
   },
   "job.rechecked": {
@@ -3088,11 +3243,11 @@ export const TEXTS = {
     "hint": ""
   },
   "job.stated-by-feed": {
-    "text": "Stated by the automatic feed: {checks:; }.",
+    "text": "Stated by the automatic feed: {checks__semicolon}.",
     "hint": ""
   },
   "job.tool-changed": {
-    "text": "The operator put a new tool into station {station} ({name}); the old one had worked {used:.0f} m.",
+    "text": "The operator put a new tool into station {station} ({name}); the old one had worked {used, number, ::precision-integer} m.",
     "hint": ""
   },
   "job.unknown": {
@@ -3100,8 +3255,8 @@ export const TEXTS = {
     "hint": "Choose one of the jobs that GET /api/jobs lists."
   },
   "job.unknown-checks": {
-    "text": "Job {job} has no check {unknown:, }.",
-    "hint": "Its checks are {known:, }."
+    "text": "Job {job} has no check {unknown}.",
+    "hint": "Its checks are {known}."
   },
   "job.verdict-changed": {
     "text": "The verdict on job {job} has changed since it was read.",
@@ -3116,11 +3271,11 @@ export const TEXTS = {
     "hint": "Report the error with the log of the server if it happens again."
   },
   "job.worn-tools": {
-    "text": "Job {job} uses tools at the end of their lives: {tools: }",
+    "text": "Job {job} uses tools at the end of their lives: {tools__space}",
     "hint": "Put new tools into these stations and confirm the job with the numbers of the stations that were changed, or state why the tools stay in use."
   },
   "job.worn-tools-used": {
-    "text": "The operator uses tools at the end of their lives: {tools: } Reason: {reason}",
+    "text": "The operator uses tools at the end of their lives: {tools__space} Reason: {reason}",
     "hint": ""
   },
   "job.wrong-state": {
@@ -3128,7 +3283,7 @@ export const TEXTS = {
     "hint": "{advice}"
   },
   "job.wrong-state-for-request": {
-    "text": "Job {job} is {state}, but the request {request} needs a job that is {states: or }.",
+    "text": "Job {job} is {state}, but the request {request} needs a job that is {states__each_or}.",
     "hint": "{advice}"
   },
   "key.expired-at-once": {
@@ -3144,11 +3299,11 @@ export const TEXTS = {
     "hint": "Use a key without this limit."
   },
   "key.other-customer": {
-    "text": "This API key is for the customer {customer}, not for {given!r}.",
+    "text": "This API key is for the customer {customer}, not for ''{given}''.",
     "hint": "Leave the customer out, or use a key for that customer."
   },
   "key.other-machine": {
-    "text": "This API key is for {machines:or}, not for the machine {machine!r}.",
+    "text": "This API key is for {machines__or}, not for the machine ''{machine}''.",
     "hint": "Choose another machine, or use a key for that machine."
   },
   "key.revoked": {
@@ -3161,22 +3316,22 @@ export const TEXTS = {
   },
   "key.unlimited-scope": {
     "text": "A key with the scope {scope} cannot be limited in this way.",
-    "hint": "Choose only scopes of {scopes:, }, or leave the limit out."
+    "hint": "Choose only scopes of {scopes}, or leave the limit out."
   },
   "knife.park-heading": {
-    "text": "Station {station} has a free blade: before the program starts, it must have a heading of {degrees:g}°. The program leaves it so.",
+    "text": "Station {station} has a free blade: before the program starts, it must have a heading of {degrees, number, ::@#####}°. At its end the program leaves it so.",
     "hint": ""
   },
   "language.bad-entry-point": {
-    "text": "The Python entry point {name!r} of the group {group} must provide a controller language that is named {name!r}, but does not provide one.",
+    "text": "The Python entry point ''{name}'' of the group {group} must provide a controller language that is named ''{name}'', but does not provide one.",
     "hint": "Correct or remove the Python package that declares the entry point."
   },
   "language.default-outputs": {
-    "text": "the machine does not state the number of digital outputs of its controller, and {language} has {count} by default, numbered from 0. It has no output {outputs:, }",
+    "text": "the machine does not state the number of digital outputs of its controller, and {language} has {count} by default, numbered from 0. It has no output {outputs}",
     "hint": "Use other outputs, or set `output_count` to the number that the controller is configured for."
   },
   "language.few-outputs": {
-    "text": "the {language} controller has {count:# digital output|# digital outputs}, numbered from 0. It has no output {outputs:, }",
+    "text": "the {language} controller has {count, plural, one {# digital output} other {# digital outputs}}, numbered from 0. It has no output {outputs}",
     "hint": "Use other outputs, or correct `output_count`."
   },
   "language.no-driver": {
@@ -3184,11 +3339,11 @@ export const TEXTS = {
     "hint": "{advice}"
   },
   "language.no-linear-axis": {
-    "text": "carriage {carriage} has a linear axis {letter}, and {language} has no such axis. Its linear axes are {known:, }",
+    "text": "carriage {carriage} has a linear axis {letter}, and {language} has no such axis. Its linear axes are {known}",
     "hint": "Change the letter of the axis, or the language (dialect) of the machine."
   },
   "language.no-rotary-axis": {
-    "text": "carriage {carriage} has a rotary axis {letter}, and {language} has no such axis. Its rotary axes are {known:, }",
+    "text": "carriage {carriage} has a rotary axis {letter}, and {language} has no such axis. Its rotary axes are {known}",
     "hint": "Change the letter of the axis, or the language (dialect) of the machine."
   },
   "language.no-settings": {
@@ -3196,35 +3351,35 @@ export const TEXTS = {
     "hint": "Remove the section [controller]."
   },
   "language.unknown": {
-    "text": "The controller language {name!r} does not exist.",
-    "hint": "Choose one of {known:, }."
+    "text": "The controller language ''{name}'' does not exist.",
+    "hint": "Choose one of {known}."
   },
   "language.unusable": {
-    "text": "{machine} cannot be controlled with programs in {language}: {faults:; }.",
-    "hint": "{faults:hint} Choose the language {own}, which the machine file names."
+    "text": "{machine} cannot be controlled with programs in {language}: {faults__semicolon}.",
+    "hint": "{faults__hint} Choose the language {own}, which the machine file names."
   },
   "layer.not-finite": {
     "text": "A coordinate on the layer {layer} is not a number.",
     "hint": "Draw the edges of this layer again."
   },
   "lead.no-corner": {
-    "text": "{count:# contour has|# contours have} a lead-in perpendicular to the contour, because {count:it has|they have} no outer corner that turns by at least {angle:g}° and has room for the lead-in. X and Y on the sheet in mm ({count:one contour|the first contours}): {places:; }.",
+    "text": "{count, plural, one {# contour has} other {# contours have}} a lead-in perpendicular to the contour, because {count, plural, one {it has} other {they have}} no outer corner that turns by at least {angle, number, ::@#####}° and has room for the lead-in. X and Y on the sheet in mm ({count, plural, one {one contour} other {the first contours}}): {places__semicolon}.",
     "hint": "No action is needed. To begin at corners that turn less, set a negative angle nearer to 0° for the lead-in in the machine file."
   },
   "lead.no-room": {
-    "text": "{count:# contour has|# contours have} no lead-in or no lead-out, because the tool would cut into another edge there. The tool plunges or lifts on the contour, which may leave a mark. X and Y on the sheet in mm ({count:one contour|the first contours}): {places:; }.",
+    "text": "{count, plural, one {# contour has} other {# contours have}} no lead-in or no lead-out, because the tool would cut into another edge there. The tool plunges or lifts on the contour, which may leave a mark. X and Y on the sheet in mm ({count, plural, one {one contour} other {the first contours}}): {places__semicolon}.",
     "hint": "Choose a thinner tool or a shorter lead-in, or leave more room between the edges."
   },
   "library.acting-text": {
-    "text": "The field {field} of the {shelf} {name} contains an invisible control character: {text!r}.",
+    "text": "The field {field} of the {shelf} {name} contains an invisible control character: ''{text}''.",
     "hint": "Type the text again without control characters and marks of the writing direction."
   },
   "library.bad-if-match": {
-    "text": "The header If-Match is {match!r}, which is not a version number.",
+    "text": "The header If-Match is ''{match}'', which is not a version number.",
     "hint": "Send the ETag of the entry in If-Match, for example \"3\"."
   },
   "library.bad-name": {
-    "text": "{name!r} is not a valid name of a {shelf}.",
+    "text": "''{name}'' is not a valid name of a {shelf}.",
     "hint": "Use up to 64 lower-case letters, digits, hyphens and underscores. Write other characters into the title of the {shelf}."
   },
   "library.changed-since": {
@@ -3244,23 +3399,23 @@ export const TEXTS = {
     "hint": "Send If-Match: \"{version}\" to replace this {shelf}, or choose another name."
   },
   "library.in-use": {
-    "text": "The {shelf} {name} cannot be deleted: {count:# job|# jobs} that have not ended use it, for example {jobs:, }.",
+    "text": "The {shelf} {name} cannot be deleted: {count, plural, one {# job} other {# jobs}} that have not ended use it, for example {jobs}.",
     "hint": "Wait until these jobs have ended, or cancel them. Then delete the {shelf}."
   },
   "library.invalid": {
-    "text": "The {shelf} {name!r} cannot be used: {faults:; }.",
-    "hint": "{faults:hint} Correct the TOML file of the {shelf}. The command knifetip schema {shelf} describes all fields."
+    "text": "The {shelf} ''{name}'' cannot be used: {faults__semicolon}.",
+    "hint": "{faults__hint} Correct the TOML file of the {shelf}. The command knifetip schema {shelf} describes all fields."
   },
   "library.large-integer": {
     "text": "An integer in the document has more than 64 bits.",
     "hint": "Correct the number, or write it with a decimal point."
   },
   "library.long-text": {
-    "text": "The field {field} of the {shelf} {name} is longer than {limit} characters: {text!r}.",
+    "text": "The field {field} of the {shelf} {name} is longer than {limit} characters: ''{text}''.",
     "hint": "Use at most {limit} characters."
   },
   "library.nested-too-deep": {
-    "text": "The tables of the {shelf} {name!r} are nested too deeply.",
+    "text": "The tables of the {shelf} ''{name}'' are nested too deeply.",
     "hint": "Write only the fields that knifetip schema {shelf} describes."
   },
   "library.no-settings": {
@@ -3268,11 +3423,11 @@ export const TEXTS = {
     "hint": "Set up the controller as its maker describes."
   },
   "library.not-an-object": {
-    "text": "The JSON document of the {shelf} {name!r} is not an object.",
+    "text": "The JSON document of the {shelf} ''{name}'' is not an object.",
     "hint": "Send an object with the fields that GET /api/schemas/{shelf}s describes."
   },
   "library.not-json": {
-    "text": "The {shelf} {name!r} is not valid JSON: {reason}.",
+    "text": "The {shelf} ''{name}'' is not valid JSON: {reason}.",
     "hint": "Send an object with the fields that GET /api/schemas/{shelf}s describes."
   },
   "library.not-stored": {
@@ -3280,19 +3435,19 @@ export const TEXTS = {
     "hint": "Choose an entry that GET /api/library lists with shipped: false."
   },
   "library.not-toml": {
-    "text": "The {shelf} {name!r} is not valid TOML: {reason}.",
+    "text": "The {shelf} ''{name}'' is not valid TOML: {reason}.",
     "hint": "Correct the TOML syntax at this position."
   },
   "library.not-utf8": {
-    "text": "The {shelf} {name!r} is not UTF-8 text: byte {byte} is invalid.",
+    "text": "The {shelf} ''{name}'' is not UTF-8 text: byte {byte} is invalid.",
     "hint": "Save the file as UTF-8."
   },
   "library.null-in-list": {
-    "text": "A list in the {shelf} {name!r} contains null.",
+    "text": "A list in the {shelf} ''{name}'' contains null.",
     "hint": "Remove null from the list, or replace it by a value."
   },
   "library.shipped": {
-    "text": "The {shelf} {name!r} is part of knifetip and cannot be changed.",
+    "text": "The {shelf} ''{name}'' is part of knifetip and cannot be changed.",
     "hint": "Save a copy of it under another name, and change the copy."
   },
   "library.stale": {
@@ -3300,7 +3455,7 @@ export const TEXTS = {
     "hint": "Load the {shelf} again and check it. Then send your change with If-Match: \"{version}\"."
   },
   "library.too-long": {
-    "text": "The {shelf} {name!r} has a size of {size} kB, but the limit is {limit} kB.",
+    "text": "The {shelf} ''{name}'' has a size of {size} kB, but the limit is {limit} kB.",
     "hint": "Remove comments and fields that are not needed."
   },
   "library.too-many": {
@@ -3308,28 +3463,24 @@ export const TEXTS = {
     "hint": "Delete entries that are not used."
   },
   "library.unknown": {
-    "text": "The {shelf} {name!r} does not exist.",
-    "hint": "Choose one of {known:, }."
+    "text": "The {shelf} ''{name}'' does not exist.",
+    "hint": "Choose one of {known}."
   },
   "library.unknown-file": {
-    "text": "The {shelf} {name!r} does not exist: {reason}.",
-    "hint": "Check the path of the file, or choose one of {known:, }."
+    "text": "The {shelf} ''{name}'' does not exist: {reason}.",
+    "hint": "Check the path of the file, or choose one of {known}."
   },
   "library.unknown-version": {
     "text": "The {shelf} {name} has no version {version}; its newest version is {newest}.",
     "hint": "Choose one of the versions that GET /api/{shelf}s/{name}/versions lists."
   },
   "library.unreadable": {
-    "text": "The {shelf} {name!r} cannot be read: {detail}.",
+    "text": "The {shelf} ''{name}'' cannot be read: {detail}.",
     "hint": "Correct the TOML file of the {shelf}."
   },
   "lift.not-stated": {
     "text": "The machine file of {machine} does not state turn_clearance, so the least lift is not known.",
     "hint": "Choose the lift to the clearance of the machine, or set turn_clearance in the machine file, for example to 0.5 mm for board that lies flat."
-  },
-  "lightburn.damaged-at": {
-    "text": "The LightBurn project is damaged at line {line}, column {column}: {reason}.",
-    "hint": "Save the project again in LightBurn."
   },
   "lightburn.doctype": {
     "text": "The LightBurn project has a DOCTYPE, which LightBurn does not write.",
@@ -3364,15 +3515,15 @@ export const TEXTS = {
     "hint": "Send the whole request without a pause, and check the network connection."
   },
   "linuxcnc.bad-address": {
-    "text": "{address!r} is not the address of a LinuxCNC.",
-    "hint": "Write HOST:PORT, or linuxcnc://HOST:PORT/?OPTION=VALUE&OPTION=VALUE with the options {options:, }; values have no blanks."
+    "text": "''{address}'' is not the address of a LinuxCNC.",
+    "hint": "Write HOST:PORT, or linuxcnc://HOST:PORT/?OPTION=VALUE&OPTION=VALUE with the options {options}; values have no blanks."
   },
   "linuxcnc.beyond-travel": {
-    "text": "Program line {line} would move {axis} to {position:.3f} {unit} in coordinates of the machine, beyond the limit {limit:.3f} {unit} of LinuxCNC at {name}. Nothing has moved.",
+    "text": "Program line {line} would move {axis} to {position, number, ::.000} {unit} in coordinates of the machine, beyond the limit {limit, number, ::.000} {unit} of LinuxCNC at {name}. Nothing has moved.",
     "hint": "Set X Y zero where the whole sheet is within the travel, or place the job elsewhere. If the machine can move farther, correct MIN_LIMIT and MAX_LIMIT of {axis} in the INI file of LinuxCNC."
   },
   "linuxcnc.cause": {
-    "text": ": {texts:; }",
+    "text": ": {texts__semicolon}",
     "hint": ""
   },
   "linuxcnc.estop": {
@@ -3396,27 +3547,27 @@ export const TEXTS = {
     "hint": "Check the table, then press Unlock, or switch the machine on in LinuxCNC."
   },
   "linuxcnc.not-at-rest": {
-    "text": "The machine of LinuxCNC at {name} has not come to rest within {seconds:g} s.",
+    "text": "The machine of LinuxCNC at {name} has not come to rest within {seconds, number, ::@#####} s.",
     "hint": "Press the emergency stop button if the machine still moves, then check the table."
   },
   "linuxcnc.not-begun": {
-    "text": "LinuxCNC at {name} has not begun the program within {seconds:g} s.",
+    "text": "LinuxCNC at {name} has not begun the program within {seconds, number, ::@#####} s.",
     "hint": "Look for a message of LinuxCNC at the machine, then try again."
   },
   "linuxcnc.not-homed": {
-    "text": "The machine of LinuxCNC at {name} is not homed (joints {joints:, }).",
+    "text": "The machine of LinuxCNC at {name} is not homed (joints {joints}).",
     "hint": "Check that the table is clear, then press Home, or home all joints in LinuxCNC."
   },
   "linuxcnc.not-secured": {
     "text": "The tool was not lifted and the stations were not raised. {cause}",
-    "hint": "{cause:hint}"
+    "hint": "{cause__hint}"
   },
   "linuxcnc.program-not-opened": {
     "text": "LinuxCNC at {name} cannot open the program file {path}{cause}.",
     "hint": "If LinuxCNC runs on another computer, share a folder with it and give its path on both computers: linuxcnc://HOST:PORT/?programs=FOLDER&remote=FOLDER_THERE. The user of LinuxCNC must be able to read it."
   },
   "linuxcnc.refused": {
-    "text": "LinuxCNC at {name} refused the command {command!r}{cause}.",
+    "text": "LinuxCNC at {name} refused the command ''{command}''{cause}.",
     "hint": "Check the table and LinuxCNC, then try again."
   },
   "linuxcnc.rejected-in-check": {
@@ -3424,7 +3575,7 @@ export const TEXTS = {
     "hint": "If a tool is missing, write the tool table of the machine (knifetip machine NAME --tool-table) to LinuxCNC. Otherwise compile the job again for this controller."
   },
   "linuxcnc.silent": {
-    "text": "LinuxCNC at {name} has not responded for {seconds:g} s. It may still execute its program.",
+    "text": "LinuxCNC at {name} has not responded for {seconds, number, ::@#####} s. It may still execute its program.",
     "hint": "Keep clear of the table until the machine has stopped, or press the emergency stop button. Then check that LinuxCNC and linuxcncrsh run."
   },
   "linuxcnc.stopped": {
@@ -3448,12 +3599,12 @@ export const TEXTS = {
     "hint": "Wait until that job has ended. If that job is interrupted, choose what to do with it: mark as finished, queue again or scrap."
   },
   "machine.no-cutter": {
-    "text": "{machine} has no cutter with the name {cutter!r}, because none of its tools is a rotating cutter or a laser.",
+    "text": "{machine} has no cutter with the name ''{cutter}'', because none of its tools is a rotating cutter or a laser.",
     "hint": "Choose a machine with a rotating cutter or a laser. Only these tools can be calibrated."
   },
   "machine.no-such-cutter": {
-    "text": "{machine} has no cutter with the name {cutter!r}.",
-    "hint": "Choose one of the cutters {known:, }."
+    "text": "{machine} has no cutter with the name ''{cutter}''.",
+    "hint": "Choose one of the cutters {known}."
   },
   "mcx314.after-end": {
     "text": "The program continues after END.",
@@ -3484,11 +3635,11 @@ export const TEXTS = {
     "hint": "Check that the tool is out of the board, then home the machine."
   },
   "mcx314.axis-too-fast": {
-    "text": "{path} needs {rate:.0f} pulses per second, and the chip MCX314 makes at most {limit}",
+    "text": "{path} needs {rate, number, ::precision-integer} pulses per second, and the chip MCX314 makes at most {limit, number}",
     "hint": "Choose a lower velocity, fewer pulses, or a greater multiple."
   },
   "mcx314.axis-too-long": {
-    "text": "{path} travels {pulses} pulses, and the chip MCX314 counts at most {limit} in one segment",
+    "text": "{path} travels {pulses, number} pulses, and the chip MCX314 counts at most {limit, number} in one segment",
     "hint": "Choose fewer pulses per millimetre or degree."
   },
   "mcx314.bad-arc": {
@@ -3504,7 +3655,7 @@ export const TEXTS = {
     "hint": "Check that it is a program for an MCX314, in this version of the format."
   },
   "mcx314.bad-line": {
-    "text": "The line {text!r} is not an instruction.",
+    "text": "The line ''{text}'' is not an instruction.",
     "hint": "Correct the line."
   },
   "mcx314.bad-rate": {
@@ -3512,7 +3663,7 @@ export const TEXTS = {
     "hint": "Choose another value; the multiple of the drive speed determines the steps."
   },
   "mcx314.bad-speed": {
-    "text": "The drive speed must be {slowest} to {fastest} pulses per second.",
+    "text": "The drive speed must be {slowest, number} to {fastest, number} pulses per second.",
     "hint": "Correct the drive speed."
   },
   "mcx314.ends-lowered": {
@@ -3524,7 +3675,7 @@ export const TEXTS = {
     "hint": "Switch it off before END."
   },
   "mcx314.feed-too-slow": {
-    "text": "{path} gives {rate:.0f} pulses per second along a diagonal, and programs need at least {limit:.0f} for an exact feed",
+    "text": "{path} gives {rate, number, ::precision-integer} pulses per second along a diagonal, and programs need at least {limit, number, ::precision-integer} for an exact feed",
     "hint": "Choose a greater feed, or more pulses per millimetre."
   },
   "mcx314.four-axes": {
@@ -3532,7 +3683,7 @@ export const TEXTS = {
     "hint": "Let the tool turn before or after its depth changes."
   },
   "mcx314.gave-up": {
-    "text": "{name} has received nothing from this gateway for {seconds:g} s and stopped the program.",
+    "text": "{name} has received nothing from this gateway for {seconds, number, ::@#####} s and stopped the program.",
     "hint": "Check the connection to the board, then check the sheet on the table."
   },
   "mcx314.joins-nothing": {
@@ -3540,7 +3691,7 @@ export const TEXTS = {
     "hint": "Remove JOIN."
   },
   "mcx314.joins-short": {
-    "text": "The line joins a segment of {milliseconds:.3g} ms, and writing it to the chip takes up to {refill:.3g} ms.",
+    "text": "The line joins a segment of {milliseconds, number, ::@##} ms, and writing it to the chip takes up to {refill, number, ::@##} ms.",
     "hint": "Remove JOIN, or join longer segments."
   },
   "mcx314.lost": {
@@ -3568,15 +3719,15 @@ export const TEXTS = {
     "hint": "Add the table [controller] to the machine file."
   },
   "mcx314.not-at-rest": {
-    "text": "{name} was not at rest after {seconds:g} s.",
+    "text": "{name} was not at rest after {seconds, number, ::@#####} s.",
     "hint": "Lift the tool and raise the stations at the table."
   },
   "mcx314.not-lifted": {
     "text": "The outputs are off, but the tool was not lifted. {cause}",
-    "hint": "{cause:hint}"
+    "hint": "{cause__hint}"
   },
   "mcx314.not-settled": {
-    "text": "A move begins {seconds:g} s after an output or the oscillation was switched.",
+    "text": "A move begins {seconds, number, ::@#####} s after an output or the oscillation was switched.",
     "hint": "Dwell before the move for as long as the station settles."
   },
   "mcx314.other-pulses": {
@@ -3584,7 +3735,7 @@ export const TEXTS = {
     "hint": "Create the program for this machine."
   },
   "mcx314.out-of-range": {
-    "text": "A number is greater than {limit}, which the chip MCX314 cannot count.",
+    "text": "A number is greater than {limit, number}, which the chip MCX314 cannot count.",
     "hint": "Divide the move."
   },
   "mcx314.pulses-of-board": {
@@ -3600,11 +3751,11 @@ export const TEXTS = {
     "hint": "Check that the tool is out of the board, then home the machine."
   },
   "mcx314.silent": {
-    "text": "{name} has not answered for {seconds:g} s.",
+    "text": "{name} has not answered for {seconds, number, ::@#####} s.",
     "hint": "Check that the board is switched on, then check the sheet on the table."
   },
   "mcx314.speed": {
-    "text": "{place} needs {rate:.0f} pulses per second, and the chip MCX314 makes {slowest} to {fastest}.",
+    "text": "{place} needs {rate, number, ::precision-integer} pulses per second, and the chip MCX314 makes {slowest, number} to {fastest, number}.",
     "hint": "Choose another feed for the tool, or another multiple of the drive speed."
   },
   "mcx314.spindle-not-supported": {
@@ -3616,11 +3767,11 @@ export const TEXTS = {
     "hint": "Another program may be connected to the board. Check the sheet on the table."
   },
   "mcx314.too-far": {
-    "text": "{place} needs {pulses} pulses, and the chip MCX314 counts at most {limit} in one segment.",
+    "text": "{place} needs {pulses, number} pulses, and the chip MCX314 counts at most {limit, number} in one segment.",
     "hint": "Divide the edge, or use fewer pulses per millimetre."
   },
   "mcx314.too-short": {
-    "text": "{place} takes {milliseconds:.3g} ms, and writing the next segment to the chip MCX314 takes up to {refill:.3g} ms.",
+    "text": "{place} takes {milliseconds, number, ::@##} ms, and writing the next segment to the chip MCX314 takes up to {refill, number, ::@##} ms.",
     "hint": "Choose a slower feed for the tool, or remove short edges from the drawing."
   },
   "mcx314.tool-not-supported": {
@@ -3648,16 +3799,16 @@ export const TEXTS = {
     "hint": "Correct the dwell."
   },
   "milling.contours-cross": {
-    "text": "Edge {edge} belongs to a contour that crosses another contour or itself at X{x:.3f} Y{y:.3f}, so it is not clear on which side the cutter must run.",
+    "text": "Edge {edge} belongs to a contour that crosses another contour or itself at X{x, number, ::.000 group-off} Y{y, number, ::.000 group-off}, so it is not clear on which side the cutter must run.",
     "hint": "Trim the contours at their crossings, so that each part has one outline, or set the line type of the contour that is not to be cut to ignored."
   },
   "milling.drawn-twice": {
-    "text": "{count:# cut lies|# cuts lie} at most {distance:.3f} mm beside other cuts, as edge {edge} beside edge {other}: the board cannot hold so narrow a strip, and the cutter removes it.",
-    "hint": "If the same line is drawn twice, set the line type of {count:# cut|these # cuts} to ignored. Otherwise choose a machine with a knife."
+    "text": "{count, plural, one {# cut lies} other {# cuts lie}} at most {distance, number, ::.000} mm beside other cuts, as edge {edge} beside edge {other}: the board cannot hold so narrow a strip, and the cutter removes it.",
+    "hint": "If the same line is drawn twice, set the line type of {count, plural, one {# cut} other {these # cuts}} to ignored. Otherwise choose a machine with a knife."
   },
   "milling.shared-edge": {
-    "text": "Two parts share edge {edge}. On its line, a cutter of {diameter:g} mm diameter would cut into one of the parts at an end of the edge or at a line beside it.",
-    "hint": "Move the parts at least {diameter:g} mm apart. If the edge divides one blank, set its line type to ignored and cut it by hand, or choose a machine with a knife."
+    "text": "Two parts share edge {edge}. On its line, a cutter of {diameter, number, ::@#####} mm diameter would cut into one of the parts at an end of the edge or at a line beside it.",
+    "hint": "Move the parts at least {diameter, number, ::@#####} mm apart. If the edge divides one blank, set its line type to ignored and cut it by hand, or choose a machine with a knife."
   },
   "motion.feed": {
     "text": "cutting move",
@@ -3724,11 +3875,11 @@ export const TEXTS = {
     "hint": "Close the safety door, then press Resume to continue at this place, or Stop to end the job."
   },
   "obstacle.limit-pressed": {
-    "text": "A limit switch of {name} is still pressed ({axes:, }).",
+    "text": "A limit switch of {name} is still pressed ({axes}).",
     "hint": "Jog these axes away from their switches until this text disappears, or home the machine. If no axis is at a switch, check the switch and its cable."
   },
   "obstacle.limit-unused": {
-    "text": "A limit switch of {name} is pressed ({axes:, }). It does not stop the machine, because hard limits are off.",
+    "text": "A limit switch of {name} is pressed ({axes}). It does not stop the machine, because hard limits are off.",
     "hint": "Jog these axes away from their switches. If no axis is at a switch, check the switch and its cable."
   },
   "obstacle.moves": {
@@ -3744,7 +3895,7 @@ export const TEXTS = {
     "hint": "Correct the radius of the tool."
   },
   "offset.bad-interference": {
-    "text": "{interference!r} is not a valid method for the parts of a contour that the tool cannot reach.",
+    "text": "''{interference}'' is not a valid method for the parts of a contour that the tool cannot reach.",
     "hint": "Choose 'trim' (leave these parts uncut) or 'refuse' (write no program)."
   },
   "offset.bad-side": {
@@ -3752,15 +3903,15 @@ export const TEXTS = {
     "hint": "Give +1 or -1 as the side."
   },
   "offset.cusp": {
-    "text": "The offset curve at a distance of {radius:g} mm from path {path} is not closed, because segments {one} and {two} of the contour cross {size:.4g} mm before the corner at ({x:.4f}, {y:.4f}) mm where they meet.",
+    "text": "The offset curve at a distance of {radius, number, ::@#####} mm from path {path} is not closed, because segments {one} and {two} of the contour cross {size, number, ::@###} mm before the corner at ({x, number, ::.0000}, {y, number, ::.0000}) mm where they meet.",
     "hint": "Trim the two segments at their crossing, so that the corner is there."
   },
   "offset.dead-end": {
-    "text": "The offset curve at a distance of {radius:g} mm from path {path} is not closed. A piece of the curve beside segment {segment} of the path is {depth:.4g} mm long and does not connect to the rest of the curve.",
+    "text": "The offset curve at a distance of {radius, number, ::@#####} mm from path {path} is not closed. A piece of the curve beside segment {segment} of the path is {depth, number, ::@###} mm long and does not connect to the rest of the curve.",
     "hint": "Draw the contour so that it does not overlap itself, or change the radius of the tool slightly."
   },
   "offset.interference": {
-    "text": "A tool of {radius:g} mm radius that follows segment {segment} would cut {depth:.4g} mm into segment {other}.",
+    "text": "A tool of {radius, number, ::@#####} mm radius that follows segment {segment} would cut {depth, number, ::@###} mm into segment {other}.",
     "hint": "Choose a tool with a smaller radius, or accept uncut areas where the tool does not fit."
   },
   "offset.mixed-group": {
@@ -3768,12 +3919,12 @@ export const TEXTS = {
     "hint": "Reverse the path, or put it into a separate group."
   },
   "offset.self-contact": {
-    "text": "The offset curve at a distance of {radius:g} mm from path {path} is not closed, because the contour touches itself at ({x:.4f}, {y:.4f}) mm in segments {one} and {two}.",
+    "text": "The offset curve at a distance of {radius, number, ::@#####} mm from path {path} is not closed, because the contour touches itself at ({x, number, ::.0000}, {y, number, ::.0000}) mm in segments {one} and {two}.",
     "hint": "Trim the two segments at their intersection, or move one of the segments."
   },
   "oidc.bad-role": {
     "text": "The option --oidc-role {pair} is not valid.",
-    "hint": "Write it as VALUE=ROLE, where ROLE is {roles:or}."
+    "hint": "Write it as VALUE=ROLE, where ROLE is {roles__or}."
   },
   "oidc.bad-token": {
     "text": "The sign-in was refused, because the ID token of the provider is not valid: {reason}.",
@@ -3828,15 +3979,15 @@ export const TEXTS = {
     "hint": "Sign in again."
   },
   "operation.bad-feed": {
-    "text": "A feed of {feed:g} per minute is not possible on this axis.",
-    "hint": "Give a feed greater than 0 and not greater than {fastest:g} per minute."
+    "text": "A feed of {feed, number, ::@#####} per minute is not possible on this axis.",
+    "hint": "Give a feed greater than 0 and not greater than {fastest, number, ::@#####} per minute."
   },
   "operation.bad-override": {
     "text": "A feed override of {percent} % is not possible on this machine.",
     "hint": "Choose {low} to {high} %."
   },
   "operation.beyond-travel": {
-    "text": "The move would end at {axis} {target:.3f}, beyond the travel of the axis from {low:g} to {high:g}. Nothing has moved.",
+    "text": "The move would end at {axis} {target, number, ::.000}, beyond the travel of the axis from {low, number, ::@#####} to {high, number, ::@#####}. Nothing has moved.",
     "hint": "Jog a shorter distance, or in the other direction."
   },
   "operation.door-open": {
@@ -3844,7 +3995,7 @@ export const TEXTS = {
     "hint": "Close the safety door, then press Release."
   },
   "operation.expired": {
-    "text": "The operation was not executed within {seconds:g} s and was dropped. Nothing was sent to the machine.",
+    "text": "The operation was not executed within {seconds, number, ::@#####} s and was dropped. Nothing was sent to the machine.",
     "hint": "Check the connection of the gateway to the server and to the machine, then try again."
   },
   "operation.gateway-absent": {
@@ -3852,8 +4003,8 @@ export const TEXTS = {
     "hint": "Switch on the machine and start its gateway."
   },
   "operation.hands-not-clear": {
-    "text": "The request {request} moves {machine}, and nobody has stated within the last {seconds:g} s that hands are clear of it.",
-    "hint": "Look that nobody reaches into the machine, state hands clear at its station, then ask again."
+    "text": "The request {request} moves {machine}, and nobody has stated within the last {seconds, number, ::@#####} s that hands are clear of it.",
+    "hint": "Make sure that nobody reaches into the machine, state hands clear at its station, then ask again."
   },
   "operation.job-on-machine": {
     "text": "The machine executes a job, so it does nothing else.",
@@ -3864,7 +4015,7 @@ export const TEXTS = {
     "hint": "Wait until the job has ended, or cancel it."
   },
   "operation.jog-ended": {
-    "text": "The jog {id} has ended: its button was not reported as held within {seconds:g} s, or the machine has refused it.",
+    "text": "The jog {id} has ended: its button was not reported as held within {seconds, number, ::@#####} s, or the machine has refused it.",
     "hint": "Release the button, and press it again."
   },
   "operation.missing-argument": {
@@ -3880,11 +4031,11 @@ export const TEXTS = {
     "hint": "Look at the machine before you ask for anything else."
   },
   "operation.no-spindle": {
-    "text": "Station {station} of {machine} has no spindle or oscillation that is switched by hand.",
+    "text": "Station {station, number, ::@##############} of {machine} has no spindle or oscillation that is switched by hand.",
     "hint": "Choose a station with a knife that oscillates or with a cutter."
   },
   "operation.no-station": {
-    "text": "{machine} has no station {station}, or no point was given for it.",
+    "text": "{machine} has no station {station, number, ::@##############}, or no point was given for it.",
     "hint": "Choose a station of the machine, and a point on its table."
   },
   "operation.not-at-rest": {
@@ -3892,7 +4043,7 @@ export const TEXTS = {
     "hint": "Wait until the machine has stopped. If it is in alarm, unlock or home it."
   },
   "operation.not-lifted": {
-    "text": "The tool is not lifted: Z is below {height:g}. Nothing was sent.",
+    "text": "The tool is not lifted: Z is below {height, number, ::@#####}. Nothing was sent.",
     "hint": "Park the machine, or jog Z up first."
   },
   "operation.not-locked": {
@@ -3916,11 +4067,11 @@ export const TEXTS = {
     "hint": "Ask for the operation again: operations are kept for a short time only."
   },
   "operation.unknown-axis": {
-    "text": "The machine has no axis {axis!r}.",
+    "text": "The machine has no axis ''{axis}''.",
     "hint": "Use letters of {axes}."
   },
   "operation.unknown-output": {
-    "text": "The machine has no output {output}.",
+    "text": "The machine has no output {output, number, ::@##############}.",
     "hint": "Use one of its outputs: {outputs}."
   },
   "operation.unreported": {
@@ -3931,20 +4082,324 @@ export const TEXTS = {
     "text": "{name} cannot execute the operation {request}.",
     "hint": "Carry it out at the machine."
   },
+  "output.accepted-by": {
+    "text": "accepted by {by}: {reason}",
+    "hint": ""
+  },
+  "output.actions": {
+    "text": "actions: {actions}",
+    "hint": ""
+  },
+  "output.add-lines": {
+    "text": "add these lines to the board's file",
+    "hint": ""
+  },
+  "output.calibrated": {
+    "text": "{count} points, largest residual {residual, number, ::.0000} mm; {where}.",
+    "hint": ""
+  },
+  "output.cancel-effect": {
+    "text": "The machine holds, lifts the tool and releases its stations. The board on the table is probably lost.",
+    "hint": ""
+  },
+  "output.cancel-question": {
+    "text": "{effect} Cancel job {job}?",
+    "hint": ""
+  },
+  "output.carriage": {
+    "text": "carriage {number}: axes {axes__space}, parks at {letter}{park, number, ::@##### group-off}, stations {stations}",
+    "hint": ""
+  },
+  "output.carriage-without-station": {
+    "text": "carriage {number}: axes {axes__space}, parks at {letter}{park, number, ::@##### group-off}, no stations",
+    "hint": ""
+  },
+  "output.carriages": {
+    "text": "carriages at least {distance, number, ::@#####} mm apart",
+    "hint": ""
+  },
+  "output.check-first": {
+    "text": "Check at the machine before job {job} starts:",
+    "hint": ""
+  },
+  "output.check-question": {
+    "text": "{number} of {count}: {text} Is it so?",
+    "hint": ""
+  },
+  "output.cleaned-edge": {
+    "text": "{handle} edge {edge}: {outcome}",
+    "hint": ""
+  },
+  "output.customer": {
+    "text": "customer {customer}",
+    "hint": ""
+  },
+  "output.disabled": {
+    "text": " (disabled)",
+    "hint": ""
+  },
+  "output.drawn": {
+    "text": "drawn {drawn, number, ::.000} mm = kept {kept, number, ::.000} + merged {merged, number, ::.000} + dropped {dropped, number, ::.000}",
+    "hint": ""
+  },
+  "output.expires": {
+    "text": "expires {date}",
+    "hint": ""
+  },
+  "output.folder-unreadable": {
+    "text": "the folder cannot be read: {reason}",
+    "hint": ""
+  },
+  "output.former-database": {
+    "text": "The former database is kept as {file}.",
+    "hint": ""
+  },
+  "output.gateway": {
+    "text": "{title}: controller {controller}, server {server}",
+    "hint": ""
+  },
+  "output.hands-clear": {
+    "text": "Are all hands clear of the machine?",
+    "hint": ""
+  },
+  "output.if-so": {
+    "text": "If all of this is so:",
+    "hint": ""
+  },
+  "output.job-board": {
+    "text": "{machine}, board {board}",
+    "hint": ""
+  },
+  "output.job-progress": {
+    "text": "line {line} of {lines}, copies {done} of {copies}",
+    "hint": ""
+  },
+  "output.job-state": {
+    "text": "The job is {state}.",
+    "hint": ""
+  },
+  "output.job-tools": {
+    "text": "tools: {tools}",
+    "hint": ""
+  },
+  "output.kernels": {
+    "text": "Compiled {compiled} of {total} kernels.",
+    "hint": ""
+  },
+  "output.key": {
+    "text": "key {id} for {title}: {scopes}",
+    "hint": ""
+  },
+  "output.key-row": {
+    "text": "{id} {title} {scopes} {notes}",
+    "hint": ""
+  },
+  "output.key-valid": {
+    "text": "{file}: key {id} for {title} is valid",
+    "hint": ""
+  },
+  "output.leave-out": {
+    "text": "To leave out these edges and make them by hand: --edge {edges}=ignored",
+    "hint": ""
+  },
+  "output.line-type": {
+    "text": "{type} {count} edges {length} mm",
+    "hint": ""
+  },
+  "output.listening": {
+    "text": "listening on {address}",
+    "hint": ""
+  },
+  "output.machine": {
+    "text": "{title} ({name}), language {language}, {feed} feed",
+    "hint": ""
+  },
+  "output.machines": {
+    "text": "machines {names__space}",
+    "hint": ""
+  },
+  "output.migrated": {
+    "text": "The tables were migrated from revision {before} to revision {after}.{copy}",
+    "hint": ""
+  },
+  "output.migrated-new": {
+    "text": "The tables were migrated to revision {after}.{copy}",
+    "hint": ""
+  },
+  "output.migration-copy": {
+    "text": " A copy from before the migration is {file}.",
+    "hint": ""
+  },
+  "output.more": {
+    "text": "and {count} more",
+    "hint": ""
+  },
+  "output.more-lines": {
+    "text": "… and {count} more: --json lists them all",
+    "hint": ""
+  },
+  "output.no-tables": {
+    "text": "no tables; knifetip needs revision {newest}",
+    "hint": ""
+  },
+  "output.not-cleaned": {
+    "text": "The drawing was not cleaned: {reason}",
+    "hint": ""
+  },
+  "output.not-confirmed": {
+    "text": "Job {job} was not confirmed. The machine does not start.",
+    "hint": ""
+  },
+  "output.password": {
+    "text": "Password",
+    "hint": ""
+  },
+  "output.profile": {
+    "text": "{name}: {title}, {count} rules",
+    "hint": ""
+  },
+  "output.profile-not-stored": {
+    "text": "No database: the profile was not stored. Name one with --database.",
+    "hint": ""
+  },
+  "output.profile-stored": {
+    "text": "stored as version {version}",
+    "hint": ""
+  },
+  "output.read": {
+    "text": "{file}: {size}, {count} segments; {evidence}",
+    "hint": ""
+  },
+  "output.revision-current": {
+    "text": "revision {revision}{writer}, up to date",
+    "hint": ""
+  },
+  "output.revision-newer": {
+    "text": "revision {revision}{writer}, newer than revision {newest} of this version",
+    "hint": ""
+  },
+  "output.revision-older": {
+    "text": "revision {revision}{writer}, older than revision {newest} of this version",
+    "hint": ""
+  },
+  "output.revoked": {
+    "text": "revoked {date}",
+    "hint": ""
+  },
+  "output.scrap-question": {
+    "text": "The table is freed. Order missing copies with knifetip job rest. Scrap job {job}?",
+    "hint": ""
+  },
+  "output.server-silent": {
+    "text": "the server does not answer: {reason}",
+    "hint": ""
+  },
+  "output.size-and-edges": {
+    "text": "{file}: {size}, {count} edges",
+    "hint": ""
+  },
+  "output.station": {
+    "text": "{number}  {name}: {tool}, datum {datum}",
+    "hint": ""
+  },
+  "output.tables-current": {
+    "text": "The tables are up to date.",
+    "hint": ""
+  },
+  "output.time-saved": {
+    "text": "{seconds, number, ::.0} s on the machine, {percent, number, ::precision-integer} % less than the {retracted, number, ::.0} s with full retracts",
+    "hint": ""
+  },
+  "output.to-accept": {
+    "text": "To accept: --accept {edges}:{code} --reason \"...\"",
+    "hint": ""
+  },
+  "output.track": {
+    "text": "{number}  {state} station {station}  lines {first}-{last}  from X{x, number, ::.0 group-off} Y{y, number, ::.0 group-off}  edges {edges}",
+    "hint": ""
+  },
+  "output.unreached-areas": {
+    "text": "the cutter does not reach {area, number, ::.00} mm² in {count, plural, one {# place} other {# places}}, which remain uncut",
+    "hint": ""
+  },
+  "output.unreached-edges": {
+    "text": "the cutter does not reach {length, number, ::.00} mm of the edges; they are up to {distance, number, ::.00} mm from the cut",
+    "hint": ""
+  },
+  "output.used": {
+    "text": "used {date}",
+    "hint": ""
+  },
+  "output.used-version": {
+    "text": "Version {version} of the machine is used, which was loaded before.",
+    "hint": ""
+  },
+  "output.user-row": {
+    "text": "{name} {role} last sign-in {date}{state}",
+    "hint": ""
+  },
+  "output.verdict": {
+    "text": "{word}: deviation {deviation, number, ::.0000} mm (tolerance {tolerance, number, ::@#####}; path {path, number, ::.0000}, rounding by the controller {blending, number, ::.0000}, curve fit {fit, number, ::.0000}), overcut {overcut, number, ::.000} mm, uncut {uncut, number, ::.000} mm, setback {setback, number, ::.000} mm, {seconds, number, ::.0} s at the programmed feeds",
+    "hint": ""
+  },
+  "output.waits-for": {
+    "text": "waits for {event}",
+    "hint": ""
+  },
+  "output.watching": {
+    "text": "watching {folder}, server {server}",
+    "hint": ""
+  },
+  "output.wide-slits": {
+    "text": "{length, number, ::.00} mm of {count, plural, one {# slit} other {# slits}} are milled as wide as the cutter",
+    "hint": ""
+  },
+  "output.word-accepted": {
+    "text": "accepted",
+    "hint": ""
+  },
+  "output.word-refused": {
+    "text": "refused",
+    "hint": ""
+  },
+  "output.worked": {
+    "text": "worked {worked, number, ::.000} mm = kept {kept, number, ::.000} + added by closing gaps {added, number, ::.000}",
+    "hint": ""
+  },
+  "output.worker": {
+    "text": "compile worker for {database}",
+    "hint": ""
+  },
+  "output.worker-stuck": {
+    "text": "ERROR: this worker is stuck: no sweep for {seconds, number, ::precision-integer} s. It ends with an error, so that systemd or the container engine starts it again.",
+    "hint": ""
+  },
+  "output.writer": {
+    "text": ", made by knifetip {version}",
+    "hint": ""
+  },
+  "output.written-to": {
+    "text": "written to {file}",
+    "hint": ""
+  },
+  "output.zone": {
+    "text": "keep-out zone {name}: X {left, number, ::@#####} to {right, number, ::@#####}, Y {bottom, number, ::@#####} to {back, number, ::@#####}, {top, number, ::@#####} mm high",
+    "hint": ""
+  },
   "override.ambiguous": {
     "text": "The request changes the line type of edges, but does not select these edges in exactly one way.",
     "hint": "Give edges (edge numbers), or handles, or a layer and/or a colour."
   },
   "override.no-edges-there": {
-    "text": "The drawing has no edge {place: and }.",
+    "text": "The drawing has no edge {place__and}.",
     "hint": "Choose a layer and colour that GET /api/drawings/ID/edges lists."
   },
   "override.no-such-edge": {
-    "text": "Edge {edge} does not exist. The drawing has {count:# edge|# edges}.",
+    "text": "Edge {edge} does not exist. The drawing has {count, plural, one {# edge} other {# edges}}.",
     "hint": "Choose an edge number that exists. The first edge has number 0."
   },
   "override.no-such-handle": {
-    "text": "No edge of the drawing has the handle {handle!r}.",
+    "text": "No edge of the drawing has the handle ''{handle}''.",
     "hint": "Choose a handle that GET /api/drawings/ID/edges lists."
   },
   "override.of-colour": {
@@ -3952,11 +4407,11 @@ export const TEXTS = {
     "hint": ""
   },
   "override.on-layer": {
-    "text": "on layer {layer!r}",
+    "text": "on layer ''{layer}''",
     "hint": ""
   },
   "pdf.blank": {
-    "text": "The first page of the PDF contains no drawing.",
+    "text": "The page of the PDF contains no drawing.",
     "hint": "Export the drawing again, as the first page of the PDF."
   },
   "pdf.content-damaged": {
@@ -3964,7 +4419,7 @@ export const TEXTS = {
     "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.cut-short": {
-    "text": "The PDF file is incomplete: its {bytes:,} bytes do not end with %%EOF. Objects of the drawing may be missing.",
+    "text": "The PDF file is incomplete: its {bytes, number} bytes do not end with %%EOF. Objects of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again."
   },
   "pdf.encrypted": {
@@ -3972,7 +4427,7 @@ export const TEXTS = {
     "hint": "Save the PDF without a password and without restrictions, then send it again."
   },
   "pdf.expands-too-far": {
-    "text": "The page of the PDF and its repeated forms expand to more than {limit:.1f} MB.",
+    "text": "The page of the PDF and its repeated forms expand to more than {limit, number, ::.0} MB.",
     "hint": "Export a drawing with a single carton, without symbols that the carton does not need."
   },
   "pdf.form": {
@@ -3988,7 +4443,7 @@ export const TEXTS = {
     "hint": "Save the file with the option 'Create PDF Compatible File', or as PDF."
   },
   "pdf.layers-too-deep": {
-    "text": "The layers of the PDF are nested more than {limit:,} levels deep.",
+    "text": "The layers of the PDF are nested more than {limit, number} levels deep.",
     "hint": "Export the drawing again with fewer nested layers."
   },
   "pdf.nested-arrays": {
@@ -4002,6 +4457,10 @@ export const TEXTS = {
   "pdf.no-page": {
     "text": "The PDF has no page.",
     "hint": "Export the drawing again, or send it as DXF."
+  },
+  "pdf.no-such-page": {
+    "text": "The PDF has {pages, plural, one {# page} other {# pages}}, but no page {page}.",
+    "hint": "Choose one of its pages."
   },
   "pdf.open-array": {
     "text": "an array has no closing bracket",
@@ -4020,7 +4479,7 @@ export const TEXTS = {
     "hint": ""
   },
   "pdf.page-too-large": {
-    "text": "A side of the PDF page is {size:g} mm away from the origin of the page coordinates, but the limit is {limit:g} mm.",
+    "text": "A side of the PDF page is {size, number, ::@#####} mm away from the origin of the page coordinates, but the limit is {limit, number, ::@#####} mm.",
     "hint": "Export the drawing in its true size."
   },
   "pdf.part-missing": {
@@ -4036,31 +4495,31 @@ export const TEXTS = {
     "hint": "Export the drawing again, or send it as DXF."
   },
   "pdf.stream-too-large": {
-    "text": "A data stream of the PDF is larger than {limit:.1f} MB when unpacked.",
+    "text": "A data stream of the PDF is larger than {limit, number, ::.0} MB when unpacked.",
     "hint": "Export a single carton, without pictures."
   },
   "pdf.too-many-states": {
-    "text": "The PDF saves more than {limit:,} graphics states (operator q) without restoring them.",
+    "text": "The PDF saves more than {limit, number} graphics states (operator q) without restoring them.",
     "hint": "Export the drawing again from the program that drew it."
   },
   "plt.bad-number": {
-    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the values of the instruction {name} are not all numbers ({text!r}).",
+    "text": "The plotter file (HPGL) is damaged at byte {position, number}: the values of the instruction {name} are not all numbers (''{text}'').",
     "hint": "Export the drawing again as HPGL, with a point as the decimal separator of numbers."
   },
   "plt.bad-polyline": {
-    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the encoded polyline (PE) cannot be decoded.",
+    "text": "The plotter file (HPGL) is damaged at byte {position, number}: the encoded polyline (PE) cannot be decoded.",
     "hint": "Export the drawing again as HPGL. If the file was sent as text, send it as binary data."
   },
   "plt.bad-scale": {
-    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} states a scale of 0, or a type of scale that HPGL does not define.",
+    "text": "The plotter file (HPGL) is damaged at byte {position, number}: the instruction {name} states a scale of 0, or a type of scale that HPGL does not define.",
     "hint": "Export the drawing again as HPGL."
   },
   "plt.cut-short": {
-    "text": "The plotter file (HPGL) is incomplete: the instruction {name} at byte {position:,} has no end. Objects of the drawing may be missing.",
+    "text": "The plotter file (HPGL) is incomplete: the instruction {name} at byte {position, number} has no end. Objects of the drawing may be missing.",
     "hint": "Send the complete file, or export the drawing again as HPGL."
   },
   "plt.damaged": {
-    "text": "The plotter file (HPGL) is damaged at byte {position:,}: {text!r} is not an instruction.",
+    "text": "The plotter file (HPGL) is damaged at byte {position, number}: ''{text}'' is not an instruction.",
     "hint": "Export the drawing again as HPGL. If the file was sent as text, send it as binary data."
   },
   "plt.empty": {
@@ -4072,11 +4531,11 @@ export const TEXTS = {
     "hint": "Export the drawing again as HPGL in plotter units of 1/40 mm, or send it as DXF."
   },
   "plt.wrong-count": {
-    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} has {count:# value|# values} instead of {expected:or}.",
+    "text": "The plotter file (HPGL) is damaged at byte {position, number}: the instruction {name} has {count, plural, one {# value} other {# values}} instead of {expected__or}.",
     "hint": "Export the drawing again as HPGL."
   },
   "plt.x-without-y": {
-    "text": "The plotter file (HPGL) is damaged at byte {position:,}: the instruction {name} has {count:# value|# values}, so the last point has no y coordinate.",
+    "text": "The plotter file (HPGL) is damaged at byte {position, number}: the instruction {name} has {count, plural, one {# value} other {# values}}, so the last point has no y coordinate.",
     "hint": "Export the drawing again as HPGL."
   },
   "process.name-taken": {
@@ -4084,7 +4543,7 @@ export const TEXTS = {
     "hint": "Give each process a different name with --name, or stop the other process."
   },
   "profile.bad-name": {
-    "text": "{name!r} is not a valid profile name.",
+    "text": "''{name}'' is not a valid profile name.",
     "hint": "Use up to 64 lower-case letters, digits, hyphens and underscores. Write other characters into the title of the profile."
   },
   "profile.exists": {
@@ -4096,11 +4555,11 @@ export const TEXTS = {
     "hint": "See ProfileIn in /api/openapi.json for the expected fields."
   },
   "profile.nested-too-deep": {
-    "text": "The tables of the profile {name!r} are nested too deeply.",
+    "text": "The tables of the profile ''{name}'' are nested too deeply.",
     "hint": "Write only a title and a list of [[rule]] tables."
   },
   "profile.not-an-extension": {
-    "text": "The profile {name!r} cannot be saved as an extension of {extends!r}, because it lacks some rules of {extends!r}.",
+    "text": "The profile ''{name}'' cannot be saved as an extension of ''{extends}'', because it lacks some rules of ''{extends}''.",
     "hint": "Save the profile without the field extends."
   },
   "profile.not-kept": {
@@ -4108,7 +4567,7 @@ export const TEXTS = {
     "hint": "Choose one of the profiles that GET /api/profiles lists."
   },
   "profile.not-toml": {
-    "text": "The profile {name!r} is not valid TOML: {reason}.",
+    "text": "The profile ''{name}'' is not valid TOML: {reason}.",
     "hint": "Correct the TOML syntax at this position."
   },
   "profile.not-utf8": {
@@ -4116,15 +4575,15 @@ export const TEXTS = {
     "hint": "Save the file as UTF-8."
   },
   "profile.not-utf8-byte": {
-    "text": "The profile {name!r} is not UTF-8 text: byte {byte} is invalid.",
+    "text": "The profile ''{name}'' is not UTF-8 text: byte {byte} is invalid.",
     "hint": "Save the file as UTF-8."
   },
   "profile.shipped": {
-    "text": "The profile {name!r} is part of knifetip and cannot be changed.",
-    "hint": "Save your profile under another name. It can extend {name!r}."
+    "text": "The profile ''{name}'' is part of knifetip and cannot be changed.",
+    "hint": "Save your profile under another name. It can extend ''{name}''."
   },
   "profile.shipped-command": {
-    "text": "The profile {name!r} is part of knifetip and cannot be changed.",
+    "text": "The profile ''{name}'' is part of knifetip and cannot be changed.",
     "hint": "Choose another name with --name."
   },
   "profile.stale": {
@@ -4132,7 +4591,7 @@ export const TEXTS = {
     "hint": "Load the profile again and check it. Then send your change with If-Match: \"{version}\"."
   },
   "profile.too-long": {
-    "text": "The profile {name!r} has a size of {size} kB, but the limit is {limit} kB.",
+    "text": "The profile ''{name}'' has a size of {size} kB, but the limit is {limit} kB.",
     "hint": "Combine rules of the profile: one rule can list many layers, and * matches any characters."
   },
   "profile.too-many": {
@@ -4140,7 +4599,7 @@ export const TEXTS = {
     "hint": "Delete a profile that is not used."
   },
   "program.bad-tolerance": {
-    "text": "A tolerance of {tolerance} mm is too small for the path blending (rounding of corners) of the controller.",
+    "text": "A tolerance of {tolerance, number, ::@##############} mm is too small for the path blending (rounding of corners) of the controller.",
     "hint": "Choose a tolerance of 0.001 mm or more."
   },
   "program.control-byte": {
@@ -4168,15 +4627,15 @@ export const TEXTS = {
     "hint": "Queue the job again."
   },
   "program.too-large": {
-    "text": "The program has {bytes:,} bytes; the limit is {limit:,}.",
+    "text": "The program has {bytes, number} bytes; the limit is {limit, number}.",
     "hint": "Split the job into several sheets."
   },
   "program.too-many-lines": {
-    "text": "The program has {lines:,} lines; the limit is {limit:,}.",
+    "text": "The program has {lines, number} lines; the limit is {limit, number}.",
     "hint": "Split the job into several sheets."
   },
   "program.too-many-moves": {
-    "text": "The program has {moves:,} moves; the limit is {limit:,}.",
+    "text": "The program has {moves, number} moves; the limit is {limit, number}.",
     "hint": "Split the job into several sheets."
   },
   "program.wrong-checksum": {
@@ -4187,24 +4646,28 @@ export const TEXTS = {
     "text": "lines of the default width",
     "hint": ""
   },
+  "question.follows": {
+    "text": "The answer also decides {edges, plural, one {# edge} other {# edges}} on layer \"{layer}\" (colour {colour}, line style {linetype}): {type} if {questions, plural, one {the answer is} other {all # answers about this rule are}} {answer}, and {other_type} if {questions, plural, one {it is} other {they are}} {other_answer}.",
+    "hint": ""
+  },
   "question.guess": {
     "text": " The most likely line type is {type} ({percent} %): {reason}.",
     "hint": ""
   },
   "question.line-type": {
-    "text": "{edges:# edge|# edges} on layer \"{layer}\" (colour {colour}, line style {linetype}) {edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent {width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y {y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",
+    "text": "{edges, plural, one {# edge} other {# edges}} on layer \"{layer}\" (colour {colour}, line style {linetype}) {edges, plural, one {has} other {have}} no line type: total length {length, number, ::.0} {unit__unit}, extent {width, number, ::.0} × {height, number, ::.0} {unit__unit}, lower left corner at X {x, number, ::.0}, Y {y, number, ::.0}. Which line type should {edges, plural, one {this edge} other {these edges}} get?{guess}",
     "hint": ""
   },
   "question.line-type-by-width": {
-    "text": "{edges:# edge|# edges} on layer \"{layer}\" (colour {colour}, line style {linetype}, {lines}) {edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent {width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y {y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",
+    "text": "{edges, plural, one {# edge} other {# edges}} on layer \"{layer}\" (colour {colour}, line style {linetype}, {lines}) {edges, plural, one {has} other {have}} no line type: total length {length, number, ::.0} {unit__unit}, extent {width, number, ::.0} × {height, number, ::.0} {unit__unit}, lower left corner at X {x, number, ::.0}, Y {y, number, ::.0}. Which line type should {edges, plural, one {this edge} other {these edges}} get?{guess}",
     "hint": ""
   },
   "question.line-width": {
-    "text": "lines {width:g} mm wide",
+    "text": "lines {width, number, ::@#####} mm wide",
     "hint": ""
   },
   "question.line-width-without-unit": {
-    "text": "lines {width:g} wide",
+    "text": "lines {width, number, ::@#####} wide",
     "hint": ""
   },
   "question.shape": {
@@ -4216,23 +4679,23 @@ export const TEXTS = {
     "hint": ""
   },
   "question.tool": {
-    "text": "{machine} has no tool for {edges:# edge|# edges} of the line type {type}. Which other line type should {edges:this edge|these edges} get?",
+    "text": "{machine} has no tool for {edges, plural, one {# edge} other {# edges}} of the line type {type}. Which other line type should {edges, plural, one {this edge} other {these edges}} get?",
     "hint": ""
   },
   "question.unit": {
-    "text": "{reason} In which unit is the drawing? Its possible sizes are: {sizes:, }.{evidence}",
+    "text": "{reason} In which unit is the drawing? Its possible sizes are: {sizes}.{evidence}",
     "hint": ""
   },
   "question.unit-contradicted": {
-    "text": "The file states the unit {stated:unit}, but the size of the drawing does not match this unit.",
+    "text": "The file states the unit {stated__unit}, but the size of the drawing does not match this unit.",
     "hint": ""
   },
   "question.unit-doubtful": {
-    "text": "The file states the unit {stated:unit}, but the drawing could also be in {other:unit}.",
+    "text": "The file states the unit {stated__unit}, but the drawing could also be in {other__unit}.",
     "hint": ""
   },
   "question.unit-evidence": {
-    "text": " The strongest evidence for {unit:unit} is: {evidence:; }.",
+    "text": " The strongest evidence for {unit__unit} is: {evidence__semicolon}.",
     "hint": ""
   },
   "question.unit-not-stated": {
@@ -4240,7 +4703,7 @@ export const TEXTS = {
     "hint": ""
   },
   "question.unit-size": {
-    "text": "{width:mm} × {height:mm} mm if the unit is {unit:unit}",
+    "text": "{width__mm} × {height__mm} mm if the unit is {unit__unit}",
     "hint": ""
   },
   "question.unit-unreadable": {
@@ -4268,12 +4731,12 @@ export const TEXTS = {
     "hint": ""
   },
   "queue.copies-done": {
-    "text": "{done:# copy|# copies} of job {job} are complete, so the number of copies must be greater.",
+    "text": "{done, plural, one {# copy} other {# copies}} of job {job} are complete, so the number of copies must be greater.",
     "hint": "Enter a number greater than {done}, or cancel the job."
   },
   "queue.does-not-fit": {
     "text": "Job {job} was not moved to {machine}. {reason}",
-    "hint": "{reason:hint}"
+    "hint": "{reason__hint}"
   },
   "queue.let-go": {
     "text": "The operator ended the hold of the job in the queue.",
@@ -4307,40 +4770,52 @@ export const TEXTS = {
     "text": "The file {name} cannot be read, probably because it is damaged (error {incident}).",
     "hint": "Export the drawing again as DXF, CF2, SVG or PDF, if necessary from another program. The log of the server contains the cause under this number."
   },
+  "reading.cut-short": {
+    "text": "The {format} file is incomplete: it ends at line {line}, after {count, plural, one {# element} other {# elements}}. Objects of the drawing may be missing.",
+    "hint": "Send the complete file, or export the drawing again."
+  },
   "reading.damaged": {
     "text": "The {format} file cannot be read, because it is damaged ({reason}).",
     "hint": "Export the drawing again, if necessary from another program."
   },
+  "reading.damaged-at": {
+    "text": "The {format} file is damaged at line {line}, column {column}: {reason}.",
+    "hint": "Export the drawing again, if necessary from another program."
+  },
   "reading.empty": {
     "text": "The file is empty.",
-    "hint": "Export the drawing again and send it as {formats:or}. A DXF file may be text or binary, of any version."
+    "hint": "Export the drawing again and send it as {formats__or}. A DXF file may be text or binary, of any version."
   },
   "reading.expands-too-far": {
-    "text": "The repeated parts of the {format} file expand to more than {limit:,} elements.",
+    "text": "The repeated parts of the {format} file expand to more than {limit, number} elements.",
     "hint": "Export a drawing with a single carton, without repeated parts that the carton does not need."
   },
   "reading.nested-too-deep": {
     "text": "Blocks, symbols or groups of the {format} file are nested more than {limit} levels deep.",
     "hint": "Explode the blocks, symbols or groups in the program that drew the file, and export again."
   },
+  "reading.no-pages": {
+    "text": "A {format} file has no pages.",
+    "hint": "Only a PDF or a PostScript file has pages to choose from."
+  },
   "reading.too-large": {
-    "text": "The file is {size:.1f} MB large, but the limit is {limit:.1f} MB.",
+    "text": "The file is {size, number, ::.0} MB large, but the limit is {limit, number, ::.0} MB.",
     "hint": "Export a single carton, without pictures."
   },
   "reading.too-many-elements": {
-    "text": "The {format} file has more than {limit:,} elements.",
+    "text": "The {format} file has more than {limit, number} elements.",
     "hint": "Export a drawing with a single carton."
   },
   "reading.too-many-entities": {
-    "text": "The file has {count:,} entities (drawn objects), but the limit is {limit:,}.",
+    "text": "The file has {count, number} entities (drawn objects), but the limit is {limit, number}.",
     "hint": "Export a drawing with a single carton."
   },
   "reading.too-many-segments": {
-    "text": "The {format} file has more than {limit:,} lines and curves.",
+    "text": "The {format} file has more than {limit, number} lines and curves.",
     "hint": "Export a single carton, without pictures made of lines."
   },
   "reading.too-slow": {
-    "text": "Reading the {format} file takes longer than {seconds:g} s.",
+    "text": "Reading the {format} file takes longer than {seconds, number, ::@#####} s.",
     "hint": "Export a single carton without pictures, and convert curves to lines and arcs."
   },
   "reading.truncated": {
@@ -4353,7 +4828,7 @@ export const TEXTS = {
   },
   "reading.unknown-kind": {
     "text": "The file is {what}, not a drawing of a supported type.",
-    "hint": "Send the drawing as {formats:or}. A DXF file may be text or binary, of any version. {what:hint}"
+    "hint": "Send the drawing as {formats__or}. A DXF file may be text or binary, of any version. {what__hint}"
   },
   "request.body-too-large": {
     "text": "The request is larger than {limit} MB, which is the limit for this URL.",
@@ -4376,8 +4851,8 @@ export const TEXTS = {
     "hint": "Send JSON with Content-Type: application/json."
   },
   "request.invalid": {
-    "text": "The request is invalid: {faults:; }.",
-    "hint": "{faults:hint} Correct these fields of the request. /api/openapi.json describes all fields."
+    "text": "The request is invalid: {faults__semicolon}.",
+    "hint": "{faults__hint} Correct these fields of the request. /api/openapi.json describes all fields."
   },
   "request.key-needed": {
     "text": "This request needs the access key of the server.",
@@ -4397,7 +4872,7 @@ export const TEXTS = {
   },
   "request.no-media": {
     "text": "The request has a body but no Content-Type.",
-    "hint": "Send the body as {supported:or}, and name it in the header Content-Type."
+    "hint": "Send the body as {supported__or}, and name it in the header Content-Type."
   },
   "request.not-base64": {
     "text": "The content of the file {name} is not base64.",
@@ -4425,14 +4900,14 @@ export const TEXTS = {
   },
   "request.outcome-unknown": {
     "text": "A request with this Idempotency-Key was begun, and its outcome is not known.",
-    "hint": "Look whether it was executed. If it was not, send it again with a new key."
+    "hint": "Check whether it was executed. If it was not, send it again with a new key."
   },
   "request.refused": {
     "text": "The request was rejected with the HTTP status {status}.",
     "hint": "Correct the request as /api/openapi.json describes."
   },
   "request.scope-missing": {
-    "text": "{principal} lacks the scope {scope}, which this request requires (present: {scopes:, }).",
+    "text": "{principal} lacks the scope {scope}, which this request requires (present: {scopes}).",
     "hint": "Sign in as a user with the role {scope}, or use an API key with this scope."
   },
   "request.secret-not-kept": {
@@ -4440,7 +4915,7 @@ export const TEXTS = {
     "hint": "Get a new secret with POST {path}/rotate-secret."
   },
   "request.unknown-zone": {
-    "text": "{zone!r} is not the name of a time zone.",
+    "text": "''{zone}'' is not the name of a time zone.",
     "hint": "Use a name of the IANA time zone database, such as Europe/Berlin or UTC."
   },
   "request.upload-too-large": {
@@ -4448,7 +4923,7 @@ export const TEXTS = {
     "hint": "Send a smaller file, for example without pictures."
   },
   "request.wrong-host": {
-    "text": "This server does not accept requests for the host {host!r}.",
+    "text": "This server does not accept requests for the host ''{host}''.",
     "hint": "Use the IP address of the server, or start the server with --allow-host {host}."
   },
   "request.wrong-key": {
@@ -4457,7 +4932,7 @@ export const TEXTS = {
   },
   "request.wrong-media": {
     "text": "The content type {media} is not supported here.",
-    "hint": "Send the body as {supported:or}, and name it in the header Content-Type."
+    "hint": "Send the body as {supported__or}, and name it in the header Content-Type."
   },
   "request.wrong-method": {
     "text": "The method {method} is not supported at {path}.",
@@ -4469,7 +4944,7 @@ export const TEXTS = {
   },
   "rest.continue-first": {
     "text": "{interruption}",
-    "hint": "Continue this sheet, {tracks} left. {interruption:hint}"
+    "hint": "Continue this sheet, {tracks} left. {interruption__hint}"
   },
   "rest.continued-already": {
     "text": "Job {other} already continues the sheet of job {job}.",
@@ -4528,15 +5003,15 @@ export const TEXTS = {
     "hint": "Make the rest of the sheet first, or scrap the job. Then order the remaining copies."
   },
   "rest.statement-needed": {
-    "text": "The machine executed {executed} program lines of job {job} for certain, and possibly more, up to line {most}. It is not known how much of {tracks:# track|# tracks} is made; the first of them is track {track}.",
+    "text": "The machine executed {executed} program lines of job {job} for certain, and possibly more, up to line {most}. It is not known how much of {tracks, plural, one {# track} other {# tracks}} is made; the first of them is track {track}.",
     "hint": "Look at the sheet, and state the numbers of all tracks that are completely made (made). The new job makes all others."
   },
   "rest.tracks": {
-    "text": "{count:# track|# tracks}",
+    "text": "{count, plural, one {# track} other {# tracks}}",
     "hint": ""
   },
   "rest.tracks-between": {
-    "text": "{least} to {most:# track|# tracks}",
+    "text": "{least} to {most, plural, one {# track} other {# tracks}}",
     "hint": ""
   },
   "rest.whole-ordered": {
@@ -4561,18 +5036,18 @@ export const TEXTS = {
   },
   "rs274.arc-on-chord-machine": {
     "text": "The program line is an arc (G2, G3), and the controller of {machine} cannot follow arcs.",
-    "hint": "Make the program anew, or set arcs to 'arcs' in the machine file if the controller has them and turns the tool in them."
+    "hint": "Create the program again, or set arcs to 'arcs' in the machine file if the controller has them and turns the tool in them."
   },
   "rs274.axis-without-motion": {
     "text": "The program line has coordinates, but no motion word (G0, G1, G2 or G3).",
     "hint": "Add G0, G1, G2 or G3."
   },
   "rs274.bad-arc": {
-    "text": "In the program line, the distance from the centre of the arc to the start of the arc differs by more than {limit:g} mm from the distance from the centre to the end of the arc.",
+    "text": "In the program line, the distance from the centre of the arc to the start of the arc differs by more than {limit, number, ::@#####} mm from the distance from the centre to the end of the arc.",
     "hint": "Correct the centre (I, J) or the end (X, Y) of the arc."
   },
   "rs274.bad-character": {
-    "text": "The character {character!r} is not allowed at this position of the program line.",
+    "text": "The character ''{character}'' is not allowed at this position of the program line.",
     "hint": "Remove the character."
   },
   "rs274.bad-feed": {
@@ -4768,27 +5243,27 @@ export const TEXTS = {
     "hint": "Use the word that the machine states for the station: M3 or M4."
   },
   "rs274.wrong-dwell": {
-    "text": "The dwell (G4) in the program line is shorter than the {settle:g} s that the machine needs after switching.",
-    "hint": "Make the dwell {settle:g} s or longer."
+    "text": "The dwell (G4) in the program line is shorter than the {settle, number, ::@#####} s that the machine needs after switching.",
+    "hint": "Make the dwell {settle, number, ::@#####} s or longer."
   },
   "rs274.wrong-speed": {
     "text": "The spindle speed (S) at M3 or M4 differs from the speed of the station in the machine file.",
     "hint": "Correct the speed, or compile the job again."
   },
   "rule.block": {
-    "text": "inside the block {patterns:or}",
+    "text": "inside the block {patterns__or}",
     "hint": ""
   },
   "rule.colour": {
-    "text": "colour {colours:or}",
+    "text": "colour {colours__or}",
     "hint": ""
   },
   "rule.conditions": {
-    "text": "{conditions:, }",
+    "text": "{conditions}",
     "hint": ""
   },
   "rule.entity": {
-    "text": "object type {kinds:or}",
+    "text": "object type {kinds__or}",
     "hint": ""
   },
   "rule.everything": {
@@ -4796,11 +5271,11 @@ export const TEXTS = {
     "hint": ""
   },
   "rule.layer": {
-    "text": "layer {patterns:or}",
+    "text": "layer {patterns__or}",
     "hint": ""
   },
   "rule.linetype": {
-    "text": "line style {patterns:or}",
+    "text": "line style {patterns__or}",
     "hint": ""
   },
   "run.executed": {
@@ -4828,16 +5303,16 @@ export const TEXTS = {
     "hint": "Check the address and the log of the server."
   },
   "server.bad-metrics-address": {
-    "text": "{address!r} is not a valid value of --metrics-address.",
+    "text": "''{address}'' is not a valid value of --metrics-address.",
     "hint": "Write it as HOST:PORT, such as 127.0.0.1:9464 or [::1]:9464."
   },
   "server.busy": {
-    "text": "The server is busy: {waiting:# request is|# requests are} already waiting, so this request was not started.",
+    "text": "The server is busy: {waiting, plural, one {# request is} other {# requests are}} already waiting, so this request was not started.",
     "hint": "Send the request again in {seconds} s."
   },
   "server.database-damaged": {
     "text": "The database of the server is damaged.",
-    "hint": "Stop the server and put a backup in its place: knifetip restore FILE --replace. Check the disk. To try again does not help."
+    "hint": "Stop the server and put a backup in its place: knifetip restore FILE --replace. Check the disk. Trying again does not help."
   },
   "server.database-silent": {
     "text": "The database of the server does not respond.",
@@ -4872,7 +5347,7 @@ export const TEXTS = {
     "hint": ""
   },
   "setting.homes-at-other-end": {
-    "text": "the controller makes the place of the switch its zero, at the other end of the axis than the machine file has it",
+    "text": "the controller makes the place of the switch its zero, at the other end of the axis than in the machine file",
     "hint": ""
   },
   "setting.inches": {
@@ -4947,13 +5422,21 @@ export const TEXTS = {
     "text": "homing would drive the tool down into the board",
     "hint": ""
   },
+  "settings.bad-file": {
+    "text": "The settings file {file} cannot be used: {reason}.",
+    "hint": "Correct the file, or start the server without it."
+  },
   "settings.bad-host": {
-    "text": "{host!r} is not a host name.",
+    "text": "''{host}'' is not a host name.",
     "hint": "Write the host as NAME or NAME:PORT."
   },
   "settings.bad-key": {
     "text": "{what} has {length} characters, but must have {shortest} to 200 ASCII characters without spaces.",
     "hint": "Choose another key, or let --key-file PATH generate one."
+  },
+  "settings.invalid": {
+    "text": "The settings cannot be used: {faults__semicolon}.",
+    "hint": "{faults__hint} The page Settings of the documentation lists all settings."
   },
   "settings.key-file": {
     "text": "The key file {file} cannot be used: {reason}.",
@@ -4964,15 +5447,15 @@ export const TEXTS = {
     "hint": "Give only one of the two options."
   },
   "sheet.bad-size": {
-    "text": "{text!r} is not a size of a sheet.",
+    "text": "''{text}'' is not a size of a sheet.",
     "hint": "Give the width and the height in mm as WIDTHxHEIGHT, with the distance of the drawing from the left and lower edge as WIDTHxHEIGHT:MARGIN, or outline for a sheet that was cut to the outline of the drawing."
   },
   "sheet.off-table": {
-    "text": "The sheet would lie from X {x:.1f}, Y {y:.1f} to X {right:.1f}, Y {top:.1f} mm, but the table of {machine} reaches from 0 to {width:.0f} × {height:.0f} mm.",
+    "text": "The sheet would lie from X {x, number, ::.0}, Y {y, number, ::.0} to X {right, number, ::.0}, Y {top, number, ::.0} mm, but the table of {machine} reaches from 0 to {width, number, ::precision-integer} × {height, number, ::precision-integer} mm.",
     "hint": "Choose a smaller margin or sheet, or correct the origin in the machine file."
   },
   "sheet.smaller-than-drawing": {
-    "text": "The sheet of {width:.1f} × {height:.1f} mm is too small: with its margin of {margin:.1f} mm the drawing needs {needed_x:.1f} × {needed_y:.1f} mm.",
+    "text": "The sheet of {width, number, ::.0} × {height, number, ::.0} mm is too small: with its margin of {margin, number, ::.0} mm the drawing needs {needed_x, number, ::.0} × {needed_y, number, ::.0} mm.",
     "hint": "Enter the size and the margin of the sheet on the table, or check the unit of the drawing."
   },
   "sheet.without-outline": {
@@ -4991,6 +5474,30 @@ export const TEXTS = {
     "text": "This code is wrong, has expired or was used.",
     "hint": "Ask an administrator for a new code: each is for one device and for ten minutes."
   },
+  "start.at-corner": {
+    "text": "The start chosen on edge {edge} is {distance, number, ::.00} mm from an end of the edge, but the cutter needs {least, number, ::.00} mm to enter beside it.",
+    "hint": "Choose a point farther from both ends of the edge, or another edge of the contour."
+  },
+  "start.bridged": {
+    "text": "A start or a direction was chosen for edge {edge}, but its contour has bridges, which divide it into several cuts.",
+    "hint": "Remove the choice, or choose a board without bridges."
+  },
+  "start.conflict": {
+    "text": "Two starts or two directions were chosen for the contour of edge {edge} and edge {other}.",
+    "hint": "Remove one of the two choices."
+  },
+  "start.fixed-direction": {
+    "text": "Edge {edge} cannot be cut in the chosen direction: the tool of station {station} must have the waste on its left.",
+    "hint": "Choose the other direction, or leave the direction free."
+  },
+  "start.not-last": {
+    "text": "The cut cannot begin on edge {edge}, because it also ends there, and an edge that is cut later must release the part.",
+    "hint": "Choose an edge of the contour at which the part touches only waste."
+  },
+  "start.open": {
+    "text": "A start or a direction was chosen for edge {edge}, but this edge belongs to no closed cut or half-cut.",
+    "hint": "Remove the choice, or choose an edge of a closed contour."
+  },
   "store.no-column": {
     "text": "The {kind} {id} has no {column} yet.",
     "hint": "Wait until the {kind} is compiled. If the compilation failed, the fields state and reason of the {kind} show why."
@@ -5003,33 +5510,21 @@ export const TEXTS = {
     "text": "{text}",
     "hint": "{hint}"
   },
-  "svg.cut-short": {
-    "text": "The SVG file is incomplete: it ends at line {line}, after {count:# element|# elements}. Objects of the drawing may be missing.",
-    "hint": "Send the complete file, or export the drawing again as plain SVG."
-  },
-  "svg.damaged-at": {
-    "text": "The SVG file is damaged at line {line}, column {column}: {reason}.",
-    "hint": "Export the drawing again as plain SVG."
-  },
   "svg.empty": {
     "text": "The SVG file contains no element.",
     "hint": "Export the drawing again as plain SVG."
   },
   "svg.external-entity": {
-    "text": "The DOCTYPE of the SVG has an entity {name!r} that refers to another file, which is not loaded.",
+    "text": "The DOCTYPE of the SVG has an entity ''{name}'' that refers to another file, which is not loaded.",
     "hint": "Save the drawing as plain SVG, without a DOCTYPE."
   },
   "svg.long-entity": {
-    "text": "The DOCTYPE of the SVG has an entity {name!r} of {length:,} characters, which is too long.",
+    "text": "The DOCTYPE of the SVG has an entity ''{name}'' of {length, number} characters, which is too long.",
     "hint": "Save the drawing as plain SVG, without a DOCTYPE."
   },
   "svg.markup-entity": {
-    "text": "The DOCTYPE of the SVG has an entity {name!r} that contains markup, which is not supported.",
+    "text": "The DOCTYPE of the SVG has an entity ''{name}'' that contains markup, which is not supported.",
     "hint": "Save the drawing as plain SVG, without a DOCTYPE."
-  },
-  "svg.nested-too-deep": {
-    "text": "The elements of the SVG are nested more than {limit} levels deep.",
-    "hint": "Ungroup the drawing and export it again."
   },
   "svg.other-xml": {
     "text": "The file is an XML file, but not SVG: its outermost element is {element} instead of svg.",
@@ -5044,11 +5539,11 @@ export const TEXTS = {
     "hint": "Export the drawing again as plain SVG."
   },
   "svg.too-many-rules": {
-    "text": "The style sheet of the SVG file has {count:,} rules, but the limit is {limit:,}.",
+    "text": "The style sheet of the SVG file has {count, number} rules, but the limit is {limit, number}.",
     "hint": "Export the drawing with style attributes in each element instead of a style sheet."
   },
   "svg.unpacks-too-far": {
-    "text": "The compressed SVG file (.svgz) is larger than {limit:.1f} MB when unpacked.",
+    "text": "The compressed SVG file (.svgz) is larger than {limit, number, ::.0} MB when unpacked.",
     "hint": "Export a drawing with a single carton, without pictures."
   },
   "tool-check.in-zone": {
@@ -5056,11 +5551,11 @@ export const TEXTS = {
     "hint": "Choose another point."
   },
   "tool-check.large-shift": {
-    "text": "A correction of a station in a tool check is at most {largest:g} mm or degrees.",
+    "text": "A correction of a station in a tool check is at most {largest, number, ::@#####} mm or degrees.",
     "hint": "Measure the datum of the station again, and change it in the machine file."
   },
   "tool-check.not-lowered": {
-    "text": "The tool is above the point, but was not lowered: Z would have to move to {target:.1f}, and its travel ends at {lowest:g}.",
+    "text": "The tool is above the point, but was not lowered: Z would have to move to {target, number, ::.0}, and its travel ends at {lowest, number, ::@#####}.",
     "hint": "Check the tool from above, and the Z of the station in the machine file."
   },
   "tool-check.not-lowered-beam": {
@@ -5068,11 +5563,11 @@ export const TEXTS = {
     "hint": "Check its position with the pointer of the laser, if it has one."
   },
   "tool-check.not-reached": {
-    "text": "Z has not come to rest at {target:.1f} in time. The tool was lifted again.",
+    "text": "Z has not come to rest at {target, number, ::.0} in time. The tool was lifted again.",
     "hint": "Check the machine, then try again."
   },
   "tool-life.near": {
-    "text": "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its life of {life:.0f} m.",
+    "text": "The tool {name} in station {station} has worked {used, number, ::precision-integer} m, {percent, number, ::precision-integer} % of its life of {life, number, ::precision-integer} m.",
     "hint": "Have a new tool ready. Record the change of the tool on the page of the machine."
   },
   "tool-life.no-station": {
@@ -5080,7 +5575,7 @@ export const TEXTS = {
     "hint": "Use the number of a station from the list of the tools of the machine."
   },
   "tool-life.over": {
-    "text": "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its life of {life:.0f} m.",
+    "text": "The tool {name} in station {station} has worked {used, number, ::precision-integer} m, {percent, number, ::precision-integer} % of its life of {life, number, ::precision-integer} m.",
     "hint": "Change the tool and record the change, or check the tool and state why it stays in use when you confirm the job."
   },
   "tool.bad-radius": {
@@ -5096,15 +5591,15 @@ export const TEXTS = {
     "hint": ""
   },
   "tool.missing": {
-    "text": "{machine} has no tool for {count:# edge|# edges} of type {type}.",
+    "text": "{machine} has no tool for {count, plural, one {# edge} other {# edges}} of type {type}.",
     "hint": "Choose another line type for the edges, or another machine."
   },
   "tool.shallow-lead": {
-    "text": "the lead-in of {lead:g} mm at an angle of {angle:g}° begins nearer to the contour than the tool radius of {radius:g} mm; the angle must be between {least:.1f}° and 90°, or negative for a lead-in round a corner",
+    "text": "the lead-in of {lead, number, ::@#####} mm at an angle of {angle, number, ::@#####}° begins nearer to the contour than the tool radius of {radius, number, ::@#####} mm; the angle must be between {least, number, ::.0}° and 90°, or negative for a lead-in round a corner",
     "hint": ""
   },
   "tool.short-lead": {
-    "text": "the lead-in of {lead:g} mm must be 0 or greater than the tool radius of {radius:g} mm",
+    "text": "the lead-in of {lead, number, ::@#####} mm must be 0 or greater than the tool radius of {radius, number, ::@#####} mm",
     "hint": ""
   },
   "tool.swivel-of-driven-knife": {
@@ -5112,8 +5607,8 @@ export const TEXTS = {
     "hint": ""
   },
   "tool.tilted": {
-    "text": "The tool is tilted by {tilt:.2f}°, but only tools tilted by up to {limit:g}° can be lifted along their axis.",
-    "hint": "Choose a tool that is tilted by at most {limit:g}°."
+    "text": "The tool is tilted by {tilt, number, ::.00}°, but only tools tilted by up to {limit, number, ::@#####}° can be lifted along their axis.",
+    "hint": "Choose a tool that is tilted by at most {limit, number, ::@#####}°."
   },
   "tool.without-power": {
     "text": "The power of the laser is 0.",
@@ -5136,7 +5631,7 @@ export const TEXTS = {
     "hint": "Correct the feed of the tool in the machine file."
   },
   "toolpath.move": {
-    "text": "from ({start:, }) to ({end:, }), bulge {bulge}, feed {feed}",
+    "text": "from ({start}) to ({end}), bulge {bulge}, feed {feed}",
     "hint": ""
   },
   "toolpath.no-approach": {
@@ -5168,7 +5663,7 @@ export const TEXTS = {
     "hint": "Report the error with the drawing."
   },
   "toolpath.too-far": {
-    "text": "{place} is more than {limit:g} mm away from the origin: {move}.",
+    "text": "{place} is more than {limit, number, ::@#####} mm away from the origin: {move}.",
     "hint": "Check the unit of the drawing."
   },
   "toolpath.unknown-motion": {
@@ -5177,22 +5672,22 @@ export const TEXTS = {
   },
   "toolpath.unknown-station": {
     "text": "{place} uses station {station}, which {machine} does not have.",
-    "hint": "Choose one of the stations {known:, }."
+    "hint": "Choose one of the stations {known}."
   },
   "track.too-flat": {
-    "text": "At the edge of the board, the direction of path {track} of the tool deviates by {angle:.2f}° from the perpendicular to this edge, but a deviation of at most {limit:g}° is allowed.",
+    "text": "At the edge of the board, the direction of path {track} of the tool deviates by {angle, number, ::.00}° from the perpendicular to this edge, but a deviation of at most {limit, number, ::@#####}° is allowed.",
     "hint": "End the line inside the board, or let the line cross the edge of the board closer to a right angle."
   },
   "travel.above": {
-    "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the upper end of the travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
+    "text": "{tool} (station {station}) would move {excess, number, ::.00}{unit} beyond the upper end of the travel of axis {axis}{place}. The travel is {low, number, ::@#####} to {high, number, ::@#####}{unit}.",
     "hint": "For axis X, Y or C, move or rotate the drawing on the table, or choose a larger machine. For axis Z, check the heights in the machine file."
   },
   "travel.below": {
-    "text": "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of the travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
+    "text": "{tool} (station {station}) would move {excess, number, ::.00}{unit} beyond the lower end of the travel of axis {axis}{place}. The travel is {low, number, ::@#####} to {high, number, ::@#####}{unit}.",
     "hint": "For axis X, Y or C, move or rotate the drawing on the table, or choose a larger machine. For axis Z, check the heights in the machine file."
   },
   "travel.heads-too-near": {
-    "text": "{tool} (station {station}) would leave {distance:.2f} mm to the parked carriage {other}{place}. The least distance of two carriages is {least:g} mm.",
+    "text": "{tool} (station {station}) would leave {distance, number, ::.00} mm to the parked carriage {other}{place}. The least distance of two carriages is {least, number, ::@#####} mm.",
     "hint": "Move the drawing along Y, away from the parked carriage, or give the line type to a tool on the other carriage."
   },
   "unit.cf2-inches": {
@@ -5208,35 +5703,39 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.cf2-scale-applied": {
-    "text": "the coordinates in the CF2 file were multiplied by the factors in the record SCALE,{x:g},{y:g}, so that the drawing has the size in the records LL and UR",
+    "text": "the coordinates in the CF2 file were multiplied by the factors in the record SCALE,{x, number, ::@#####},{y, number, ::@#####}, so that the drawing has the size in the records LL and UR",
     "hint": ""
   },
   "unit.cf2-scale-invalid": {
-    "text": "the factors in the record SCALE,{x:g},{y:g} of the CF2 file are invalid, so the record was ignored",
+    "text": "the factors in the record SCALE,{x, number, ::@#####},{y, number, ::@#####} of the CF2 file are invalid, so the record was ignored",
     "hint": ""
   },
   "unit.cf2-scale-not-applied": {
-    "text": "the record SCALE,{x:g},{y:g} of the CF2 file was ignored, because the coordinates already have the size in the records LL and UR",
+    "text": "the record SCALE,{x, number, ::@#####},{y, number, ::@#####} of the CF2 file was ignored, because the coordinates already have the size in the records LL and UR",
     "hint": ""
   },
   "unit.cf2-scale-undecided": {
-    "text": "the record SCALE,{x:g},{y:g} of the CF2 file was ignored, because the records LL and UR do not show whether the coordinates are already scaled",
+    "text": "the record SCALE,{x, number, ::@#####},{y, number, ::@#####} of the CF2 file was ignored, because the records LL and UR do not show whether the coordinates are already scaled",
     "hint": ""
   },
   "unit.cf2-scaled": {
     "text": "{unit}; {scale}",
     "hint": ""
   },
+  "unit.corner-loops": {
+    "text": "if the unit is {unit__unit}, {count} corners of outlines have curls of {length__mm} mm, as programs draw them for the beam of a laser",
+    "hint": ""
+  },
   "unit.dimensions-larger": {
-    "text": "Dimensions in the drawing have different scales: {count:# dimension is|# dimensions are} drawn {factor:.3g} times larger than the other {others:dimension|# dimensions}.",
+    "text": "Dimensions in the drawing have different scales: {count, plural, one {# dimension is} other {# dimensions are}} drawn {factor, number, ::@##} times larger than the other {others, plural, one {dimension} other {# dimensions}}.",
     "hint": "Check which dimensions belong to the carton, and delete details that are drawn at another scale."
   },
   "unit.dimensions-smaller": {
-    "text": "Dimensions in the drawing have different scales: {count:# dimension is|# dimensions are} drawn {factor:.3g} times smaller than the other {others:dimension|# dimensions}.",
+    "text": "Dimensions in the drawing have different scales: {count, plural, one {# dimension is} other {# dimensions are}} drawn {factor, number, ::@##} times smaller than the other {others, plural, one {dimension} other {# dimensions}}.",
     "hint": "Check which dimensions belong to the carton, and delete details that are drawn at another scale."
   },
   "unit.drawn-in-imperial": {
-    "text": "inches (stored as numbers in {unit:unit})",
+    "text": "inches (stored as numbers in {unit__unit})",
     "hint": ""
   },
   "unit.drawn-in-inches": {
@@ -5244,7 +5743,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.drawn-in-metric": {
-    "text": "millimetres (stored as numbers in {unit:unit})",
+    "text": "millimetres (stored as numbers in {unit__unit})",
     "hint": ""
   },
   "unit.drawn-in-millimetres": {
@@ -5264,7 +5763,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.header-factor": {
-    "text": "the header of the DXF file multiplies the displayed dimensions by {factor:g} ({variable})",
+    "text": "the header of the DXF file multiplies the displayed dimensions by {factor, number, ::@#####} ({variable})",
     "hint": ""
   },
   "unit.header-fractions": {
@@ -5284,7 +5783,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.header-not-a-number": {
-    "text": "the header of the DXF file states no valid unit: $INSUNITS = {value!r} is not a number",
+    "text": "the header of the DXF file states no valid unit: $INSUNITS = ''{value}'' is not a number",
     "hint": ""
   },
   "unit.header-undefined": {
@@ -5296,15 +5795,15 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.header-unsupported": {
-    "text": "the header of the DXF file states a unit that is not supported: {name:unit} ($INSUNITS = {value})",
+    "text": "the header of the DXF file states a unit that is not supported: {name__unit} ($INSUNITS = {value})",
     "hint": ""
   },
   "unit.imprecise": {
-    "text": "if the unit is {unit:unit}, the lengths of the edges are too imprecise to show whether they are multiples of a round number",
+    "text": "if the unit is {unit__unit}, the lengths of the edges are too imprecise to show whether they are multiples of a round number",
     "hint": ""
   },
   "unit.inconclusive": {
-    "text": "{stated}, and the geometry of the drawing does not give enough evidence for {unit:unit}",
+    "text": "{stated}, and the geometry of the drawing does not give enough evidence for {unit__unit}",
     "hint": ""
   },
   "unit.lightburn": {
@@ -5312,11 +5811,11 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.multiples": {
-    "text": "if the unit is {unit:unit}, {count} of {all} different edge lengths ({percent:.0f} % of the total length) {count:is a multiple|are multiples} of {grid}",
+    "text": "if the unit is {unit__unit}, {count} of {all} different edge lengths ({percent, number, ::precision-integer} % of the total length) {count, plural, one {is a multiple} other {are multiples}} of {grid}",
     "hint": ""
   },
   "unit.no-number-matches": {
-    "text": "if the unit is {unit:unit}, no edge has a length that matches {all:the number|one of the # numbers} in the texts of the drawing",
+    "text": "if the unit is {unit__unit}, no edge has a length that matches {all, plural, one {the number} other {one of the # numbers}} in the texts of the drawing",
     "hint": ""
   },
   "unit.not-given": {
@@ -5328,19 +5827,19 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.number-in": {
-    "text": "{text} ({unit:unit})",
+    "text": "{text} ({unit__unit})",
     "hint": ""
   },
   "unit.numbers-match": {
-    "text": "if the unit is {unit:unit}, {count} of {all} numbers in the texts of the drawing {count:equals|equal} the length of an edge: {numbers:, }",
+    "text": "if the unit is {unit__unit}, {count} of {all} numbers in the texts of the drawing {count, plural, one {equals} other {equal}} the length of an edge: {numbers}",
     "hint": ""
   },
   "unit.numbers-match-often": {
-    "text": "if the unit is {unit:unit}, {count} of {all} numbers in the texts of the drawing equal the length of an edge, for example {numbers:, }",
+    "text": "if the unit is {unit__unit}, {count} of {all} numbers in the texts of the drawing equal the length of an edge, for example {numbers}",
     "hint": ""
   },
   "unit.overruled": {
-    "text": "{stated}, but the unit of the drawing is more likely {unit:unit}, because {reason}",
+    "text": "{stated}, but the unit of the drawing is more likely {unit__unit}, because {reason}",
     "hint": ""
   },
   "unit.page-in-pixels": {
@@ -5348,11 +5847,11 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.paper-size": {
-    "text": "if the unit is {unit:unit}, the drawing has exactly the size of a sheet of paper ({sheet})",
+    "text": "if the unit is {unit__unit}, the drawing has exactly the size of a sheet of paper ({sheet})",
     "hint": ""
   },
   "unit.part-drawn-twice": {
-    "text": "The drawing contains the same part at two sizes, one of them {factor:.3g} times larger than the other. One of the two parts is a detail, or was inserted with a wrong unit.",
+    "text": "The drawing contains the same part at two sizes, one of them {factor, number, ::@##} times larger than the other. One of the two parts is a detail, or was inserted with a wrong unit.",
     "hint": "Delete the part with the wrong size, or set the line type of its edges to ignored."
   },
   "unit.parts-differ": {
@@ -5364,7 +5863,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.pdf-scaled": {
-    "text": "the PDF states its coordinates in units of {scale:g} points (UserUnit); one point is 1/72 inch",
+    "text": "the PDF states its coordinates in units of {scale, number, ::@#####} points (UserUnit); one point is 1/72 inch",
     "hint": ""
   },
   "unit.plotter": {
@@ -5376,35 +5875,35 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.read-against-evidence": {
-    "text": "The unit of the drawing is most likely {best:unit} ({best_width:mm} × {best_height:mm} mm), but the drawing was imported with the unit {unit:unit} ({width:mm} × {height:mm} mm).",
+    "text": "The unit of the drawing is most likely {best__unit} ({best_width__mm} × {best_height__mm} mm), but the drawing was imported with the unit {unit__unit} ({width__mm} × {height__mm} mm).",
     "hint": "Check the size of the drawing, and choose another unit if the size is wrong."
   },
   "unit.read-against-header": {
-    "text": "The file states the unit {stated:unit} ({stated_width:mm} × {stated_height:mm} mm), but the drawing was imported with the unit {unit:unit} ({width:mm} × {height:mm} mm).",
+    "text": "The file states the unit {stated__unit} ({stated_width__mm} × {stated_height__mm} mm), but the drawing was imported with the unit {unit__unit} ({width__mm} × {height__mm} mm).",
     "hint": "Check the size of the drawing, and choose another unit if the size is wrong."
   },
   "unit.scale-mentioned": {
-    "text": "A text in the drawing mentions the scale {scales:, }, so the drawing may not have its true size.",
+    "text": "A text in the drawing mentions the scale {scales}, so the drawing may not have its true size.",
     "hint": "Check the size of the drawing."
   },
   "unit.share-stated": {
-    "text": "the file states the unit {stated:unit}, and knifetip assumes that {percent:.3g} % of the files that state this unit are drawn in {unit:unit}",
+    "text": "the file states the unit {stated__unit}, and knifetip assumes that {percent, number, ::@##} % of the files that state this unit are drawn in {unit__unit}",
     "hint": ""
   },
   "unit.share-unstated": {
-    "text": "the file states no unit, and knifetip assumes that {percent:.3g} % of the files without a stated unit are drawn in {unit:unit}",
+    "text": "the file states no unit, and knifetip assumes that {percent, number, ::@##} % of the files without a stated unit are drawn in {unit__unit}",
     "hint": ""
   },
   "unit.shortest-edges": {
-    "text": "if the unit is {unit:unit}, the shortest edges of the drawing are {length:mm} mm long",
+    "text": "if the unit is {unit__unit}, the shortest edges of the drawing are {length__mm} mm long",
     "hint": ""
   },
   "unit.size-unusual": {
-    "text": "if the unit is {unit:unit}, the drawing measures {width:mm} × {height:mm} mm, which is an unusual size for a carton",
+    "text": "if the unit is {unit__unit}, the drawing measures {width__mm} × {height__mm} mm, which is an unusual size for a carton",
     "hint": ""
   },
   "unit.size-usual": {
-    "text": "if the unit is {unit:unit}, the drawing measures {width:mm} × {height:mm} mm, which is a usual size for a carton",
+    "text": "if the unit is {unit__unit}, the drawing measures {width__mm} × {height__mm} mm, which is a usual size for a carton",
     "hint": ""
   },
   "unit.svg-no-size": {
@@ -5412,7 +5911,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.svg-no-unit": {
-    "text": "the SVG file states its size without a unit of length ({size: }), and {pixel}",
+    "text": "the SVG file states its size without a unit of length ({size__space}), and {pixel}",
     "hint": ""
   },
   "unit.svg-pixel": {
@@ -5420,15 +5919,15 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.svg-size": {
-    "text": "the SVG file states its size ({size: }) for a viewBox of {width:g} × {height:g} coordinate units",
+    "text": "the SVG file states its size ({size__space}) for a viewBox of {width, number, ::@#####} × {height, number, ::@#####} coordinate units",
     "hint": ""
   },
   "unit.svg-size-in-pixels": {
-    "text": "the SVG file states its size ({size: }) and has no viewBox, so coordinates are in {pixel:unit}",
+    "text": "the SVG file states its size ({size__space}) and has no viewBox, so coordinates are in {pixel__unit}",
     "hint": ""
   },
   "unit.svg-writer": {
-    "text": "the program that wrote the SVG file uses {pixel:unit} as the unit",
+    "text": "the program that wrote the SVG file uses {pixel__unit} as the unit",
     "hint": ""
   },
   "unit.text-states": {
@@ -5436,8 +5935,12 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.unsupported": {
-    "text": "{unit!r} is not a supported unit of length.",
-    "hint": "Choose one of {known:or}."
+    "text": "''{unit}'' is not a supported unit of length.",
+    "hint": "Choose one of {known__or}."
+  },
+  "unit.writer": {
+    "text": "the file was written by {writer}, which writes lengths in mm",
+    "hint": ""
   },
   "user.at-provider": {
     "text": "The user {name} signs in at a provider and has no password on this server.",
@@ -5453,7 +5956,7 @@ export const TEXTS = {
   },
   "user.bad-role": {
     "text": "A user cannot have the role {role}.",
-    "hint": "Choose {roles:or}. Gateways use API keys instead of users."
+    "hint": "Choose {roles__or}. Gateways use API keys instead of users."
   },
   "user.exists": {
     "text": "A user with the name {name} already exists.",
@@ -5504,59 +6007,59 @@ export const TEXTS = {
     "hint": "Give a number greater than 0, usually 0.01 mm."
   },
   "verify.beam-on-rapid": {
-    "text": "The laser beam is on during a rapid move of {length:.3f} mm.",
+    "text": "The laser beam is on during a rapid move of {length, number, ::.000} mm.",
     "hint": "Switch the beam off (M5) before the rapid move."
   },
   "verify.beam-refocused": {
-    "text": "The laser beam is on while the head moves up or down by {height:.3f} mm.",
+    "text": "The laser beam is on while the head moves up or down by {height, number, ::.000} mm.",
     "hint": "Switch the beam off (M5) before the height changes."
   },
   "verify.beside-line": {
-    "text": "The path of the {tool:tool} is {distance:.3f} mm away from the edge that it should follow.",
+    "text": "The path of the {tool__tool} is {distance, number, ::.000} mm away from the edge that it should follow.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.beyond-rotation": {
-    "text": "Axis {joint} turns to {position:.3f}°, but its travel is {low:g}° to {high:g}°.",
+    "text": "Axis {joint} turns to {position, number, ::.000}°, but its travel is {low, number, ::@#####}° to {high, number, ::@#####}°.",
     "hint": "Turn the drawing on the table, or choose a machine whose axis has a larger range of rotation."
   },
   "verify.beyond-travel": {
-    "text": "Axis {joint} moves to {position:.3f} mm, but its travel is {low:g} to {high:g} mm.",
+    "text": "Axis {joint} moves to {position, number, ::.000} mm, but its travel is {low, number, ::@#####} to {high, number, ::@#####} mm.",
     "hint": "For axis X or Y, move the drawing on the table, or choose a larger machine. For axis Z, check the heights in the machine file."
   },
   "verify.blade-bend": {
-    "text": "The knife turns by {turn:.0f}° in the board within the width of its blade, {width:g} mm, on a bend of {radius:.2f} mm radius. It cuts the top face up to {top:.3f} mm beside the line, and the rear edge of the blade runs up to {rear:.2f} mm beside it.",
+    "text": "The knife turns by {turn, number, ::precision-integer}° in the board within the width of its blade, {width, number, ::@#####} mm, on a bend of {radius, number, ::.00} mm radius. It cuts the top face up to {top, number, ::.000} mm beside the line, and the rear edge of the blade runs up to {rear, number, ::.00} mm beside it.",
     "hint": ""
   },
   "verify.blade-bend-too-tight": {
-    "text": "The bend is too tight for the knife: on a radius of {radius:.2f} mm it turns by {turn:.0f}° in the board within the width of its blade, {width:g} mm. It cuts the top face up to {top:.2f} mm beside the line (permitted: {tolerance:g} mm), and the rear edge of the blade runs up to {rear:.2f} mm beside it.",
-    "hint": "Draw a bend with a radius of at least {least:.1f} mm or a sharp corner, use a knife with a steeper or narrower blade, or accept the shortfall."
+    "text": "The bend is too tight for the knife: on a radius of {radius, number, ::.00} mm it turns by {turn, number, ::precision-integer}° in the board within the width of its blade, {width, number, ::@#####} mm. It cuts the top face up to {top, number, ::.00} mm beside the line (permitted: {tolerance, number, ::@#####} mm), and the rear edge of the blade runs up to {rear, number, ::.00} mm beside it.",
+    "hint": "Draw a bend with a radius of at least {least, number, ::.0} mm or a sharp corner, use a knife with a steeper or narrower blade, or accept the shortfall."
   },
   "verify.blade-not-parked": {
-    "text": "The program leaves the free blade of station {station} with a heading of {heading:.1f}°, and the next program begins with {park:g}°.",
+    "text": "The program leaves the free blade of station {station} with a heading of {heading, number, ::.0}°, and the next program begins with {park, number, ::@#####}°.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.blade-pushed": {
-    "text": "The tip of the free blade is pushed {length:.2f} mm away from its axis. The blade can turn round to either side there, or tear the board.",
+    "text": "The tip of the free blade is pushed {length, number, ::.00} mm away from its axis. The blade can turn round to either side there, or tear the board.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.bridge-near-corner": {
-    "text": "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm too close to a sharp corner.",
+    "text": "The bridge at {place, number, ::.000} mm from the start of the contour is {distance, number, ::.000} mm too close to a sharp corner.",
     "hint": "Compile the job again, or choose a smaller spacing of bridges in the board file."
   },
   "verify.bridge-spacing": {
-    "text": "The bridge at {place:.3f} mm from the start of the contour is {distance:.3f} mm away from the next bridge, but the board allows at most {most:g} mm.",
+    "text": "The bridge at {place, number, ::.000} mm from the start of the contour is {distance, number, ::.000} mm away from the next bridge, but the board allows at most {most, number, ::@#####} mm.",
     "hint": "Compile the job again, or allow a larger spacing of bridges in the board file."
   },
   "verify.bridge-spare": {
-    "text": "The bridge at {place:.3f} mm from the start of the contour is not needed, because the bridges before and after it are only {distance:.3f} mm apart.",
+    "text": "The bridge at {place, number, ::.000} mm from the start of the contour is not needed, because the bridges before and after it are only {distance, number, ::.000} mm apart.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.bridge-width": {
-    "text": "The bridge at {place:.3f} mm from the start of the contour is {width:.3f} mm wide in the top face of the board, but the board needs bridges of {planned:g} mm width.",
+    "text": "The bridge at {place, number, ::.000} mm from the start of the contour is {width, number, ::.000} mm wide in the top face of the board, but the board needs bridges of {planned, number, ::@#####} mm width.",
     "hint": "Compile the job again for this board."
   },
   "verify.centre-off-path": {
-    "text": "The centre of the cutter is {distance:.4f} mm away from its planned path, and the controller may round corners by another {rounding:.4f} mm. The tolerance is {tolerance:g} mm.",
+    "text": "The centre of the cutter is {distance, number, ::.0000} mm away from its planned path, and the controller may round corners by another {rounding, number, ::.0000} mm. The tolerance is {tolerance, number, ::@#####} mm.",
     "hint": "Increase the tolerance, or report an internal error with the program file."
   },
   "verify.cleaning-beyond": {
@@ -5564,11 +6067,11 @@ export const TEXTS = {
     "hint": "Report this error with the drawing."
   },
   "verify.cleaning-dropped": {
-    "text": "Internal error in cleaning: {length:.3f} mm of the edge were lost.",
+    "text": "Internal error in cleaning: {length, number, ::.000} mm of the edge were lost.",
     "hint": "Report this error with the drawing."
   },
   "verify.cleaning-fit": {
-    "text": "Internal error in cleaning: the edge is {distance:.4f} mm away from the arc that replaces it, and only {stated:.4f} mm are stated.",
+    "text": "Internal error in cleaning: the edge is {distance, number, ::.0000} mm away from the arc that replaces it, and only {stated, number, ::.0000} mm are stated.",
     "hint": "Report this error with the drawing."
   },
   "verify.cleaning-incomplete": {
@@ -5580,7 +6083,7 @@ export const TEXTS = {
     "hint": "Report this error with the drawing."
   },
   "verify.cleaning-moved": {
-    "text": "Internal error in cleaning: the edge was moved by {distance:.4f} mm.",
+    "text": "Internal error in cleaning: the edge was moved by {distance, number, ::.0000} mm.",
     "hint": "Report this error with the drawing."
   },
   "verify.cleaning-type": {
@@ -5592,15 +6095,15 @@ export const TEXTS = {
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.comes-out-past": {
-    "text": "The knife leaves the board {distance:.3f} mm beyond the end of the edge.",
+    "text": "The knife leaves the board {distance, number, ::.000} mm beyond the end of the edge.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.comes-out-short": {
-    "text": "The knife leaves the board {distance:.3f} mm before the end of the edge.",
+    "text": "The knife leaves the board {distance, number, ::.000} mm before the end of the edge.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.contour-unreached": {
-    "text": "The cutter of {width:.2f} mm diameter does not fit into or beside the contour of this edge, so nothing of the contour is cut ({length:.3f} mm on this edge).",
+    "text": "The cutter of {width, number, ::.00} mm diameter does not fit into or beside the contour of this edge, so nothing of the contour is cut ({length, number, ::.000} mm on this edge).",
     "hint": "Choose a thinner cutter, enlarge the opening, or accept that the contour is not cut."
   },
   "verify.crease-meets-cuts": {
@@ -5608,27 +6111,27 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.crease-stops-at-cut": {
-    "text": "Cuts cross {count} creases. The wheel stops before these cuts, and up to {distance:.2f} mm on each side of a cut are not creased.",
+    "text": "Cuts cross {count} creases. The wheel stops before these cuts, and up to {distance, number, ::.00} mm on each side of a cut are not creased.",
     "hint": "If the fold needs this length, choose a smaller creasing wheel, or move the cut."
   },
   "verify.crease-too-bent": {
-    "text": "The crease bends too tightly for the creasing wheel: a wheel of {wheel:g} mm radius touches the board along a straight line of {contact:.1f} mm, whose ends press up to {distance:.2f} mm beside the crease (permitted: {tolerance:g} mm). {length:.1f} mm of the crease are not pressed.",
-    "hint": "Mount a creasing wheel of at most {smaller:.1f} mm radius, draw a bend with a radius of at least {radius:d} mm, change the line type to perforation or half-cut, or accept the shortfall."
+    "text": "The crease bends too tightly for the creasing wheel: a wheel of {wheel, number, ::@#####} mm radius touches the board along a straight line of {contact, number, ::.0} mm, whose ends press up to {distance, number, ::.00} mm beside the crease (permitted: {tolerance, number, ::@#####} mm). {length, number, ::.0} mm of the crease are not pressed.",
+    "hint": "Mount a creasing wheel of at most {smaller, number, ::.0} mm radius, draw a bend with a radius of at least {radius, number, ::precision-integer} mm, change the line type to perforation or half-cut, or accept the shortfall."
   },
   "verify.crease-too-short": {
-    "text": "The crease is too short for the creasing wheel and is not made: it is {length:.2f} mm long, the wheel has a radius of {radius:.1f} mm, and it must stop {clearance:.2f} mm before each free end.",
+    "text": "The crease is too short for the creasing wheel and is not made: it is {length, number, ::.00} mm long, the wheel has a radius of {radius, number, ::.0} mm, and it must stop {clearance, number, ::.00} mm before each free end.",
     "hint": "Join the crease to a crease on the same straight line, set its line type to ignored, or choose a board on which short creases are pressed or a smaller creasing wheel."
   },
   "verify.cut-both-ways": {
-    "text": "{length:.3f} mm of this edge are cut in both directions. A slanted blade then cuts the top face past both ends.",
+    "text": "{length, number, ::.000} mm of this edge are cut in both directions. A slanted blade then cuts the top face past both ends.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.cut-too-short": {
-    "text": "The cut is {length:.2f} mm long and ends inside a panel. The slanted blade of the knife needs a cut longer than {lead:.2f} mm, so the cut is not made.",
+    "text": "The cut is {length, number, ::.00} mm long and ends inside a panel. The slanted blade of the knife needs a cut longer than {lead, number, ::.00} mm, so the cut is not made.",
     "hint": "Draw a longer cut, join the cut to another cut, set its line type to ignored, or choose a knife with a less slanted blade."
   },
   "verify.cuts-part": {
-    "text": "The cutter cuts sideways into a part, up to {depth:.3f} mm from the edge of the part.",
+    "text": "The cutter cuts sideways into a part, up to {depth, number, ::.000} mm from the edge of the part.",
     "hint": "Move the parts further apart, or choose a thinner cutter."
   },
   "verify.cutter-at-rest": {
@@ -5636,11 +6139,11 @@ export const TEXTS = {
     "hint": "Start the spindle (M3) before the cutter enters the board."
   },
   "verify.deep-swivel": {
-    "text": "The free blade is turned about its tip at a depth of {depth:.2f} mm instead of {planned:g} mm.",
+    "text": "The free blade is turned about its tip at a depth of {depth, number, ::.00} mm instead of {planned, number, ::@#####} mm.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.drawn-twice": {
-    "text": "Two lines of the type {type} lie {distance:.2f} mm apart for {length:.1f} mm, nearer than the board is thick. Is the same line drawn twice?",
+    "text": "Two lines of the type {type} lie {distance, number, ::.00} mm apart for {length, number, ::.0} mm, nearer than the board is thick. Is the same line drawn twice?",
     "hint": "Set the line type of one of the two to ignored, move them apart, or accept that both are made."
   },
   "verify.feed-of-other-axis": {
@@ -5652,19 +6155,19 @@ export const TEXTS = {
     "hint": "Choose a machine with an oscillating knife, or cut a sample first."
   },
   "verify.flank-inside": {
-    "text": "The flank of the V-groove meets the top face of the board {distance:.4f} mm too close to the centre line of the groove. The tolerance is {tolerance:g} mm.",
+    "text": "The flank of the V-groove meets the top face of the board {distance, number, ::.0000} mm too close to the centre line of the groove. The tolerance is {tolerance, number, ::@#####} mm.",
     "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile the job again."
   },
   "verify.flank-outside": {
-    "text": "The flank of the V-groove meets the top face of the board {distance:.4f} mm too far from the centre line of the groove. The tolerance is {tolerance:g} mm.",
+    "text": "The flank of the V-groove meets the top face of the board {distance, number, ::.0000} mm too far from the centre line of the groove. The tolerance is {tolerance, number, ::@#####} mm.",
     "hint": "Check the tilt and the offsets of the V-cutter in the machine file, then compile the job again."
   },
   "verify.flank-through-cut": {
-    "text": "A flank of the V-groove reaches {depth:.3f} mm sideways past the cut at edge {edge}. The cut lies {distance:.3f} mm from the centre line of the groove, {place:.1f} mm from the start of the groove.",
+    "text": "A flank of the V-groove reaches {depth, number, ::.000} mm sideways past the cut at edge {edge}. The cut lies {distance, number, ::.000} mm from the centre line of the groove, {place, number, ::.0} mm from the start of the groove.",
     "hint": "Move the groove and the cut further apart, or choose a shallower groove."
   },
   "verify.fold-angle": {
-    "text": "The V-groove lets the board fold by {angle:.1f}°, but the board must fold by {required:.1f}° here.",
+    "text": "The V-groove lets the board fold by {angle, number, ::.0}°, but the board must fold by {required, number, ::.0}° here.",
     "hint": "Choose a V-cutter with a larger tilt, or state the fold angle of the carton in the board file (fold_angle)."
   },
   "verify.goes-in-anywhere": {
@@ -5676,27 +6179,27 @@ export const TEXTS = {
     "hint": "Draw the V-groove with straight lines, or choose another line type."
   },
   "verify.groove-past-ends": {
-    "text": "The V-cutter cuts {length:.2f} mm beyond the ends of the groove, but the board allows an overcut of only {most:.2f} mm.",
+    "text": "The V-cutter cuts {length, number, ::.00} mm beyond the ends of the groove, but the board allows an overcut of only {most, number, ::.00} mm.",
     "hint": "Choose a V-cutter with a narrower blade, or allow a longer overcut in the board file."
   },
   "verify.groove-shallower": {
-    "text": "The V-cutter cuts {depth:.3f} mm deep, although an earlier pass of the same groove was already {before:.3f} mm deep.",
+    "text": "The V-cutter cuts {depth, number, ::.000} mm deep, although an earlier pass of the same groove was already {before, number, ::.000} mm deep.",
     "hint": "Order the passes by increasing depth."
   },
   "verify.groove-shifted": {
-    "text": "The V-groove was shifted by {distance:.2f} mm, so that its flank does not reach the cut beside it.",
+    "text": "The V-groove was shifted by {distance, number, ::.00} mm, so that its flank does not reach the cut beside it.",
     "hint": "If the fold must not move, move the cut, or set groove_shift in the board file to 0."
   },
   "verify.groove-too-short": {
-    "text": "The V-groove is {length:.2f} mm long, but the blade is {blade:.2f} mm wide, so the groove is not made.",
+    "text": "The V-groove is {length, number, ::.00} mm long, but the blade is {blade, number, ::.00} mm wide, so the groove is not made.",
     "hint": "Draw a longer groove, set its line type to crease or ignored, or choose a V-cutter with a narrower blade."
   },
   "verify.grooves-meet": {
-    "text": "Two V-grooves lie {distance:.2f} mm apart, but each is {width:.2f} mm wide in the top face. Along {length:.1f} mm their flanks meet, and no ridge remains between them.",
+    "text": "Two V-grooves lie {distance, number, ::.00} mm apart, but each is {width, number, ::.00} mm wide in the top face. Along {length, number, ::.0} mm their flanks meet, and no ridge remains between them.",
     "hint": "Move the grooves apart, choose a smaller depth of grooves in the board file, or accept the shortfall."
   },
   "verify.hanging-piece": {
-    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that, from line {line} of the program on, hangs only on bridges or narrow necks and may therefore move.",
+    "text": "The edge at X{x, number, ::.000} Y{y, number, ::.000} (coordinates of the sheet) lies on a part of the board that, from line {line} of the program on, hangs only on bridges or narrow necks and may therefore move.",
     "hint": "Process this edge before the cut that leaves only the bridges or necks."
   },
   "verify.head-not-located": {
@@ -5704,19 +6207,19 @@ export const TEXTS = {
     "hint": "Park all carriages at the start of the program."
   },
   "verify.heads-too-near": {
-    "text": "Only {distance:.2f} mm remain between {first} and {second}. Their least distance is {least:g} mm.",
+    "text": "Only {distance, number, ::.00} mm remain between {first} and {second}. Their least distance is {least, number, ::@#####} mm.",
     "hint": "Park the carriage that is not in use before the move."
   },
   "verify.idle-head-low": {
-    "text": "{letter} is at {height:.2f} mm while another carriage is in use. Its tools clear the board only at {needed:.2f} mm or higher.",
+    "text": "{letter} is at {height, number, ::.00} mm while another carriage is in use. Its tools clear the board only at {needed, number, ::.00} mm or higher.",
     "hint": "Lift the carriage before another one is used."
   },
   "verify.in-zone": {
-    "text": "Station {station} touches the keep-out zone {zone}: its tip is {depth:.1f} mm below the top of the zone, and its tool or holder reaches into the zone.",
+    "text": "Station {station} touches the keep-out zone {zone}: its tip is {depth, number, ::.0} mm below the top of the zone, and its tool or holder reaches into the zone.",
     "hint": "Lead the move around the zone, or lift the tool above it."
   },
   "verify.inside-part": {
-    "text": "The cutter cuts into a finished part at X{x:.3f} Y{y:.3f} (coordinates of the sheet).",
+    "text": "The cutter cuts into a finished part at X{x, number, ::.000} Y{y, number, ::.000} (coordinates of the sheet).",
     "hint": "Move the parts further apart, or choose a thinner cutter."
   },
   "verify.knife-at-rest": {
@@ -5728,23 +6231,27 @@ export const TEXTS = {
     "hint": "Switch the beam on (M3) before the edge."
   },
   "verify.loose-piece": {
-    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that line {line} of the program has already cut out, so this part of the board may move.",
+    "text": "The edge at X{x, number, ::.000} Y{y, number, ::.000} (coordinates of the sheet) lies on a part of the board that line {line} of the program has already cut out, so this part of the board may move.",
     "hint": "Process this edge before the contour that cuts out this part of the board. Where contours cross, divide them at their crossings in the drawing."
+  },
+  "verify.low-without-station": {
+    "text": "The head goes down to {height, number, ::.00} mm while no station is selected. All tools clear the board only at {needed, number, ::.00} mm or higher.",
+    "hint": "Select a station before the head goes down, and lift it before the station is released."
   },
   "verify.lowers-second": {
     "text": "The program line lowers station {station} while station {other} may still be lowered.",
     "hint": "Raise station {other} (M65 P{output}) before this program line."
   },
   "verify.made-before": {
-    "text": "Station {station} processes {length:.3f} mm at X{x:.3f} Y{y:.3f} (coordinates of the sheet) again, which an earlier program has already made on this sheet.",
+    "text": "Station {station} processes {length, number, ::.000} mm at X{x, number, ::.000} Y{y, number, ::.000} (coordinates of the sheet) again, which an earlier program has already made on this sheet.",
     "hint": "Continue from a later contour, or start a new sheet."
   },
   "verify.moves-before-stated": {
     "text": "The program moves the head before it switches off {thing}.",
-    "hint": "Switch off {thing} before the first move. Only a lift straight up, to Z {height:.3f} mm or higher, may come earlier."
+    "hint": "Switch off {thing} before the first move. Only a lift straight up, to Z {height, number, ::.000} mm or higher, may come earlier."
   },
   "verify.moves-overlap": {
-    "text": "The controller starts this move before the move in front of it has ended. Axis C turns differently in the two moves, so the tip leaves the path by up to {distance:.3f} mm (tolerance {tolerance:.3f} mm).",
+    "text": "The controller starts this move before the move in front of it has ended. Axis C turns differently in the two moves, so the tip leaves the path by up to {distance, number, ::.000} mm (tolerance {tolerance, number, ::.000} mm).",
     "hint": "Add an exact stop (G4 P0) before this program line."
   },
   "verify.moves-with-beam": {
@@ -5752,24 +6259,28 @@ export const TEXTS = {
     "hint": "Write M5 before the first move."
   },
   "verify.narrow-cuts": {
-    "text": "Two cuts lie {distance:.2f} mm apart for {length:.1f} mm. The strip or slot between them is narrower than the board is thick ({caliper:g} mm) and may tear or stay stuck.",
+    "text": "Two cuts lie {distance, number, ::.00} mm apart for {length, number, ::.0} mm. The strip or slot between them is narrower than the board is thick ({caliper, number, ::@#####} mm) and may tear or stay stuck.",
     "hint": ""
   },
   "verify.narrow-lines": {
-    "text": "A line of the type {type} and one of the type {other} lie {distance:.2f} mm apart for {length:.1f} mm, which is too near for a board {caliper:g} mm thick: the narrow strip between them is crushed or tears off.",
+    "text": "A line of the type {type} and one of the type {other} lie {distance, number, ::.00} mm apart for {length, number, ::.0} mm, which is too near for a board {caliper, number, ::@#####} mm thick: the narrow strip between them is crushed or tears off.",
     "hint": ""
   },
   "verify.narrow-rim": {
-    "text": "The rim of {width:g} mm is narrow for a board {caliper:g} mm thick: it may cut the upper face instead of bending it.",
-    "hint": "Mount a creasing wheel with a rim of at least {least:g} mm."
+    "text": "The rim of {width, number, ::@#####} mm is narrow for a board {caliper, number, ::@#####} mm thick: it may cut the upper face instead of bending it.",
+    "hint": "Mount a creasing wheel with a rim of at least {least, number, ::@#####} mm."
   },
   "verify.narrow-slits": {
-    "text": "{count} slits and cuts between two parts ({length:.1f} mm) become {width:g} mm wide: the board on each side loses half of this strip.",
+    "text": "{count} slits and cuts between two parts ({length, number, ::.0} mm) become {width, number, ::@#####} mm wide: the board on each side loses half of this strip.",
     "hint": ""
   },
   "verify.never-stated": {
     "text": "The program never switches off {thing}, although an earlier program may have left it on.",
     "hint": "Switch off {thing} at the beginning of the program."
+  },
+  "verify.no-closed-cut": {
+    "text": "A direction was chosen for the closed cut with edge {edge}, but the program does not cut this contour in one run.",
+    "hint": "Compile the job again."
   },
   "verify.no-station": {
     "text": "The program line cuts, but no station (T and M6) has been selected before.",
@@ -5784,31 +6295,43 @@ export const TEXTS = {
     "hint": "Change the drawing, the tool or the board, and compile the job again."
   },
   "verify.not-worked": {
-    "text": "{length:.3f} mm along the edge are not {work}{where}.",
+    "text": "{length, number, ::.000} mm along the edge are not {work}{where}.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.off-curve": {
-    "text": "The edge approximates a curve of the drawing file and is {fit:.4f} mm away from it. The path of the tool is {distance:.4f} mm away from the edge, and the controller may round corners by another {rounding:.4f} mm. The sum exceeds the tolerance of {tolerance:g} mm.",
+    "text": "The edge approximates a curve of the drawing file and is {fit, number, ::.0000} mm away from it. The path of the tool is {distance, number, ::.0000} mm away from the edge, and the controller may round corners by another {rounding, number, ::.0000} mm. The sum exceeds the tolerance of {tolerance, number, ::@#####} mm.",
     "hint": "Draw the curve with lines and circular arcs, or verify with a greater tolerance."
   },
   "verify.off-line": {
-    "text": "The path of the {tool:tool} is {distance:.4f} mm away from the edge that it should follow, and the controller may round corners by another {rounding:.4f} mm. The tolerance is {tolerance:g} mm.",
+    "text": "The path of the {tool__tool} is {distance, number, ::.0000} mm away from the edge that it should follow, and the controller may round corners by another {rounding, number, ::.0000} mm. The tolerance is {tolerance, number, ::@#####} mm.",
     "hint": "Increase the tolerance, or report an internal error with the program file."
   },
   "verify.one-pass": {
-    "text": "The board should be cut in passes of at most {step:g} mm, but programs for this controller do not set the depth: the knife cuts {depth:g} mm in one pass.",
+    "text": "The board should be cut in passes of at most {step, number, ::@#####} mm, but programs for this controller do not set the depth: the knife cuts {depth, number, ::@#####} mm in one pass.",
     "hint": "Run the program several times, with less pressure on the knife at first."
   },
   "verify.oscillation-on": {
     "text": "Station {station} processes the board while the oscillation is on, although its tool must not oscillate.",
     "hint": "Switch the oscillation off (M5) before this station is used."
   },
+  "verify.other-direction": {
+    "text": "The program cuts edge {edge} against the chosen direction.",
+    "hint": "Compile the job again."
+  },
+  "verify.other-passes": {
+    "text": "Edge {edge} must be cut in {passes, plural, one {# pass} other {# passes}} down to {depth, number, ::@#####} mm below the top face, but the program cuts it at these depths (mm): {found}.",
+    "hint": "Compile the job again."
+  },
   "verify.other-placement": {
-    "text": "The program places the drawing at X{x:.4f} Y{y:.4f} on the sheet, but the job places it at X{job_x:.4f} Y{job_y:.4f}.",
-    "hint": "Compile the job again, or verify the program with the position X{x:.4f} Y{y:.4f} of the drawing."
+    "text": "The program places the drawing at X{x, number, ::.0000} Y{y, number, ::.0000} on the sheet, but the job places it at X{job_x, number, ::.0000} Y{job_y, number, ::.0000}.",
+    "hint": "Compile the job again, or verify the program with the position X{x, number, ::.0000} Y{y, number, ::.0000} of the drawing."
+  },
+  "verify.other-start": {
+    "text": "The closed cut with edge {edge} must begin at X {x, number, ::.000 group-off} mm, Y {y, number, ::.000 group-off} mm on this edge, but the program begins it elsewhere.",
+    "hint": "Choose a start with more room for the tool, or compile the job again."
   },
   "verify.outline-begun": {
-    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board whose outline the program begins to cut in line {line}, before this edge is made.",
+    "text": "The edge at X{x, number, ::.000} Y{y, number, ::.000} (coordinates of the sheet) lies on a part of the board whose outline the program begins to cut in line {line}, before this edge is made.",
     "hint": "Make creases, grooves, half-cuts and perforations before the outline of their part."
   },
   "verify.output": {
@@ -5820,67 +6343,67 @@ export const TEXTS = {
     "hint": "Switch output {output} on (M64) before the station is used."
   },
   "verify.pass-alone": {
-    "text": "The cutter mills {length:.3f} mm only {depth:.3f} mm deep, and no other pass goes through the board there.",
+    "text": "The cutter mills {length, number, ::.000} mm only {depth, number, ::.000} mm deep, and no other pass goes through the board there.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.pass-too-deep": {
-    "text": "The {tool:tool} cuts {depth:.3f} mm deep in a single pass along {length:.3f} mm, but at most {step:g} mm per pass are allowed.",
+    "text": "The {tool__tool} cuts {depth, number, ::.000} mm deep in a single pass along {length, number, ::.000} mm, but at most {step, number, ::@#####} mm per pass are allowed.",
     "hint": "Add a shallower pass, or allow deeper passes in the board file."
   },
   "verify.past-end": {
-    "text": "The {tool:tool} continues {length:.3f} mm beyond the end of the edge.",
+    "text": "The {tool__tool} continues {length, number, ::.000} mm beyond the end of the edge.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.past-open-cut": {
-    "text": "The cutter continues {length:.3f} mm beyond the end of an open cut.",
+    "text": "The cutter continues {length, number, ::.000} mm beyond the end of an open cut.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.past-stop": {
-    "text": "The {tool:tool} cuts {length:.3f} mm beyond the point where it must stop.",
+    "text": "The {tool__tool} cuts {length, number, ::.000} mm beyond the point where it must stop.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.perforation-bridge": {
-    "text": "A gap of the perforation, which begins {place:.3f} mm from the start of the edge, is only {length:.3f} mm long in the top face of the board, but it must be at least {least:.3f} mm long to hold the board.",
+    "text": "A gap of the perforation, which begins {place, number, ::.000} mm from the start of the edge, is only {length, number, ::.000} mm long in the top face of the board, but it must be at least {least, number, ::.000} mm long to hold the board.",
     "hint": "Compile the job again for this board."
   },
   "verify.perforation-cut": {
-    "text": "A cut of the perforation is {length:.3f} mm long instead of {planned:.3f} mm.",
+    "text": "A cut of the perforation is {length, number, ::.000} mm long instead of {planned, number, ::.000} mm.",
     "hint": "Compile the job again for this board."
   },
   "verify.perforation-gap": {
-    "text": "A gap of the perforation, which begins {place:.3f} mm from the start of the edge, is {length:.3f} mm long, but the board needs gaps of {planned:g} mm.",
+    "text": "A gap of the perforation, which begins {place, number, ::.000} mm from the start of the edge, is {length, number, ::.000} mm long, but the board needs gaps of {planned, number, ::@#####} mm.",
     "hint": "Compile the job again for this board."
   },
   "verify.perforation-uneven": {
-    "text": "A cut of the perforation is not where it is planned: the gap that begins {place:.3f} mm from the start of the edge is {first:.3f} mm long, and the gap after the cut {second:.3f} mm.",
+    "text": "A cut of the perforation is not where it is planned: the gap that begins {place, number, ::.000} mm from the start of the edge is {first, number, ::.000} mm long, and the gap after the cut {second, number, ::.000} mm.",
     "hint": "Compile the job again for this board."
   },
   "verify.plunge-without-move": {
-    "text": "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet) and leaves it without a move.",
+    "text": "The {tool__tool} enters the board at X{x, number, ::.000} Y{y, number, ::.000} (coordinates of the sheet) and leaves it without a move.",
     "hint": "Delete the plunge, or compile the job again."
   },
   "verify.rapid-in-board": {
-    "text": "A rapid move of station {station} is {depth:.3f} mm below the top face of the board.",
+    "text": "A rapid move of station {station} is {depth, number, ::.000} mm below the top face of the board.",
     "hint": "Lift the tool above the board before the rapid move."
   },
   "verify.rapid-near-sheet": {
-    "text": "A rapid move of station {station} is {depth:.3f} mm below the top face of the board, and it is over the sheet, too close to the sheet, or in the mat.",
+    "text": "A rapid move of station {station} is {depth, number, ::.000} mm below the top face of the board, and it is over the sheet, too close to the sheet, or in the mat.",
     "hint": "Lift the tool above the board before the rapid move, or keep the tool beside the sheet by the clearance of the machine."
   },
   "verify.rapid-too-low": {
-    "text": "A rapid move of station {station} is only {height:.3f} mm above the board; the turn_clearance of the machine is {needed:g} mm.",
+    "text": "A rapid move of station {station} is only {height, number, ::.000} mm above the board; the turn_clearance of the machine is {needed, number, ::@#####} mm.",
     "hint": "Lift the tool higher before the rapid move."
   },
   "verify.released-before": {
-    "text": "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board that an earlier program has already cut out or begun to cut out on this sheet.",
+    "text": "The edge at X{x, number, ::.000} Y{y, number, ::.000} (coordinates of the sheet) lies on a part of the board that an earlier program has already cut out or begun to cut out on this sheet.",
     "hint": "Continue from the first contour that is not made, or start a new sheet. If the tool did not cut through the board, state this when you continue the job."
   },
   "verify.replaced": {
-    "text": "{length:.2f} mm of this line of the type {type} are not made, because a line of the type {other} lies on it and is made instead.",
+    "text": "{length, number, ::.00} mm of this line of the type {type} are not made, because a line of the type {other} lies on it and is made instead.",
     "hint": "If the {type} is meant, set the line type of the other line to ignored."
   },
   "verify.slanted": {
-    "text": "Station {station} moves {distance:.3f} mm sideways (away from the axis of its tool) while the tool enters or leaves the board.",
+    "text": "Station {station} moves {distance, number, ::.000} mm sideways (away from the axis of its tool) while the tool enters or leaves the board.",
     "hint": "Move the tool along its axis while it enters or leaves the board."
   },
   "verify.spindle": {
@@ -5888,51 +6411,51 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.stray": {
-    "text": "The {tool:tool} processes {length:.3f} mm of the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), where the drawing has no edge.",
+    "text": "The {tool__tool} processes {length, number, ::.000} mm of the board at X{x, number, ::.000} Y{y, number, ::.000} (coordinates of the sheet), where the drawing has no edge.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.stray-along": {
-    "text": "The {tool:tool} processes {length:.3f} mm along edge {edge}, whose line type ({type}) must not be processed with this tool.",
+    "text": "The {tool__tool} processes {length, number, ::.000} mm along edge {edge}, whose line type ({type}) must not be processed with this tool.",
     "hint": "Check the line type of the edge, then compile the job again."
   },
   "verify.stray-plunge": {
-    "text": "The {tool:tool} enters the board at X{x:.3f} Y{y:.3f} (coordinates of the sheet), where the drawing has no edge.",
+    "text": "The {tool__tool} enters the board at X{x, number, ::.000} Y{y, number, ::.000} (coordinates of the sheet), where the drawing has no edge.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.stray-plunge-along": {
-    "text": "The {tool:tool} enters the board on edge {edge}, whose line type ({type}) must not be processed with this tool.",
+    "text": "The {tool__tool} enters the board on edge {edge}, whose line type ({type}) must not be processed with this tool.",
     "hint": "Check the line type of the edge, then compile the job again."
   },
   "verify.switches-at-unknown-height": {
     "text": "The program line switches an output or the spindle before the program has set the height of the head.",
-    "hint": "Lift the head to Z {needed:.3f} mm before this program line."
+    "hint": "Lift the head to Z {needed, number, ::.000} mm before this program line."
   },
   "verify.switches-low": {
-    "text": "The program line switches an output or the spindle while axis Z is at {height:.3f} mm, which is too low.",
-    "hint": "Lift the head to Z {needed:.3f} mm before this program line."
+    "text": "The program line switches an output or the spindle while axis Z is at {height, number, ::.000} mm, which is too low.",
+    "hint": "Lift the head to Z {needed, number, ::.000} mm before this program line."
   },
   "verify.swivel-mark": {
-    "text": "The free blade turns by {turn:.0f}° about its tip, and its slanted edge cuts the top face up to {mark:.2f} mm beside the line (permitted: {tolerance:g} mm).",
+    "text": "The free blade turns by {turn, number, ::precision-integer}° about its tip, and its slanted edge cuts the top face up to {mark, number, ::.00} mm beside the line (permitted: {tolerance, number, ::@#####} mm).",
     "hint": "Let the blade turn at a smaller depth (`swivel_depth` of the knife), use a blade with a steeper edge, or accept the mark."
   },
   "verify.too-few-bridges": {
-    "text": "Only {bridges:# bridge holds|# bridges hold} the part, but the board needs at least {fewest:# bridge|# bridges}.",
+    "text": "Only {bridges, plural, one {# bridge holds} other {# bridges hold}} the part, but the board needs at least {fewest, plural, one {# bridge} other {# bridges}}.",
     "hint": "Compile the job again, or require fewer bridges in the board file. Where contours cross, divide them at their crossings in the drawing."
   },
   "verify.turn-at-feed": {
-    "text": "Axis C turns by {degrees:.4f}° in a program line whose feed is in mm/min, so the duration of the rotation is not defined.",
+    "text": "Axis C turns by {degrees, number, ::.0000}° in a program line whose feed is in mm/min, so the duration of the rotation is not defined.",
     "hint": "Give the duration of the move in inverse time mode (G93)."
   },
   "verify.turn-in-board": {
-    "text": "Axis C turns by {degrees:.3f}° while the tool is in the board, but at most {most:.2f}° is allowed.",
+    "text": "Axis C turns by {degrees, number, ::.000}° while the tool is in the board, but at most {most, number, ::.00}° is allowed.",
     "hint": "Lift the tool before it turns."
   },
   "verify.turn-off-path": {
-    "text": "Axis C turns by {degrees:.3f}° in the board, although the path of the tool turns by {path:.3f}°.",
+    "text": "Axis C turns by {degrees, number, ::.000}° in the board, although the path of the tool turns by {path, number, ::.000}°.",
     "hint": "Turn the tool by the same angle as the path."
   },
   "verify.turn-overlaps": {
-    "text": "The controller does not wait between the turn of axis C by {degrees:.2f}° in the board and the move next to it, so the tool turns while it moves.",
+    "text": "The controller does not wait between the turn of axis C by {degrees, number, ::.00}° in the board and the move next to it, so the tool turns while it moves.",
     "hint": "Add an exact stop (G4 P0) before this program line."
   },
   "verify.two-lowered": {
@@ -5944,7 +6467,7 @@ export const TEXTS = {
     "hint": "Give the edge a line type."
   },
   "verify.unknown-beside-zone": {
-    "text": "The head moves from an unknown position, and its tip is below {top:g} mm, the top of the keep-out zone {zone}, or at an unknown height. The move may lead through the zone.",
+    "text": "The head moves from an unknown position, and its tip is below {top, number, ::@#####} mm, the top of the keep-out zone {zone}, or at an unknown height. The move may lead through the zone.",
     "hint": "Lift Z above the zone before the first move of X or Y."
   },
   "verify.unknown-position": {
@@ -5952,11 +6475,11 @@ export const TEXTS = {
     "hint": "Give X, Y, Z and C before this program line."
   },
   "verify.unreached": {
-    "text": "The cutter cannot reach {length:.3f} mm of the edge, in {places:# place|# places}, without cutting into a part. The edge lies up to {distance:.3f} mm from the board that the cutter removes.",
+    "text": "The cutter cannot reach {length, number, ::.000} mm of the edge, in {places, plural, one {# place} other {# places}}, without cutting into a part. The edge lies up to {distance, number, ::.000} mm from the board that the cutter removes.",
     "hint": "Choose a thinner cutter, widen the slot, or round the inner corners with at least the radius of the cutter."
   },
   "verify.where-from-start": {
-    "text": ", beginning {place:.3f} mm from the start of the edge",
+    "text": ", beginning {place, number, ::.000} mm from the start of the edge",
     "hint": ""
   },
   "verify.where-past-end": {
@@ -5968,7 +6491,7 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.wide-slit": {
-    "text": "The cutter mills {length:.3f} mm of the slit {width:.2f} mm wide, because it follows the line of the slit with its centre.",
+    "text": "The cutter mills {length, number, ::.000} mm of the slit {width, number, ::.00} mm wide, because it follows the line of the slit with its centre.",
     "hint": "Cut the slit with a knife, choose a thinner cutter, or draw the slit as an outline of the width that it should have."
   },
   "verify.work-creased": {
@@ -5992,24 +6515,24 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.wrong-depth": {
-    "text": "The {tool:tool} is {depth:.4f} mm below the top face of the board instead of {planned:.4f} mm.",
+    "text": "The {tool__tool} is {depth, number, ::.0000} mm below the top face of the board instead of {planned, number, ::.0000} mm.",
     "hint": "Compile the job again for this board."
   },
   "verify.wrong-feed": {
-    "text": "Station {station} has a feed of {feed:g} mm/min instead of {planned:g} mm/min.",
+    "text": "Station {station} has a feed of {feed, number, ::@#####} mm/min instead of {planned, number, ::@#####} mm/min.",
     "hint": "Compile the job again with the current machine file."
   },
   "verify.wrong-heading": {
-    "text": "The {tool:tool} is turned {degrees:.3f}° away from the direction of the edge, which moves its cutting edge {swing:.3f} mm sideways.",
+    "text": "The {tool__tool} is turned {degrees, number, ::.000}° away from the direction of the edge, which moves its cutting edge {swing, number, ::.000} mm sideways.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.wrong-time": {
-    "text": "The move of station {station} takes {seconds:.4f} s instead of {planned:.4f} s.",
+    "text": "The move of station {station} takes {seconds, number, ::.0000} s instead of {planned, number, ::.0000} s.",
     "hint": "Compile the job again with the current machine file."
   },
   "waiting.check-refused": {
     "text": "{machine} has not begun the program: no line of it was executed. {reason}",
-    "hint": "{reason:hint} Then try it again, or compile the job again, or cancel it. Other jobs of the queue go on."
+    "hint": "{reason__hint} Then try it again, or compile the job again, or cancel it. Other jobs of the queue go on."
   },
   "waiting.confirmed": {
     "text": "The operator confirmed the job, and {machine} is starting.",
@@ -6017,7 +6540,7 @@ export const TEXTS = {
   },
   "waiting.controller-not-connected": {
     "text": "The job waits, because the gateway of {machine} is not connected to the controller of the machine. {reason}",
-    "hint": "{reason:hint}"
+    "hint": "{reason__hint}"
   },
   "waiting.for-controller": {
     "text": "The job waits, because the gateway of {machine} (the program that sends jobs to the machine) is not connected to the controller of the machine.",
@@ -6040,7 +6563,7 @@ export const TEXTS = {
     "hint": "{advice}"
   },
   "waiting.for-rest": {
-    "text": "The job waits until the operator of {machine} confirms that the sheet of job {job}, of which it makes the rest, still lies in its place. Required: board {board!r}{sheet}{tools}.",
+    "text": "The job waits until the operator of {machine} confirms that the sheet of job {job}, of which it makes the rest, still lies in its place. Required: board ''{board}''{sheet}{tools}.",
     "hint": "Check that the sheet has not moved and that all tools are whole, then confirm the job to start it. If the sheet has moved or is gone, cancel the job."
   },
   "waiting.for-sheet": {
@@ -6048,7 +6571,7 @@ export const TEXTS = {
     "hint": "Put a new sheet of {board}{sheet} on the table, then confirm the new sheet. The machine then starts the next copy."
   },
   "waiting.for-start": {
-    "text": "The job waits until the operator of {machine} confirms that the table is clear.{unfinished} Required: board {board!r}{sheet}{tools}.",
+    "text": "The job waits until the operator of {machine} confirms that the table is clear.{unfinished} Required: board ''{board}''{sheet}{tools}.",
     "hint": "Check the table, then confirm the job to start it."
   },
   "waiting.for-turn": {
@@ -6057,14 +6580,14 @@ export const TEXTS = {
   },
   "waiting.obstacle": {
     "text": "The job waits, because {machine} takes no job now. {reason}",
-    "hint": "{reason:hint}"
+    "hint": "{reason__hint}"
   },
   "waiting.on-hold": {
     "text": "The job is on hold in the queue of {machine}. Other jobs are taken before it.",
     "hint": "End the hold to let the machine take the job."
   },
   "waiting.outdated": {
-    "text": "The program of the job is out of date: {changes:; }.",
+    "text": "The program of the job is out of date: {changes__semicolon}.",
     "hint": "Compile the job again. Its program is then made and verified for the present machine and board."
   },
   "waiting.sheet-outline": {
@@ -6072,7 +6595,7 @@ export const TEXTS = {
     "hint": ""
   },
   "waiting.sheet-size": {
-    "text": ", cut to {width:g} × {height:g} mm",
+    "text": ", cut to {width, number, ::@#####} × {height, number, ::@#####} mm",
     "hint": ""
   },
   "waiting.taken": {
@@ -6092,11 +6615,11 @@ export const TEXTS = {
     "hint": ""
   },
   "waiting.tools": {
-    "text": ", tools: {tools:, }",
+    "text": ", tools: {tools}",
     "hint": ""
   },
   "waiting.unconfirmed-run": {
-    "text": "{machine} was started, but the operator has not confirmed that the table is clear. Required: board {board!r}{sheet}{tools}.",
+    "text": "{machine} was started, but the operator has not confirmed that the table is clear. Required: board ''{board}''{sheet}{tools}.",
     "hint": "Check the table. Confirm the job to let it continue, or cancel it."
   },
   "waiting.unfinished-sheet": {
@@ -6132,8 +6655,8 @@ export const TEXTS = {
     "hint": "End the other process, or watch another folder."
   },
   "watch.xjdf-fields": {
-    "text": "The JSON file of the XJDF order contains {names:, }. The XJDF document defines these fields.",
-    "hint": "Remove these fields. Only {permitted:or} may be in the file."
+    "text": "The JSON file of the XJDF order contains {names}. The XJDF document defines these fields.",
+    "hint": "Remove these fields. Only {permitted__or} may be in the file."
   },
   "webhook.bad-url": {
     "text": "The URL of the webhook is not valid: {reason}.",
@@ -6168,11 +6691,11 @@ export const TEXTS = {
     "hint": "Send a smaller drawing, or split the drawing into several drawings."
   },
   "worker.timeout": {
-    "text": "Processing the drawing took longer than {seconds:.0f} s in the stage {stage}.",
+    "text": "Processing the drawing took longer than {seconds, number, ::precision-integer} s in the stage {stage}.",
     "hint": "Send a smaller drawing, or split the drawing into several drawings."
   },
   "xjdf.bad-name": {
-    "text": "The package contains a file with the unsafe name {name!r}.",
+    "text": "The package contains a file with the unsafe name ''{name}''.",
     "hint": "Use relative names without .., backslashes, colons and control characters."
   },
   "xjdf.bad-package": {
@@ -6180,7 +6703,7 @@ export const TEXTS = {
     "hint": "Send an unencrypted ZIP file or multipart/related body with one XJDF document and the drawing."
   },
   "xjdf.bad-value": {
-    "text": "{place} has the value {value!r}, which is not supported.",
+    "text": "{place} has the value ''{value}'', which is not supported.",
     "hint": "Use one of the values that the how-to page order-with-xjdf describes."
   },
   "xjdf.foreign-drawing": {
@@ -6200,7 +6723,7 @@ export const TEXTS = {
     "hint": "Send all documents and the drawing as parts of one multipart/related."
   },
   "xjdf.no-file": {
-    "text": "The file {url!r} is not in the package.",
+    "text": "The file ''{url}'' is not in the package.",
     "hint": "Send a package that contains it under this name, or upload the drawing and name it as /api/v1/drawings/ID. Files of other servers are not fetched."
   },
   "xjdf.no-parts": {
@@ -6236,45 +6759,50 @@ export const TEXTS = {
     "hint": "Send several documents."
   },
   "zone.work": {
-    "text": "{tool} (station {station}) would touch the keep-out zone {zone} at X {x:.1f}, Y {y:.1f} mm{place}: the tool with its holder needs {reach:.1f} mm around its axis.",
+    "text": "{tool} (station {station}) would touch the keep-out zone {zone} at X {x, number, ::.0}, Y {y, number, ::.0} mm{place}: the tool with its holder needs {reach, number, ::.0} mm around its axis.",
     "hint": "Move the clamp or stop away from the drawing and correct its zone in the machine file, or move the origin in the machine file so that the drawing lies beside the zone."
   }
 } as const satisfies Catalogue;
 
-export const UNITS: Readonly<Record<string, string>> = {
-  "": "units of the file",
-  "mm": "mm",
-  "cm": "cm",
-  "m": "metres",
-  "in": "inches",
-  "ft": "feet",
-  "pt": "points",
-  "px": "pixels",
-  "px-90": "pixels of 1/90 inch",
-  "mi": "miles",
-  "km": "kilometres",
-  "uin": "microinches",
-  "mil": "mils",
-  "yd": "yards",
-  "angstrom": "ångströms",
-  "nm": "nanometres",
-  "um": "micrometres",
-  "dm": "decimetres",
-  "dam": "decametres",
-  "hm": "hectometres",
-  "Gm": "gigametres",
-  "au": "astronomical units",
-  "ly": "light years",
-  "pc": "parsecs",
-  "survey-ft": "US survey feet",
-  "survey-in": "US survey inches",
-  "survey-yd": "US survey yards",
-  "survey-mi": "US survey miles"
+export const NAMES: Names = {
+  "unit": {
+    "": "units of the file",
+    "mm": "mm",
+    "cm": "cm",
+    "m": "metres",
+    "in": "inches",
+    "ft": "feet",
+    "pt": "points",
+    "px": "pixels",
+    "px-90": "pixels of 1/90 inch",
+    "mi": "miles",
+    "km": "kilometres",
+    "uin": "microinches",
+    "mil": "mils",
+    "yd": "yards",
+    "angstrom": "ångströms",
+    "nm": "nanometres",
+    "um": "micrometres",
+    "dm": "decimetres",
+    "dam": "decametres",
+    "hm": "hectometres",
+    "Gm": "gigametres",
+    "au": "astronomical units",
+    "ly": "light years",
+    "pc": "parsecs",
+    "survey-ft": "US survey feet",
+    "survey-in": "US survey inches",
+    "survey-yd": "US survey yards",
+    "survey-mi": "US survey miles"
+  },
+  "tool": {
+    "cutter": "cutter",
+    "knife": "knife",
+    "v-cutter": "V-cutter",
+    "wheel": "creasing wheel"
+  }
 };
 
-export const TOOLS: Readonly<Record<string, string>> = {
-  "cutter": "cutter",
-  "knife": "knife",
-  "v-cutter": "V-cutter",
-  "wheel": "creasing wheel"
-};
+export const AND = "and";
+
+export const OR = "or";

@@ -4,7 +4,7 @@ import { fileURLToPath } from "node:url";
 import { describe, expect, expectTypeOf, test } from "vitest";
 import type { Mismatched } from "./catalogue";
 import type { TEXTS } from "./en.gen";
-import { renderHint, renderText } from "./render";
+import { messageHint, messageText } from "./translateMessage";
 
 test("templates name only arguments of their codes", () => {
   // The compiler checks it: a mismatch makes this type a union of codes.
@@ -31,13 +31,13 @@ describe("rendering", () => {
       unit: "mm",
       guess,
     };
-    expect(renderText({ code: "question.line-type", arguments: line })).toBe(
+    expect(messageText({ code: "question.line-type", arguments: line })).toBe(
       '1,246 edges on layer "A: B" (colour 1, line style CONTINUOUS) have no line type: ' +
         "total length 1,389.0 mm, extent 229.0 × 155.0 mm, lower left corner at X 0.0, Y 345.2. " +
         "Which line type should these edges get? The most likely line type is v-groove (55 %): divides two panels.",
     );
     expect(
-      renderText({ code: "question.line-type", arguments: { ...line, edges: 1, guess: null } }),
+      messageText({ code: "question.line-type", arguments: { ...line, edges: 1, guess: null } }),
     ).toContain("1 edge on layer");
   });
 
@@ -49,32 +49,37 @@ describe("rendering", () => {
     const reason = { code: "question.unit-not-stated", arguments: {} };
     const sizes = [size("in", 101.6), size("m", 4000)];
     expect(
-      renderText({ code: "question.unit", arguments: { reason, sizes, evidence: null } }),
+      messageText({ code: "question.unit", arguments: { reason, sizes, evidence: null } }),
     ).toBe(
       "The file does not state the unit of the drawing. In which unit is the drawing? " +
-        "Its possible sizes are: 101.6 × 76.2 mm if the unit is inches, 4000 × 76.2 mm if the unit is metres.",
+        "Its possible sizes are: 101.6 × 76.2 mm if the unit is inches, 4,000 × 76.2 mm if the unit is metres.",
     );
   });
 
   test("quotes, joins alternatives and rounds to significant digits as the server does", () => {
     const known = { code: "library.unknown", arguments: { shelf: "board", name: "x", known: [] } };
-    expect(renderText(known)).toContain("'x'");
+    expect(messageText(known)).toContain("'x'");
     const { code, arguments: given } = {
       code: "bridges.no-room",
       arguments: { edge: 3, length: 12.5, fewest: 2, gap: 0.4, spacing: 100 },
     };
-    expect(renderText({ code, arguments: given })).toContain("12.5");
+    expect(messageText({ code, arguments: given })).toContain("12.5");
   });
 
   test("of a code that only a newer server has takes the text of the server", () => {
     const newer = { code: "newer.code", arguments: {}, text: "New.", hint: "Reload." };
-    expect(renderText(newer)).toBe("New.");
-    expect(renderHint(newer)).toBe("Reload.");
+    expect(messageText(newer)).toBe("New.");
+    expect(messageHint(newer)).toBe("Reload.");
+  });
+
+  test("with arguments that only another version has takes the text of the server", () => {
+    const other = { code: "question.line-type", arguments: {}, text: "Which?", hint: "Choose." };
+    expect(messageText(other)).toBe("Which?");
   });
 
   test("of a stored text is that text", () => {
     const stored = { code: "stored.text", arguments: { text: "Old.", hint: "Retry." } };
-    expect([renderText(stored), renderHint(stored)]).toEqual(["Old.", "Retry."]);
+    expect([messageText(stored), messageHint(stored)]).toEqual(["Old.", "Retry."]);
   });
 });
 

@@ -1,6 +1,7 @@
 /** Actions of the user: each sends requests to the server and updates the cached data. */
 
 import {
+  type Drawing,
   type Exceptions,
   type Neighbours,
   type Profile,
@@ -12,13 +13,14 @@ import {
   type WaitingChange,
 } from "../api/client";
 import type { LineType } from "../geometry/records";
+import { translate } from "../language/translate";
 import {
   applyDrawing,
   cachedDrawing,
   clearQuestions,
   displayedRevision,
   enqueue,
-} from "./drawingSync";
+} from "./drawing/drawingSync";
 import {
   type Change,
   inverseOf,
@@ -30,12 +32,14 @@ import {
   type Retyping,
   retypeChange,
   settingsOf,
-} from "./history";
-import type { OfficeCommand } from "./jobs";
+} from "./drawing/history";
+import { type Look, lookOf } from "./drawing/learnedLooks";
+import { useProfileDraft } from "./drawing/profileDraft";
+import type { OfficeCommand } from "./job/jobs";
 import { notifyError } from "./notifications";
-import { useProfileDraft } from "./profileDraft";
+import { hasLeastLift } from "./order/sheet";
 import { queries, queryClient, upsertJob } from "./queries";
-import { hasLeastLift } from "./sheet";
+import { showDrawing } from "./routes";
 import { useUiStore } from "./store";
 
 export function uploadFiles(files: readonly File[]): Promise<void> {
@@ -48,12 +52,29 @@ export function uploadFiles(files: readonly File[]): Promise<void> {
             useUiStore.getState().set({ upload: { name: file.name, fraction } }),
           );
           queryClient.setQueryData(queries.drawing(drawing.id).queryKey, drawing);
-          useUiStore.getState().open(drawing.id);
+          showDrawing(drawing.id);
         } catch (cause) {
           // A file that cannot be read does not stop the others.
           notifyError(cause);
         }
       }
+    } finally {
+      useUiStore.getState().set({ upload: null });
+      await queryClient.invalidateQueries({ queryKey: queries.drawings().queryKey });
+    }
+  });
+}
+
+/** Read another page of the file of a drawing, and open it. */
+export function choosePage({ id, name }: Pick<Drawing, "id" | "name">, page: number) {
+  return enqueue(async () => {
+    useUiStore
+      .getState()
+      .set({ upload: { name: translate("actions.page", { name, page }), fraction: 1 } });
+    try {
+      const drawing = await service.choosePage(id, page);
+      queryClient.setQueryData(queries.drawing(drawing.id).queryKey, drawing);
+      showDrawing(drawing.id);
     } finally {
       useUiStore.getState().set({ upload: null });
       await queryClient.invalidateQueries({ queryKey: queries.drawings().queryKey });
@@ -84,6 +105,28 @@ export function shareDrawing(shared: boolean): Promise<void> {
   });
 }
 
+/** Set the customer of the open drawing, whose earlier drawings answer its questions. */
+export function setCustomer(customer: string): Promise<void> {
+  return enqueue(async () => {
+    const { drawing } = useUiStore.getState();
+    if (drawing === null) return;
+    const part = { customer };
+    await applyDrawing(await service.patchDrawing(drawing, part, displayedRevision(drawing)));
+  });
+}
+
+/** Set whether earlier drawings of the customer decide edges of a look. */
+export function setLookUsed(look: Look, used: boolean): Promise<void> {
+  return enqueue(async () => {
+    const { drawing } = useUiStore.getState();
+    if (drawing === null) return;
+    const revision = displayedRevision(drawing);
+    await applyDrawing(
+      await service.setCustomerAnswer(drawing, { ...lookOf(look), used }, revision),
+    );
+  });
+}
+
 /** Set the line type of edges; null resets them to the profile. */
 export const retype = (rows: readonly number[], type: LineType | null): Promise<void> =>
   retypeEach([{ rows, type }]);
@@ -109,9 +152,9 @@ async function assertUnchanged(name: string, text: string): Promise<Profile> {
   if ((await service.profileText(name)) === text) return now;
   throw pageProblem(
     412,
-    "The profile was changed elsewhere",
-    `Another user has changed the profile ${now.title} since your change.`,
-    "Nothing was undone or redone. Check the rules of the profile.",
+    translate("actions.theProfileWasChangedElsewhere"),
+    translate("actions.anotherUserHasChangedThe", { title: now.title }),
+    translate("actions.nothingWasUndoneOrRedone"),
   );
 }
 
@@ -207,12 +250,13 @@ export function compile(machine: string, board: string): Promise<void> {
     clearQuestions();
     const machines = queryClient.getQueryData(queries.machines().queryKey);
     const chosen = machines?.find(({ name }) => name === machine);
-    const { corners: types, lift: height, details } = useUiStore.getState();
+    const { corners: types, lift: height, options, details } = useUiStore.getState();
     const corners = chosen?.offset_cuts === true ? types : null;
     const lift = hasLeastLift(chosen) ? height : "clearance";
     try {
       const revision = displayedRevision(drawing);
-      const order = { drawing, revision, machine, board, copies, corners, sheet, lift, ...details };
+      const chosenOptions = { corners, sheet, lift, ...options };
+      const order = { drawing, revision, machine, board, copies, ...chosenOptions, ...details };
       const job = await service.compile(order);
       upsertJob(job);
       useUiStore.getState().openJob(job.id);

@@ -2,8 +2,9 @@
 
 import { create } from "zustand";
 import { type Problem, ServiceError } from "../api/client";
-import { renderHint, renderText } from "../messages/render";
-import type { Concerned } from "./rows";
+import { translate } from "../language/translate";
+import { messageHint, messageText } from "../messages/translateMessage";
+import type { Concerned } from "./drawing/rows";
 
 export interface Notification extends Concerned {
   readonly id: number;
@@ -44,18 +45,18 @@ export const useNotifications = create<Notifications>()((set) => ({
 /** Problems of the page have a title for users; that of the server names the type of the error. */
 const fromProblem = (problem: Problem): Omit<Notification, "id"> => ({
   ...(problem.code === "stored.text"
-    ? { title: problem.title, detail: renderText(problem) }
-    : { title: renderText(problem) || problem.title, detail: "" }),
+    ? { title: problem.title, detail: messageText(problem) }
+    : { title: messageText(problem) || problem.title, detail: "" }),
   code: problem.code,
-  hint: renderHint(problem),
+  hint: messageHint(problem),
   source: problem.source,
   edges: problem.edges,
 });
 
 const fromPageError = (detail: string): Omit<Notification, "id"> => ({
-  title: "Error in this page",
+  title: translate("notifications.errorInThisPage"),
   detail,
-  hint: "Reload the page and repeat the last step.",
+  hint: translate("notifications.reloadThePageAndRepeat"),
   source: [],
   edges: [],
 });

@@ -25,9 +25,9 @@ import { openEventStream } from "../api/events";
 import type { Page } from "../api/restApi";
 import { type DeliveryState, webhookService } from "../api/webhooks";
 import { buildTimeline } from "../geometry/timeline";
-import { hasProgram, isFinal } from "./jobs";
+import { hasProgram, isFinal } from "./job/jobs";
+import { hasChanged } from "./job/queue";
 import { byTitle } from "./naturalOrder";
-import { hasChanged } from "./queue";
 import { useUiStore } from "./store";
 
 export const queryClient = new QueryClient({
@@ -76,6 +76,13 @@ export const queries = {
       queryKey: ["drawing", id],
       queryFn: ({ signal }) => service.drawing(id, signal),
     }),
+  /** The pages of a file never change. */
+  pages: (id: string) =>
+    queryOptions({
+      queryKey: ["pages", id],
+      queryFn: ({ signal }) => service.pages(id, signal),
+      staleTime: Number.POSITIVE_INFINITY,
+    }),
   edges: (id: string) =>
     queryOptions({
       queryKey: ["edges", id],
@@ -87,6 +94,11 @@ export const queries = {
     queryOptions({
       queryKey: ["importReport", id, outcome],
       queryFn: ({ signal }) => service.importReport(id, outcome, signal),
+    }),
+  customerAnswers: (id: string) =>
+    queryOptions({
+      queryKey: ["customer-answers", id],
+      queryFn: ({ signal }) => service.customerAnswers(id, signal),
     }),
   learned: (id: string) =>
     queryOptions({
@@ -254,6 +266,7 @@ const flattenPages = <T>({ pages }: { pages: Page<T>[] }): T[] => pages.flatMap(
 /** Lists, page by page: `fetchNextPage` loads more if `hasNextPage`. */
 export const useDrawings = () =>
   useInfiniteQuery({ ...queries.drawings(), select: flattenPages<DrawingSummary> });
+export const usePages = (id: string) => useQuery(queries.pages(id));
 export const useJobs = () => useInfiniteQuery({ ...queries.jobs(), select: flattenPages<Job> });
 export const useQueue = (machine: string) => useQuery(queries.queue(machine));
 export const useHistory = (filter: HistoryFilter) =>
@@ -311,6 +324,12 @@ export function useEdges() {
 export function useImportReport(outcome: ImportReportRow["outcome"], wanted: boolean) {
   const id = useUiStore((ui) => ui.drawing);
   return useQuery({ ...queries.importReport(id ?? "", outcome), enabled: id !== null && wanted });
+}
+
+/** What other drawings of the customer of the open drawing teach. */
+export function useCustomerAnswers(wanted: boolean) {
+  const id = useUiStore((ui) => ui.drawing);
+  return useQuery({ ...queries.customerAnswers(id ?? ""), enabled: id !== null && wanted });
 }
 
 /** Rules that explain the corrections made in the open drawing. */

@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, test } from "vitest";
 import type { Job, Sheet } from "../api/client";
 import { formatDeviation, formatDuration, formatLength, formatSize } from "./format";
+import { DEFAULT_OPTIONS } from "./order/options";
 import { queries, queryClient, upsertJob } from "./queries";
 import { useUiStore } from "./store";
 
@@ -44,20 +45,23 @@ describe("the selection", () => {
 });
 
 describe("the choices for a job", () => {
-  const start = { board: null, copies: 1, sheet: null, lift: "clearance" };
+  const usual = DEFAULT_OPTIONS;
+  const start = { board: null, copies: 1, sheet: null, lift: "clearance", options: usual };
   const chosen = () => {
-    const { board, copies, sheet, lift } = page();
-    return { board, copies, sheet, lift };
+    const { board, copies, sheet, lift, options } = page();
+    return { board, copies, sheet, lift, options };
   };
 
   test("belong to one drawing: another one starts without a board", () => {
     page().open("d1");
-    page().set({ board: "b-flute", copies: 7, lift: "least", sheet: SHEET });
+    const options = { ...usual, feed_factor: 0.5 };
+    page().set({ board: "b-flute", copies: 7, lift: "least", sheet: SHEET, options });
     page().open("d2");
     expect(chosen()).toEqual(start);
     page().set({ board: "greyboard" });
     page().open("d1");
-    expect(chosen()).toEqual({ board: "b-flute", copies: 7, lift: "least", sheet: SHEET });
+    const first = { board: "b-flute", copies: 7, lift: "least", sheet: SHEET, options };
+    expect(chosen()).toEqual(first);
     page().open("d2", "job");
     expect(chosen()).toEqual({ ...start, board: "greyboard" });
   });

@@ -8,9 +8,10 @@ import { create } from "zustand";
 import type { Corners, Lift, OrderDetails, Question, Sheet } from "../api/client";
 import type { ConnectionState } from "../api/events";
 import type { Box, LineType } from "../geometry/records";
-import { DEFAULT_CORNERS } from "./corners";
-import type { Change } from "./history";
-import { NO_DETAILS } from "./orderDetails";
+import type { Change } from "./drawing/history";
+import { DEFAULT_CORNERS } from "./order/corners";
+import { DEFAULT_OPTIONS, type Options } from "./order/options";
+import { NO_DETAILS } from "./order/orderDetails";
 
 export type Layer = "nominal" | "head" | "tip" | "rapids" | "swept" | "moves" | "uncut";
 
@@ -47,24 +48,16 @@ export interface Upload {
   readonly fraction: number;
 }
 
-/** What the address of the page names: a view, or the open drawing and a job of it. */
-export interface Route {
+/** The open drawing and a job of it; they stay open behind other views. */
+export interface OpenDrawing {
   readonly drawing: string | null;
   readonly job: string | null;
-  /** Name of the machine whose station page is open; null while the page of drawings is. */
-  readonly station: string | null;
-  /** Whether the page of machines, boards and tools is open. */
-  readonly library: boolean;
-  /** Whether the page of webhooks is open. */
-  readonly webhooks: boolean;
-  /** The page of ended jobs, statistics and tools is shown instead of the drawing. */
-  readonly history: boolean;
 }
 
 /** What is chosen for the next job of a drawing, and for no other drawing. */
-export type Choices = Pick<UiState, "board" | "copies" | "corners" | "sheet" | "lift">;
+export type Choices = Pick<UiState, "board" | "copies" | "corners" | "sheet" | "lift" | "options">;
 
-export interface UiState extends Route {
+export interface UiState extends OpenDrawing {
   readonly selection: ReadonlySet<number>;
   readonly hover: Hover | null;
   readonly hiddenTypes: ReadonlySet<string>;
@@ -94,6 +87,7 @@ export interface UiState extends Route {
   readonly sheet: Sheet | null;
   /** Height of the tool in turns; unused on machines without a turn clearance. */
   readonly lift: Lift;
+  readonly options: Options;
   /** Choices for drawings that were open before, by their id. */
   readonly choices: ReadonlyMap<string, Choices>;
   /** Details of the next order. */
@@ -108,7 +102,6 @@ export interface UiState extends Route {
   readonly editedProfile: string | null;
 
   open(drawing: string | null, job?: string | null): void;
-  openRoute(route: Route): void;
   openJob(job: string | null): void;
   selectEdges(rows: Iterable<number>, add?: boolean): void;
   setHover(hover: Hover | null): void;
@@ -133,14 +126,11 @@ export interface UiState extends Route {
 type UiValues = Pick<
   UiState,
   | "busy"
-  | "library"
-  | "webhooks"
   | "upload"
   | "connection"
   | "leftOpen"
   | "rightOpen"
   | "helpOpen"
-  | "history"
   | "previewTime"
   | "machine"
   | "board"
@@ -149,6 +139,7 @@ type UiValues = Pick<
   | "pickingCorners"
   | "sheet"
   | "lift"
+  | "options"
   | "details"
   | "compileQuestions"
   | "retypePreviews"
@@ -176,12 +167,13 @@ const choicesFor = (page: UiState, drawing: string | null): Choices =>
     corners: { ...page.corners, at: [] },
     sheet: null,
     lift: "clearance",
+    options: DEFAULT_OPTIONS,
   };
 
 const withChoices = (page: UiState): ReadonlyMap<string, Choices> => {
-  const { drawing, choices, board, copies, corners, sheet, lift } = page;
+  const { drawing, choices, board, copies, corners, sheet, lift, options } = page;
   if (drawing === null) return choices;
-  return new Map(choices).set(drawing, { board, copies, corners, sheet, lift });
+  return new Map(choices).set(drawing, { board, copies, corners, sheet, lift, options });
 };
 
 /** What changes when a drawing and a job of it are opened. */
@@ -212,14 +204,7 @@ const withDrawing = (
   };
 };
 
-/** Whether the drawing stays open behind another view. */
-const isBehind = ({ station, library, webhooks, history }: Omit<Route, "drawing" | "job">) =>
-  station !== null || library || webhooks || history;
-
 export const useUiStore = create<UiState>()((set) => ({
-  station: null,
-  library: false,
-  webhooks: false,
   drawing: null,
   job: null,
   selection: NO_ROWS,
@@ -246,7 +231,6 @@ export const useUiStore = create<UiState>()((set) => ({
   leftOpen: true,
   rightOpen: true,
   helpOpen: false,
-  history: false,
   previewTime: null,
   machine: null,
   board: null,
@@ -255,17 +239,14 @@ export const useUiStore = create<UiState>()((set) => ({
   pickingCorners: false,
   sheet: null,
   lift: "clearance",
+  options: DEFAULT_OPTIONS,
   choices: new Map<string, Choices>(),
   details: NO_DETAILS,
   compileQuestions: [],
   retypePreviews: [],
   editedProfile: null,
 
-  open: (drawing, job = null) =>
-    set((page) => ({ ...withDrawing(page, drawing, job), history: false })),
-  openRoute: ({ drawing, job, ...views }) =>
-    // In one step: a subscriber must not see two views at a time.
-    set((page) => (isBehind(views) ? views : { ...withDrawing(page, drawing, job), ...views })),
+  open: (drawing, job = null) => set((page) => withDrawing(page, drawing, job)),
   openJob: (job) => set({ job, previewTime: null }),
   selectEdges: (rows, add = false) =>
     set(({ selection }) => {

@@ -1,4 +1,5 @@
 /** Times of the service (RFC 3339 in UTC), and the due times of orders. */
+import { formatDateTime } from "../language/numbers";
 
 /** Seconds since 1970 of a time of the service. */
 export const secondsOf = (time: string): number => Date.parse(time) / 1000;
@@ -8,7 +9,7 @@ export const timeOf = (seconds: number): string => new Date(seconds * 1000).toIS
 
 /** Date and time of day in the language of the browser. */
 export const dateTimeText = (time: string): string =>
-  new Date(time).toLocaleString([], { dateStyle: "medium", timeStyle: "short" });
+  formatDateTime(new Date(time), { dateStyle: "medium", timeStyle: "short" });
 
 /** Value of an `<input type="datetime-local">`, in the time zone of the browser; "" for none. */
 export function localInput(time: string | null): string {

@@ -201,22 +201,6 @@ def _annotations(plan: Plan) -> tuple[Annotation, ...]:
     )
 
 
-def misplaced_edge(drawing: Drawing, truth: U8, kind: LineType, seed: int) -> int | None:
-    """Return the row of a random edge whose correct line type is ``kind``, None if there is none.
-
-    ``truth`` has the correct line types, (n,).  The caller moves the edge to a wrong layer.
-    """
-    rows = np.flatnonzero((truth == kind) & (drawing.lengths > 10.0))
-    return int(np.random.default_rng(seed).choice(rows)) if len(rows) else None
-
-
-def on_layer(drawing: Drawing, row: int, layer: str) -> Drawing:
-    """Return the drawing with the edge of a row moved to another existing layer."""
-    moved = np.array(drawing.layer)
-    moved[row] = drawing.layers.index(layer)
-    return replace(drawing, layer=moved)
-
-
 def _dashes(ends: F64, bulge: F64, truth: U8) -> tuple[F64, F64, U8]:
     """Return ends, bulges and line types with each straight crease replaced by a row of dashes.
 

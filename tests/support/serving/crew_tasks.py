@@ -12,9 +12,9 @@ from typing import Any, NoReturn
 import numpy as np
 
 from knifetip.errors import CurvedGroove
-from knifetip.jobs import tasks
 from knifetip.model.stage import Progress, Stage
-from knifetip.warming import Part
+from knifetip.service.processes import tasks
+from knifetip.service.processes.kernel_groups import Part
 
 
 def double(progress: Progress, number: int) -> int:

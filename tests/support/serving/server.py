@@ -19,8 +19,10 @@ import httpx
 import uvicorn
 from fastapi import FastAPI
 
-from knifetip.api.app import create_app
-from knifetip.api.service import Service, Settings
+from knifetip.server.app import create_app
+from knifetip.service.accounts.access_rules import AccessRules
+from knifetip.service.components import Service
+from knifetip.service.settings import Settings
 from tests.support.writers import dxf_text as text
 
 ENDS = {"done", "refused", "interrupted", "scrapped", "cancelled"}
@@ -38,9 +40,9 @@ class LocalClient(httpx.Client):
 
 
 @contextmanager
-def run_server(settings: Settings) -> Iterator[LocalClient]:
+def run_server(settings: Settings, rules: AccessRules | None = None) -> Iterator[LocalClient]:
     """Run a server in a thread; yield a client that is connected to it."""
-    app = create_app(settings)
+    app = create_app(settings, rules)
     server = uvicorn.Server(
         uvicorn.Config(app, port=0, log_level="error", timeout_graceful_shutdown=1)
     )
@@ -143,8 +145,9 @@ class Running:
     def __init__(self, database: Path, **more: object) -> None:
         options = {"samples": False, **more}
         code = (
-            "from knifetip.api.embedded import Parts, serve\n"
-            f"serve('127.0.0.1', 0, 'sqlite:///{database}', Parts(**{options!r}))"
+            "from knifetip.server.embedded import serve\n"
+            "from knifetip.service.settings import Settings\n"
+            f"serve(Settings(port=0, database='sqlite:///{database}', **{options!r}))"
         )
         self.process = subprocess.Popen(
             [sys.executable, "-c", code],

@@ -10,8 +10,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, U8
-from knifetip.model.dieline import LineType
+from knifetip.cleaning.clean import clean
+from knifetip.geometry.columns import F64, U8, Bool
+from knifetip.messages import Message
+from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import NO_LINE_WIDTH, Drawing
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
@@ -98,6 +100,31 @@ def without_style(drawing: Drawing) -> Drawing:
         linetypes=("CONTINUOUS",),
         line_width=np.full(count, NO_LINE_WIDTH, np.int32),
     )
+
+
+def replaced_by_cuts(drawing: Drawing, truth: U8) -> Bool:
+    """Return the mask of edges that are not made, because cuts lie on their whole length, (n,).
+
+    They are on the same lines whatever their line type is called: the cuts are made.  ``truth`` is
+    the correct LineType of each of the n edges.
+    """
+    count = len(drawing)
+    dieline = Dieline(
+        drawing.ends,
+        drawing.bulge,
+        truth,
+        np.arange(count, dtype=np.int32),
+        np.zeros(count, np.int32),
+        np.ones(count),
+        (Message("classification.override"),),
+    )
+    cleaned = clean(dieline)
+    parts = cleaned.stretches
+    is_cut = cleaned.dieline.line_type[np.maximum(parts.cleaned, 0)] == CUT
+    rows = np.flatnonzero(parts.by_other_edge & (parts.cleaned >= 0) & is_cut)
+    covered = np.bincount(parts.row[rows], (parts.end - parts.begin)[rows], count)
+    replaced: Bool = (covered > 1.0 - 1e-6) & (truth != CUT)
+    return replaced
 
 
 def classification_fractions(truth: U8, line_type: U8, weight: F64) -> tuple[float, float, float]:

@@ -13,7 +13,6 @@ from knifetip.library import load
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
-from knifetip.model.interpretation import NO_OVERRIDE
 
 
 @dataclass(frozen=True)
@@ -25,7 +24,6 @@ class Named:
     board: str
     unit: str | None = None
     profile: str = "default"
-    answer: str = ""  #: line type that unclassified edges get, "" if there are none
 
     def __str__(self) -> str:
         return self.file.removesuffix(".dxf")
@@ -41,12 +39,7 @@ class Named:
         """Return the drawing, its dieline without unclassified edges, and the board."""
         drawing = pipeline.read(self.data(corpus), self.unit)
         dieline = pipeline.classify(drawing, load.profile(self.profile))
-        if self.answer:
-            unclassified = dieline.line_type == LineType.UNCLASSIFIED
-            overrides = np.where(unclassified, LineType.from_word(self.answer), NO_OVERRIDE).astype(
-                np.uint8
-            )
-            dieline = pipeline.classify(drawing, load.profile(self.profile), overrides)
+        assert not (dieline.line_type == LineType.UNCLASSIFIED).any()
         assert len(dieline) == len(drawing) > 0
         assert np.isfinite(dieline.ends).all()
         return drawing, dieline, load.board(self.board)
@@ -72,8 +65,7 @@ NAMED = (
         "box_rwlf.dxf",
         "fbb-0.4",
         "mm",
-        "red-crease-black-cut",
         # A panel lacks its top edge, so three creases seem to bound the blank.
-        "crease",
+        "red-crease-black-cut",
     ),
 )

@@ -180,12 +180,12 @@ READ: Mapping[str, tuple[str, int, Maker]] = {
     "binary dxf: not numbers": ("not a number", 1, lambda: binary(not_numbers())),
     "svg: external references": ("another file", 1, external_references),
     "svg: not numbers": (
-        "the limit is 1e+07",
+        "the limit is 10,000,000",
         1,
         lambda: svg.svg('<path d="M0 0H1e308"/><circle r="1e999"/><path d="M0 0h9"/>'),
     ),
     "plt: too far": (
-        "the limit is 1e+07",
+        "the limit is 10,000,000",
         1,
         lambda: b"IN;SP1;PU0,0;PD99999999999,0;PU0,0;PD40,0;",
     ),

@@ -42,6 +42,19 @@ def objects(*contents: bytes | str, trailer: str = "", head: str = "%PDF-1.7") -
     return bytes(out + f"startxref\n{begin}\n%%EOF\n".encode())
 
 
+def pages(*contents: bytes | str) -> bytes:
+    """Return a file with one page of 99 × 99 points for each content stream."""
+    page = "<</Type /Page /Parent 2 0 R /MediaBox [0 0 99 99] /Contents {} 0 R>>"
+    count = len(contents)
+    kids = " ".join(f"{3 + k} 0 R" for k in range(count))
+    return objects(
+        "<</Type /Catalog /Pages 2 0 R>>",
+        f"<</Type /Pages /Kids [{kids}] /Count {count}>>",
+        *(page.format(3 + count + k) for k in range(count)),
+        *(stream(one.encode() if isinstance(one, str) else one) for one in contents),
+    )
+
+
 def pdf(
     *content: str | bytes,
     size: tuple[float, float] = (100.0 * MM, 100.0 * MM),

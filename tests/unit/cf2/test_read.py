@@ -360,7 +360,10 @@ def test_single_damaged_records_are_dropped_with_a_reason() -> None:
         "line 11 of the file has 6 fields, which is the wrong number of fields for its record"
     )
     assert reason["#4"].startswith("a coordinate of the object is not a number")
-    assert reason["#5"] == "a coordinate of the object is 1e+308 file units, but the limit is 1e+07"
+    assert (
+        reason["#5"]
+        == "a coordinate of the object is 1E308 file units, but the limit is 10,000,000"
+    )
     assert reason["#6"] == "the object is a CF2 record of a type that is not supported"
     assert reason["#7"] == "the radius of the object is 0, but must be greater than 0"
     assert reason["#8"] == "the object inserts the subroutine , which is not in the file"

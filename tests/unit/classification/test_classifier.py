@@ -7,10 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from knifetip.classification.classify import classify
+from knifetip.classification.answers import follow_answers
+from knifetip.classification.classify import apply_overrides, classify
 from knifetip.classification.questions import list_questions
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.drawing import Drawing
+from knifetip.model.interpretation import NO_OVERRIDE
 from tests.support.cartons.random_drawings import random_drawing
 from tests.support.classification import box, classified, drawing_of, style, text, words
 from tests.support.drawings import Style
@@ -89,8 +92,72 @@ def test_swapped_cut_and_crease_are_asked_with_the_types_by_shape_first() -> Non
     dieline = classified(sheet)
     assert words(dieline) == ["unclassified"] * 6
     assert "edges of the closed outline into creases" in why(dieline, 0)
-    put = list_questions(sheet, dieline)
-    assert [question.choices[0] for question in put] == ["cut", "crease"]
+    (question,) = list_questions(sheet, dieline)
+    assert (question.edges, question.choices[:2]) == ((0, 1, 2, 3), ("cut", "crease"))
+    assert "the answer also decides the edges that the profile cuts" in question.text
+    (following,) = question.follows
+    assert (following.edges, following.layer) == ((4, 5), "CUT")
+    assert following.line_types == {"cut": "crease", "crease": "cut"}
+    assert str(following.message) == (
+        'The answer also decides 2 edges on layer "CUT" (colour 7, line style CONTINUOUS): crease '
+        "if the answer is cut, and cut if it is crease."
+    )
+    assert question.as_json()["follows"] == [
+        {
+            **following.message.as_json(),
+            "edges": [4, 5],
+            "layer": "CUT",
+            "colour": 7,
+            "line_types": {"cut": "crease", "crease": "cut"},
+        }
+    ]
+
+
+def test_two_questions_about_swapped_rules_list_the_edges_that_both_decide() -> None:
+    sheet = drawing_of(
+        (BLANK[:2], style("CREASE", colour=1)),
+        (BLANK[2:], style("CREASE", colour=2)),
+        (FOLDS, style("CUT")),
+    )
+    questions = list_questions(sheet, classified(sheet))
+    assert [one.edges for one in questions] == [(0, 1), (2, 3)]
+    assert [one.follows[0].edges for one in questions] == [(4, 5), (4, 5)]
+    text = "crease if all 2 answers about this rule are cut, and cut if they are crease."
+    assert all(str(one.follows[0].message).endswith(text) for one in questions)
+    assert words(answered(sheet, dict.fromkeys((0, 1), LineType.CUT)))[4:] == ["unclassified"] * 2
+    assert words(answered(sheet, dict.fromkeys(range(4), LineType.CUT)))[4:] == ["crease"] * 2
+
+
+@pytest.mark.parametrize(("answer", "folds"), [(LineType.CUT, "crease"), (LineType.CREASE, "cut")])
+def test_the_answer_about_the_outline_decides_the_other_swapped_rule(
+    answer: LineType, folds: str
+) -> None:
+    sheet = drawing_of((BLANK, style("CREASE")), (FOLDS, style("CUT")))
+    assert words(answered(sheet, {0: answer, 1: answer, 2: answer, 3: answer})) == [
+        *[answer.word] * 4,
+        *[folds] * 2,
+    ]
+
+
+def test_one_line_of_the_outline_does_not_confirm_a_swap() -> None:
+    sheet = drawing_of((BLANK, style("CREASE")), (FOLDS, style("CUT")))
+    assert words(answered(sheet, {0: LineType.CUT}))[1:] == ["unclassified"] * 5
+
+
+def test_with_another_answer_the_other_swapped_rule_is_asked_about() -> None:
+    sheet = drawing_of((BLANK, style("CREASE")), (FOLDS, style("CUT")))
+    dieline = answered(sheet, dict.fromkeys(range(4), LineType.PERFORATION))
+    assert words(dieline)[4:] == ["unclassified"] * 2
+    (question,) = list_questions(sheet, dieline)
+    assert (question.edges, question.choices[0]) == ((4, 5), "crease")
+
+
+def answered(sheet: Drawing, overrides: dict[int, LineType]) -> Dieline:
+    """Return the dieline of a drawing after its user gave line types to some edges."""
+    types = np.full(len(sheet), NO_OVERRIDE, np.uint8)
+    types[list(overrides)] = list(overrides.values())
+    decided = classified(sheet)
+    return follow_answers(sheet, decided, apply_overrides(decided, types), types)
 
 
 def test_a_profile_with_the_wrong_colours_is_detected() -> None:

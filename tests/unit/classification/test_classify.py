@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -183,6 +184,26 @@ def test_one_question_for_each_layer_colour_and_linetype() -> None:
         ("b", 2, (4,)),
     ]
     assert {q.kind for q in put} == {"line-type"}
+
+
+def test_very_many_layers_are_asked_about_together() -> None:
+    names = ["".join(letters) for letters in product("xyz", repeat=5)]
+    few = side_by_side([(name, 2, "C") for name in names[:200]])
+    assert len(list_questions(few, classify(few, RULES))) == 200
+    many = side_by_side([(name, 2 + at % 2, "C") for at, name in enumerate(names)])
+    put = list_questions(many, classify(many, RULES))
+    assert [(q.layer, q.colour, len(q.edges)) for q in put] == [
+        ("xxxxx … zzzzz", 2, 122),
+        ("xxxxx … zzzzz", 3, 121),
+    ]
+
+
+def test_very_many_layers_and_colours_are_asked_about_together() -> None:
+    names = ["".join(letters) for letters in product("xyz", repeat=5)]
+    sheet = side_by_side([(name, 12 + at, "C") for at, name in enumerate(names)])
+    (question,) = list_questions(sheet, classify(sheet, RULES))
+    assert question.edges == tuple(range(243))
+    assert 'layer "xxxxx … zzzzz" (colour 12 …, line style C)' in question.text
 
 
 def test_a_question_gives_number_length_and_position() -> None:

@@ -53,3 +53,12 @@ def test_a_series_is_asked_about_in_one_question_by_colour() -> None:
     assert [question.layer for question in asked] == ["p-0 … p-4"] * 2
     assert [len(question.edges) for question in asked] == [5, 5]
     assert "p-0 … p-4" in asked[0].text
+
+
+def test_many_layers_with_few_colours_are_a_series_although_each_has_one_colour() -> None:
+    styles = [(f"p-{number}", number % 2) for number in range(12)]
+    assert find_numbered_layers(styles) == dict.fromkeys(
+        (layer for layer, _ in styles), "p-0 … p-11"
+    )
+    # Twelve layers in six colours may be line types.
+    assert find_numbered_layers([(f"p-{number}", number % 6) for number in range(12)]) == {}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,13 +12,14 @@ import shapely
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from knifetip.cleaning import merge_collinear
 from knifetip.cleaning.clean import clean
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.tolerance import CURVE
 from knifetip.model.cleaned import Cleaned, CleaningReason
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.verification.checks.cleaning_check import check_cleaning
+from knifetip.verification.checks.cleaning.check import check_cleaning
 from tests.support.shapes import dieline, rotation
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
@@ -265,3 +267,48 @@ def test_the_chord_beside_an_acute_corner_stays(step: float, degrees: float) -> 
     )
     side, *rest = [shapely.LineString(way) for way in ways[made.dieline.line_type == CUT]]
     assert all(not side.crosses(one) for one in rest[1:])
+
+
+def random_run(seed: int) -> Dieline:
+    """Return rows of similar edges, with turns and lengths on both sides of all limits."""
+    random = np.random.default_rng(seed)
+    turn, size, bulge = np.zeros(0), np.zeros(0), np.zeros(0)
+    for _ in range(random.integers(1, 4)):
+        count = int(random.integers(1, 7))
+        # Arcs with a bulge of 0.2 continue each other where their chords turn by 45.24°.
+        turns = [0.0, 0.5, 15.0, 19.9, 20.1, 30.0, math.degrees(4.0 * math.atan(0.2)), 90.0, 179.9]
+        turn = np.append(turn, np.full(count, random.choice(turns)) * random.choice([-1.0, 1.0]))
+        size = np.append(size, np.full(count, random.choice([0.03, 0.049, 0.051, 0.14, 3.0, 40.0])))
+        bulge = np.append(bulge, np.full(count, random.choice([0.0, 0.0, 0.0, 0.2, -0.2])))
+    heading = np.radians(np.cumsum(turn))
+    steps = size[:, None] * np.column_stack([np.cos(heading), np.sin(heading)])
+    ends = chords(np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)]))
+    backwards = random.random(len(ends)) < 0.5
+    return replace(
+        dieline((CUT, ends)),
+        ends=np.where(backwards[:, None, None], ends[:, ::-1], ends),
+        bulge=np.where(backwards, -bulge, bulge),
+    )
+
+
+def test_runs_with_corners_only_are_not_searched_and_stay_as_the_search_leaves_them(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    lines = [random_run(seed) for seed in range(400)]
+    fast = [clean(line) for line in lines]
+    left_out = 0
+    quick = merge_collinear._in_changeable_runs
+
+    def search_all(*arguments: Any) -> Bool:
+        nonlocal left_out
+        changeable = quick(*arguments)
+        left_out += int(np.count_nonzero(~changeable))
+        return np.ones_like(changeable)
+
+    monkeypatch.setattr(merge_collinear, "_in_changeable_runs", search_all)
+    for line, made in zip(lines, fast, strict=True):
+        slow = clean(line)
+        np.testing.assert_array_equal(made.dieline.ends, slow.dieline.ends)
+        np.testing.assert_array_equal(made.dieline.bulge, slow.dieline.bulge)
+        np.testing.assert_array_equal(made.reason, slow.reason)
+    assert left_out > 300

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from knifetip.cleaning.clean import clean
+from knifetip.cleaning.reattach import MergedLines, reattach
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.tolerance import GAP
 from knifetip.messages import render
 from knifetip.model.cleaned import Cleaned, CleaningReason
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.verification.checks.cleaning_check import check_cleaning
+from knifetip.verification.checks.cleaning.check import check_cleaning
 from tests.support.shapes import closed, dieline, edges, rotation
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
@@ -55,6 +58,60 @@ def test_an_outline_drawn_twice_is_one_outline(apart: float, degrees: float) -> 
     np.testing.assert_array_equal(made.dieline.ends[:4], line.ends[:4])
     assert made.merged[4:].sum() == pytest.approx(520.0, abs=4 * GAP)
     assert_right(line, made)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 29.0, 60.0, 117.0])
+def test_a_curl_drawn_twice_with_other_vertices_is_machined_once(degrees: float) -> None:
+    """The directions of the chords, 0.06 mm long and 0.004 mm apart, differ by 1.2°."""
+    turn = rotation(degrees)
+    drawn = edges(
+        ((0.0, 0.0), (0.054, -0.029)),
+        ((0.054, -0.029), (0.081, -0.078)),
+        ((0.0, 0.0), (0.051, -0.026)),
+        ((0.051, -0.026), (0.081, -0.078)),
+        ((0.0, 0.0), (-40.0, 0.0)),
+        ((0.081, -0.078), (0.081, -40.0)),
+    )
+    line = dieline((CUT, drawn @ turn.T))
+    made = clean(line)
+    # Of each pair the longer chord stays.
+    assert reasons(made)[1:3] == ["TWICE", "TWICE"]
+    assert length(made) == pytest.approx(79.922 + 0.0613 + 0.06, abs=0.005)
+    assert_right(line, made)
+
+
+@pytest.mark.parametrize("apart", [0.003, 0.02, 0.04])
+@pytest.mark.parametrize("radius", [0.3, 1.0])
+def test_a_corner_drawn_twice_as_chords_with_other_vertices_is_one_arc(
+    radius: float, apart: float
+) -> None:
+    """The joints of each copy are near those of the other one, but nothing ends there."""
+    copies = []
+    for size, chords in ((radius, 30), (radius + apart, 31)):
+        turn = np.linspace(0.0, 0.5 * np.pi, chords + 1)
+        corner = size * np.column_stack([np.cos(turn), np.sin(turn)])
+        points = np.concatenate([[[size, -20.0]], corner, [[-20.0, size]]])
+        copies.append(np.stack([points[:-1], points[1:]], axis=1))
+    line = dieline((CUT, np.concatenate(copies)))
+    made = clean(line)
+    assert length(made) == pytest.approx(40.0 + radius * 0.5 * np.pi, abs=0.1)
+    assert len(worked(made)) <= 4
+    assert check_cleaning(line, made) == []
+
+
+def test_short_lines_at_an_angle_of_more_than_20_degrees_stay_two() -> None:
+    """Both ends of the second line are within 0.01 mm of the first one."""
+    line = dieline((CUT, edges(((0.0, 0.0), (0.4, 0.0)), ((0.2, -0.0099), (0.25, 0.0099)))))
+    assert length(clean(line)) == pytest.approx(0.4 + math.hypot(0.05, 0.0198))
+
+
+def test_an_edge_with_both_ends_at_a_moved_point_keeps_its_length() -> None:
+    ends = edges(((0.0, 0.0), (10.0, 0.0)), ((5.0, 0.02), (5.001, 0.021)))
+    merged = MergedLines(
+        np.array([[0.0, 0.02]]), np.array([[10.0, 0.02]]), np.zeros(1), np.zeros(1, np.int64)
+    )
+    moved = reattach(ends, np.zeros(2), np.array([0, 1, 2, 2]), merged)
+    np.testing.assert_array_equal(moved, ends)
 
 
 @pytest.mark.parametrize("apart", [0.05, 0.06, 0.1, 0.5])

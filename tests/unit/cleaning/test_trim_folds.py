@@ -12,7 +12,7 @@ from knifetip.geometry.columns import F64
 from knifetip.messages import render
 from knifetip.model.cleaned import Cleaned, CleaningReason
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.verification.checks.cleaning_check import check_cleaning
+from knifetip.verification.checks.cleaning.check import check_cleaning
 from tests.support.shapes import closed, dieline, edges
 
 CUT, GROOVE, CREASE = LineType.CUT, LineType.V_GROOVE, LineType.CREASE

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from knifetip.cli.access_key import KeyOptions
-from knifetip.jobs.accounts.audit_store import AuditFilter
-from knifetip.jobs.accounts.scopes import AccessScope
-from knifetip.jobs.store import Store
+from knifetip.service.accounts.audit_store import AuditFilter
+from knifetip.service.http.scopes import AccessScope
+from knifetip.service.store import Store
 from tests.support.command import Command
 from tests.support.hostile_names import HOSTILE_NAMES, acting
 
@@ -56,20 +56,20 @@ def test_users_are_added_listed_and_changed(account: Account, store: Store) -> N
         "carol": ("viewer", True),
     }
     assert "password" not in out
-    carol = store.users.with_password("carol", PASSWORD)
+    carol = store.users.authenticate("carol", PASSWORD)
     assert carol is not None
     token = store.sessions.open(carol)
     assert account("user", "role", "carol", "operator")[0] == 0
     assert store.sessions.find(token) is None
     assert account("user", "password", "carol", password="another long text")[0] == 0
-    assert store.users.with_password("carol", PASSWORD) is None
-    assert store.users.with_password("carol", "another long text") is not None
+    assert store.users.authenticate("carol", PASSWORD) is None
+    assert store.users.authenticate("carol", "another long text") is not None
     assert account("user", "disable", "carol")[0] == 0
-    assert store.users.with_password("carol", "another long text") is None
+    assert store.users.authenticate("carol", "another long text") is None
     assert "carol                operator  last sign-in 20" in account("user", "list")[1]
     assert "(disabled)" in account("user", "list")[1]
     assert account("user", "enable", "carol")[0] == 0
-    found = store.users.with_password("carol", "another long text")
+    found = store.users.authenticate("carol", "another long text")
     assert found is not None
     assert found.role == "operator"
 
@@ -99,7 +99,7 @@ def test_a_wrong_command_reports_the_error_and_changes_nothing(
         ("anna", "admin", True)
     ]
     assert not store.keys.all()
-    assert store.users.with_password("anna", PASSWORD) is not None
+    assert store.users.authenticate("anna", PASSWORD) is not None
 
 
 def test_a_key_is_printed_once_listed_and_revoked(account: Account, store: Store) -> None:

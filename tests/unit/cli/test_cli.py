@@ -373,7 +373,8 @@ def test_the_report_contains_the_figures_of_the_verdict(knifetip: Command, folde
     assert len(data["samples"]["edge"]) == len(data["samples"]["deviation"]) > 0
     assert data["seconds"] < data["seconds_retracted"]
     saved = 1.0 - data["seconds"] / data["seconds_retracted"]
-    assert f"{saved:.0%} less than the {data['seconds_retracted']:.1f} s with full retracts" in err
+    shown = f"{100.0 * saved:.0f} % less than the {data['seconds_retracted']:.1f} s"
+    assert f"{shown} with full retracts" in err
 
 
 #: Depth of a groove in the board of these tests (mm).
@@ -389,13 +390,16 @@ GROOVE = load.board("greyboard-3.0").groove_depth
         ),
         (("--corner-at", "50,0"), "does not have the form X,Y=TYPE"),
         (("--corner-at", "nan,0=C"), "does not have the form X,Y=TYPE"),
-        (("--corner-at", "50,0=E"), "The corner type 'E' at X 50 mm, Y 0 mm does not exist"),
+        (
+            ("--corner-at", "50,0=E"),
+            "--corner-at 50,0=E cannot be used: type is 'E', but must be 'B', 'C', 'D' or 'auto'",
+        ),
         (
             ("--corner-at", "50,0=D:1"),
-            "parameter k of the corner of type D at X 50 mm, Y 0 mm is 1",
+            "--corner-at 50,0=D:1 cannot be used: k is 1.0, but must be less than 1",
         ),
-        (("--k", "nan"), "parameter k of the corner of type D is nan"),
-        (("--k", "1.5"), "parameter k of the corner of type D is 1.5"),
+        (("--k", "nan"), "--corner cannot be used: k is nan, but must be a number"),
+        (("--k", "1.5"), "--corner cannot be used: k is 1.5, but must be less than 1"),
     ],
 )
 def test_invalid_corner_options_are_reported_with_exit_code_3(

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from knifetip.jobs.store import Store
+from knifetip.service.store import Store
 from tests.support.command import Command
 from tests.support.stored import add_drawing, add_job
 

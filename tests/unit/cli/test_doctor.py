@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sqlite3
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import closing
 from functools import partial
 from http.server import BaseHTTPRequestHandler, HTTPServer
@@ -19,14 +19,16 @@ import sqlalchemy as sa
 
 from knifetip.cli.checks import computer, machine, server, storage
 from knifetip.cli.checks.check_result import CheckResult, Grade, run
-from knifetip.jobs.accounts.account_tables import ApiKey
-from knifetip.jobs.accounts.key_limits import KeyLimits
-from knifetip.jobs.accounts.scopes import AccessScope
-from knifetip.jobs.job_store import JobOrder
-from knifetip.jobs.store import Store
+from knifetip.formats.conversion import GHOSTSCRIPT, LIBREDWG
 from knifetip.model.interpretation import Interpretation
-from knifetip.warming import Part
+from knifetip.service.database.account_tables import ApiKey
+from knifetip.service.database.key_limits import KeyLimits
+from knifetip.service.http.scopes import AccessScope
+from knifetip.service.orders.store import JobOrder
+from knifetip.service.processes.kernel_groups import Part
+from knifetip.service.store import Store
 from tests.support.command import Command
+from tests.support.converters import install_fake
 from tests.support.stored import add_drawing, migrated_store
 
 
@@ -81,11 +83,23 @@ def test_a_native_part_that_does_not_load_is_a_problem() -> None:
     assert "llvmlite.binding cannot be loaded: wrong ELF class" in finding.text
 
 
+def test_converters_are_optional(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv(GHOSTSCRIPT.variable, "off")
+    script = install_fake(monkeypatch, tmp_path, LIBREDWG, "")
+    findings = list(computer.check_converters())
+    assert [finding.grade for finding in findings] == [Grade.OK, Grade.OK]
+    assert [finding.text for finding in findings] == [
+        "Ghostscript is not installed, so EPS files are refused",
+        f"LibreDWG 99.1 ({script}) converts DWG files",
+    ]
+
+
 def test_kernels_without_machine_code_are_a_warning(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("knifetip.warming.missing_parts", list)
+    monkeypatch.setattr("knifetip.service.processes.kernel_groups.missing_parts", list)
     assert grades(computer.check_kernels()) == {"kernels": Grade.OK}
     monkeypatch.setattr(
-        "knifetip.warming.missing_parts", lambda: [Part("jobs", "knifetip.post", 3)]
+        "knifetip.service.processes.kernel_groups.missing_parts",
+        lambda: [Part("jobs", "knifetip.post", 3)],
     )
     (finding,) = computer.check_kernels()
     assert (finding.grade, finding.text[:11]) == (Grade.WARNING, "3 functions")
@@ -130,8 +144,18 @@ def test_a_database_that_is_missing_empty_or_unreachable(tmp_path: Path) -> None
     }
 
 
-@pytest.mark.parametrize(("revision", "grade"), [("0089", Grade.WARNING), ("9999", Grade.PROBLEM)])
-def test_the_revision_of_the_tables(tmp_path: Path, revision: str, grade: Grade) -> None:
+def test_tables_that_a_start_of_the_server_migrates_are_a_warning(
+    tmp_path: Path, later_version: Callable[[], None]
+) -> None:
+    url = f"sqlite:///{tmp_path}/shop.sqlite"
+    with migrated_store(url):
+        pass
+    later_version()
+    assert grades(storage.check_database(server_options(url))) == {"database": Grade.WARNING}
+
+
+@pytest.mark.parametrize("revision", ["0089", "9999"])
+def test_tables_of_an_unknown_revision_are_a_problem(tmp_path: Path, revision: str) -> None:
     file = tmp_path / "shop.sqlite"
     with migrated_store(f"sqlite:///{file}"):
         pass
@@ -139,7 +163,7 @@ def test_the_revision_of_the_tables(tmp_path: Path, revision: str, grade: Grade)
         database.execute("UPDATE alembic_version SET version_num = ?", (revision,))
         database.commit()
     assert grades(storage.check_database(server_options(f"sqlite:///{file}"))) == {
-        "database": grade
+        "database": Grade.PROBLEM
     }
 
 
@@ -353,7 +377,7 @@ def test_an_error_of_a_check_is_a_problem_and_no_traceback() -> None:
 def test_the_exit_code_is_that_of_the_worst_finding(
     knifetip: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("knifetip.warming.missing_parts", list)
+    monkeypatch.setattr("knifetip.service.processes.kernel_groups.missing_parts", list)
     monkeypatch.setattr(computer, "_free", lambda _: 1 << 40)
     monkeypatch.setattr("knifetip.gateway.transports.serial.port_names", list)
     url = f"sqlite:///{tmp_path}/shop.sqlite"

@@ -62,3 +62,23 @@ def test_commands_on_a_drawing_import_no_other_reader_and_no_compiler(
     _loaded(*arguments, modules=never)  # compiles kernels that are not in the cache
     _, loaded = _loaded(*arguments, modules=(*never, *_COMPILER))
     assert loaded == []
+
+
+@pytest.mark.parametrize("command", [name for name, one in COMMANDS.items() if one.reads_file])
+def test_a_missing_file_is_reported_before_the_stages_are_imported(
+    command: str, tmp_path: Path
+) -> None:
+    program = (
+        "import sys\n"
+        "from knifetip.cli.main import main\n"
+        "try:\n"
+        "    main()\n"
+        "except SystemExit as left:\n"
+        "    print(left.code, 'numba' in sys.modules)"
+    )
+    words = [command, str(tmp_path / "nothing.dxf")]
+    done = subprocess.run(
+        [sys.executable, "-c", program, *words], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == ["3", "False"]
+    assert "nothing.dxf cannot be read: No such file" in done.stderr

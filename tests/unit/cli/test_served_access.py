@@ -10,8 +10,8 @@ from pathlib import Path
 import httpx
 import pytest
 
-from knifetip.jobs.accounts.scopes import AccessScope
-from knifetip.jobs.store import Store
+from knifetip.service.http.scopes import AccessScope
+from knifetip.service.store import Store
 from tests.support.serving.commands import running, served
 
 PASSWORD = "four words of text"

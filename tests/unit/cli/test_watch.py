@@ -10,14 +10,14 @@ from typing import Any
 
 import pytest
 
-from knifetip.api.service import Settings
 from knifetip.cli.hot_folder.arrivals import Arrivals
 from knifetip.cli.hot_folder.client import OrderClient, RetryLater
 from knifetip.cli.hot_folder.orders import OrderFolder
 from knifetip.cli.watch import visible
+from knifetip.service.settings import Settings
 from tests.support.command import Command
 from tests.support.serving.server import LocalClient, run_server, square
-from tests.unit.api.test_xjdf_packages import order_for, zipped
+from tests.unit.service.xjdf.test_packages import order_for, zipped
 
 DEFAULTS = {"machine": "demo-table", "board": "e-flute"}
 NASTY = "\x1b[31mred\nline<b>.dxf"

@@ -14,13 +14,13 @@ from pathlib import Path
 import httpx
 import pytest
 
-from knifetip.api.service import Settings
 from knifetip.cli.hot_folder.arrivals import Arrivals
 from knifetip.cli.hot_folder.client import OrderClient, RetryLater
 from knifetip.cli.hot_folder.orders import OrderFolder
 from knifetip.cli.hot_folder.reservation import reserved
 from knifetip.cli.watch import _look
 from knifetip.errors import SettingsError
+from knifetip.service.settings import Settings
 from tests.support.command import Command
 from tests.support.serving.server import LocalClient, run_server, square
 from tests.unit.cli.test_watch import DEFAULTS, drop, jobs_of, result, run

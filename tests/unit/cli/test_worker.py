@@ -13,7 +13,7 @@ import pytest
 _RUN = """
 from knifetip.cli import service
 from knifetip.cli.main import main
-from knifetip.jobs.compile_service import CompileService
+from knifetip.service.compiling.service import CompileService
 
 service._LOOK = 0.05
 CompileService.seconds_since_sweep = {silent}

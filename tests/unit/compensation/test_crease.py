@@ -72,9 +72,9 @@ def test_a_crease_shorter_than_its_clearances_is_not_made() -> None:
     assert len(crease_toolpath(planned(edges(((0, 0), (0, 0.4)))))) == 0
 
 
-@pytest.mark.parametrize(("length", "is_pressed"), [(0.7, False), (0.8, True)])
-def test_a_wheel_is_pressed_by_at_least_a_thousandth(length: float, is_pressed: bool) -> None:
-    # 0.001 mm deep, the wheel touches 2 √(0.001 · 29.999) = 0.346 mm, and 0.4 mm remain free.
+@pytest.mark.parametrize(("length", "is_pressed"), [(1.4, False), (1.6, True)])
+def test_a_wheel_is_pressed_by_at_least_a_hundredth(length: float, is_pressed: bool) -> None:
+    # 0.01 mm deep, the wheel touches 2 √(0.01 · 29.99) = 1.095 mm, and 0.4 mm remain free.
     path = crease_toolpath(planned(edges(((0, 0), (0, length)))))
     assert bool(len(path)) is is_pressed
 

@@ -47,6 +47,17 @@ def test_the_tip_stops_on_a_slit_with_a_panel_behind_it() -> None:
     np.testing.assert_allclose(path.pose[-2, :2], [50.0, 0.0])
 
 
+def test_a_contour_shorter_than_the_overrun_is_cut_twice() -> None:
+    """A circle of 1 mm diameter is 3.1 mm long; a blade of 60° runs on by 2.0 tan 60° = 3.5 mm."""
+    operation = planned(closed((0, 0), (1, 0)), {0: 1.0, 1: 1.0})
+    operation = replace(operation, tool=replace(KNIFE, blade_angle=60.0))
+    path = knife_toolpath(operation)
+    fed = path.motion == Motion.FEED
+    assert path.source[fed].tolist() == [0, 1, 0, 0, 1, 0]
+    assert path.pose[-2, 3] - path.pose[1, 3] == pytest.approx(720.0)
+    np.testing.assert_allclose(path.pose[-2, :2], path.pose[1, :2], atol=1e-12)
+
+
 def test_a_contour_without_a_sharp_corner_runs_past_its_start() -> None:
     # A line of 100 mm, a half circle, a line back and a half circle.
     outline = closed((0, 0), (100, 0), (100, 50), (0, 50))

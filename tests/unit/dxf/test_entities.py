@@ -359,7 +359,7 @@ def test_too_large_numbers_drop_only_their_entity(make: Callable[..., Any], bad:
 def test_coordinates_beyond_ten_kilometres_are_dropped_with_the_measure() -> None:
     drawing = read(dxf(line(0, 0, 2e7, 0), line(0, 0, 10, 0)))
     assert report_reasons(drawing) == (
-        "a coordinate of the object is 2e+07 file units, but the limit is 1e+07",
+        "a coordinate of the object is 20,000,000 file units, but the limit is 10,000,000",
         "the object was imported unchanged",
     )
 

@@ -15,7 +15,6 @@ import httpx
 import pytest
 
 from knifetip.errors import ConnectionLost, GatewayRefused, StaleVersion
-from knifetip.gateway import simulator
 from knifetip.gateway.claim import run_gateway
 from knifetip.gateway.controller import Controller, SafeState, State, Status
 from knifetip.gateway.grbl import driver
@@ -23,8 +22,9 @@ from knifetip.gateway.job_run import JobRun, Lease
 from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.stream import Progress
-from knifetip.gateway.table import Faults, Table
 from knifetip.library import load
+from knifetip.simulators.grbl import simulator
+from knifetip.simulators.grbl.table import Faults, Table
 from tests.support.messages import stored
 
 MACHINE = load.machine("demo-table")

@@ -11,13 +11,14 @@ from typing import Any
 import httpx
 import pytest
 
-from knifetip.gateway import simulator, station
+from knifetip.gateway import station
 from knifetip.gateway.claim import run_gateway
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.journal import Journal
-from knifetip.gateway.table import Table
 from knifetip.model.machine import Machine
+from knifetip.simulators.grbl import simulator
+from knifetip.simulators.grbl.table import Table
 from tests.unit.gateway.test_claim import MACHINE, PROGRAM, Office, gateway
 from tests.unit.gateway.test_station import JOG, StationOffice
 

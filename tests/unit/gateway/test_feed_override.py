@@ -11,9 +11,9 @@ from knifetip.errors import ControllerError
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.grbl import answers, driver, operating
 from knifetip.gateway.grbl.driver import Grbl
-from knifetip.gateway.simulator import Server
-from knifetip.gateway.table import Table
 from knifetip.library import load
+from knifetip.simulators.grbl.simulator import Server
+from knifetip.simulators.grbl.table import Table
 
 MACHINE = load.machine("demo-table")
 

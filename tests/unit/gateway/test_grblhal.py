@@ -10,9 +10,9 @@ import pytest
 from knifetip.gateway.controller import State
 from knifetip.gateway.grbl import answers
 from knifetip.gateway.grbl.capabilities import Capabilities
-from knifetip.gateway.table import Table
-from knifetip.gateway.table_firmware import Firmware
 from knifetip.library import load
+from knifetip.simulators.grbl.firmware import Firmware
+from knifetip.simulators.grbl.table import Table
 
 OPTIONS = """[VER:1.1f.20260817:]
 [OPT:VNML+,100,1024,{count},0]

@@ -20,9 +20,9 @@ from knifetip.gateway.hpgl import driver as hpgl
 from knifetip.gateway.job_server import GatewaySettings
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.mcx314 import driver as mcx314
-from knifetip.gateway.mcx314 import simulator as board_simulator
 from knifetip.library import load
 from knifetip.model.machine import Machine
+from knifetip.simulators.mcx314 import simulator as board_simulator
 from tests.unit.gateway.test_claim import Office, table
 from tests.unit.gateway.test_hpgl_driver import network_plotter
 from tests.unit.gateway.test_mcx314_driver import SAFE, TABLE, strips

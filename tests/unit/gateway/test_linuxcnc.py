@@ -363,6 +363,42 @@ async def test_a_piece_of_a_jog_begins_where_the_piece_before_it_ends() -> None:
     ]
 
 
+class Limited(Shell):
+    """A fake shell that refuses moves to more than 1000 mm, and is in motion after each other move.
+
+    Like LinuxCNC, it passes on one message about a refused move in each later cycle.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.late: list[str] = []  # messages that were not passed on yet
+
+    def reply(self, line: str) -> str:
+        if line.startswith("set ") and self.late:
+            self.values["error"] = self.late.pop(0)
+        answer = super().reply(line)
+        if line.startswith("set mdi G1 X"):
+            if float(line.split()[3][1:]) > 1000.0:
+                self.late = ["X's positive limit", "joint 0's positive limit", "invalid params"]
+            else:
+                self.values["program_status"] = "RUNNING"
+        elif line == "get error":
+            self.values["error"] = "OK"
+        return answer
+
+
+async def test_a_jog_after_a_refused_one_begins_at_the_reported_position() -> None:
+    shell = Limited()
+    async with dialled(shell) as controller:
+        shell.values |= {"mode": "MDI", "rel_act_pos": "1.0 2.0 20.0 0.0 0.0 45.0"}
+        with pytest.raises(ControllerRejected) as refused:
+            await controller.jog("X", 5000.0, 600.0)
+        for text in ("X's positive limit", "joint 0's positive limit", "invalid params"):
+            assert text in refused.value.text
+        await controller.jog("X", 5.0, 600.0)
+    assert shell.commands[-1] == "mdi G1 X6.0000 F600"
+
+
 async def test_the_feed_override_is_set_and_reported() -> None:
     shell = Shell()
     async with dialled(shell) as controller:

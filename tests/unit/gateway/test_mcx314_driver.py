@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from knifetip.contract.operations import Operation, OperationName
 from knifetip.errors import (
     ControllerAlarm,
     ControllerError,
@@ -19,16 +20,17 @@ from knifetip.errors import (
     ControllerSilent,
 )
 from knifetip.gateway.controller import SafeState, State
-from knifetip.gateway.mcx314 import connection, simulator
-from knifetip.gateway.mcx314.board_link import LinkFaults
+from knifetip.gateway.mcx314 import connection
 from knifetip.gateway.mcx314.connection import RunningProgram
 from knifetip.gateway.mcx314.driver import Mcx314, dial
 from knifetip.gateway.mcx314.link import Link
-from knifetip.gateway.mcx314.simulator import BoardServer
 from knifetip.gateway.motion import Limits
-from knifetip.gateway.operations import Operation, OperationName, perform
+from knifetip.gateway.operations import perform
 from knifetip.gateway.stream import Progress, stream
 from knifetip.library import load
+from knifetip.simulators.mcx314 import simulator
+from knifetip.simulators.mcx314.board_link import LinkFaults
+from knifetip.simulators.mcx314.simulator import BoardServer
 
 TABLE = load.machine("v-groove-table")
 SAFE = SafeState.of(TABLE)

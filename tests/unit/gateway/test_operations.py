@@ -9,15 +9,16 @@ from contextlib import asynccontextmanager
 
 import pytest
 
+from knifetip.contract.operations import Operation, OperationName
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected, OperationExpired
-from knifetip.gateway import simulator
 from knifetip.gateway.controller import SafeState, State
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.linuxcnc.driver import Linuxcnc
-from knifetip.gateway.operations import Operable, Operation, OperationName, jog_piece, perform
-from knifetip.gateway.table import Table
+from knifetip.gateway.operations import Operable, jog_piece, perform
 from knifetip.library import load
 from knifetip.messages import hint
+from knifetip.simulators.grbl import simulator
+from knifetip.simulators.grbl.table import Table
 from tests.unit.gateway.test_grbl import Wire, opened
 
 MACHINE = load.machine("demo-table")

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from knifetip.gateway.table import Faults
+from knifetip.simulators.grbl.table import Faults
 from tests.support.serving.trace_receiver import TraceReceiver, export_traces
 from tests.unit.gateway.test_claim import PROGRAM, Beat, Office, gateway, table
 

@@ -16,12 +16,12 @@ from knifetip.gateway.grbl.driver import Grbl, dial
 from knifetip.gateway.linuxcnc import ini_settings
 from knifetip.gateway.machine_link import MachineLink
 from knifetip.gateway.presupposed import compare
-from knifetip.gateway.simulator import Server
-from knifetip.gateway.table import Table
-from knifetip.gateway.table_firmware import Firmware
 from knifetip.library import load
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
+from knifetip.simulators.grbl.firmware import Firmware
+from knifetip.simulators.grbl.simulator import Server
+from knifetip.simulators.grbl.table import Table
 from tests.unit.gateway.test_grbl import Wire, opened
 
 KNIFE = load.machine("demo-table")

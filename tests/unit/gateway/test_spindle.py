@@ -10,15 +10,17 @@ from typing import Any
 
 import pytest
 
+from knifetip.contract.operations import Operation, OperationName
 from knifetip.errors import ControllerError, ControllerRejected
-from knifetip.gateway import simulator, station
+from knifetip.gateway import station
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.grbl.capabilities import Capabilities
 from knifetip.gateway.interpreter import Interpreter
-from knifetip.gateway.operations import Operation, OperationName, perform
-from knifetip.gateway.table import Table
+from knifetip.gateway.operations import perform
 from knifetip.library import load
+from knifetip.simulators.grbl import simulator
+from knifetip.simulators.grbl.table import Table
 from tests.unit.gateway.test_operations import on_time, until_idle
 from tests.unit.gateway.test_station import JOG, shop
 

@@ -14,13 +14,14 @@ from typing import Any
 import httpx
 import pytest
 
-from knifetip.gateway import held_jogs, simulator, station
+from knifetip.gateway import held_jogs, station
 from knifetip.gateway.claim import run_gateway
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.hot_folder import HotFolder
 from knifetip.gateway.job_server import GatewaySettings
-from knifetip.gateway.table import BANNER, Table
+from knifetip.simulators.grbl import simulator
+from knifetip.simulators.grbl.table import BANNER, Table
 from tests.unit.gateway.test_claim import MACHINE, Office
 
 JOG: dict[str, Any] = {"operation": "jog", "axis": "X", "distance": 120.0, "feed": 30000.0}

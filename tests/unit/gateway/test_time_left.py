@@ -14,9 +14,9 @@ from knifetip.gateway.interpreter import Interpreter
 from knifetip.gateway.line_times import LineTimes
 from knifetip.gateway.motion import Limits
 from knifetip.gateway.program_blocks import read_blocks
-from knifetip.gateway.table import Table
 from knifetip.gateway.time_left import LATE, TimeLeft
 from knifetip.library import load
+from knifetip.simulators.grbl.table import Table
 
 MACHINE = load.machine("demo-table")
 #: The gateway computes 80 s for the lines of a program whose job states 100 s.

@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
+from knifetip.contract.operations import Operation, OperationName
 from knifetip.errors import ControllerError
 from knifetip.gateway import tool_check
-from knifetip.gateway.operations import Operation, OperationName
 from knifetip.gateway.tool_check import CheckedPoint
 from knifetip.library import load
 from knifetip.model.machine import Zone

@@ -13,6 +13,8 @@ from typing import Any
 
 import pytest
 
+from knifetip.contract.operations import Operation, OperationName
+from knifetip.contract.station_report import StationReport
 from knifetip.errors import ControllerAlarm, ControllerError
 from knifetip.gateway.controller import SafeState, State
 from knifetip.gateway.grbl.driver import Grbl
@@ -20,15 +22,8 @@ from knifetip.gateway.job_run import JobRun, Lease
 from knifetip.gateway.journal import Journal
 from knifetip.gateway.linuxcnc.driver import dial
 from knifetip.gateway.machine_link import MachineLink
-from knifetip.gateway.operations import (
-    OperableController,
-    Operation,
-    OperationName,
-    perform,
-    require_possible,
-)
+from knifetip.gateway.operations import OperableController, perform, require_possible
 from knifetip.gateway.station import MachineStation
-from knifetip.gateway.station_report import StationReport
 from knifetip.gateway.stream import stream
 from knifetip.library import load
 from knifetip.messages import hint
@@ -218,5 +213,5 @@ def test_the_table_has_every_state_of_a_controller_that_lasts() -> None:
 
 def test_the_table_of_states_is_where_the_page_reads_it() -> None:
     root = Path(__file__).parents[3]
-    page = (root / "frontend/src/state/wayOut.test.ts").read_text()
+    page = (root / "frontend/src/state/station/wayOut.test.ts").read_text()
     assert "tests/support/controller_states.json" in page

@@ -26,8 +26,8 @@ from knifetip.gateway.controller import SafeState
 from knifetip.gateway.grbl.driver import Grbl
 from knifetip.gateway.motion import Limits
 from knifetip.gateway.stream import Progress, stream
-from knifetip.gateway.table import BANNER, Table
 from knifetip.library import load
+from knifetip.simulators.grbl.table import BANNER, Table
 
 MACHINE = load.machine("demo-table")
 SAFE = SafeState.of(MACHINE)

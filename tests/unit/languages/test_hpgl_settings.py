@@ -116,7 +116,7 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
         (
             "feed = 24000.0",
             "feed = 24100.0",
-            "station 1 → tool → feed is 24100 .* multiples of 600 mm/min from 600 to 48000",
+            "station 1 → tool → feed is 24,100 .* multiples of 600 mm/min from 600 to 48,000",
         ),
         (
             "swivel = 15.0",
@@ -126,8 +126,8 @@ def test_a_machine_may_describe_its_own_device(tmp_path: Path) -> None:
         (
             "high = 1300.0",
             "high = 1301.0",
-            "axes → x extends from 0 to 1301 mm, but the working area in the HPGL settings "
-            "extends from 0 to 1300 mm",
+            "axes → x extends from 0 to 1,301 mm, but the working area in the HPGL settings "
+            "extends from 0 to 1,300 mm",
         ),
         (
             "datum = { x = 0.0",

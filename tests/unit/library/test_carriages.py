@@ -69,11 +69,11 @@ def test_a_machine_without_a_gantry_has_one_carriage() -> None:
         (lambda fields: carriage(fields).pop("c"), "carriage 1 → c is missing"),
         (
             lambda fields: carriage(fields).update(park=1500.0),
-            "parks at 1500 mm, but its y moves from -15 to 1420 mm",
+            "parks at 1,500 mm, but its y moves from -15 to 1,420 mm",
         ),
         (
             lambda fields: fields["gantry"].update(park=-300.0),
-            "gantry parks at -300 mm, but its y moves from -220 to 1215 mm",
+            "gantry parks at -300 mm, but its y moves from -220 to 1,215 mm",
         ),
         (
             lambda fields: fields["gantry"].update(park=1215.0, min_distance=206.0),

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import json
-from typing import cast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, cast
 
 import click
 import pytest
@@ -55,13 +58,50 @@ def test_the_settings_of_a_controller_depend_on_its_language() -> None:
     hpgl = settings["hpgl"]["controller"]
     shipped = read_toml(library_text("machines", "flat-cutter-hpgl"))["controller"]
     assert shipped.keys() <= hpgl["properties"].keys()
-    known, own = hpgl["properties"]["device"]["anyOf"]
-    assert shipped["device"] in known["enum"]
+    *known, own = hpgl["properties"]["device"]["oneOf"]
+    assert shipped["device"] in [one["const"] for one in known]
     tables = schema["$defs"]
-    assert own == {"$ref": "#/$defs/DeviceTable"}
+    assert own["$ref"] == "#/$defs/DeviceTable"
     assert hpgl["properties"]["pen"]["items"] == {"$ref": "#/$defs/PenTable"}
     for pen in shipped["pen"]:
         assert pen.keys() <= tables["PenTable"]["properties"].keys()
     for table in ("DeviceTable", "PenTable"):
         for field in tables[table]["properties"].values():
             assert field["description"]
+
+
+def _texts(schema: dict[str, Any]) -> Iterator[str]:
+    """Yield titles, help and groups of the fields of a schema, as the page shows them."""
+    tables = [schema, *schema["$defs"].values()] if "$defs" in schema else [schema]
+    tables += [one["then"]["properties"]["controller"] for one in schema.get("allOf", ())]
+    for table in tables:
+        for field in table.get("properties", {}).values():
+            yield from (field[key] for key in ("title", "description", "group") if key in field)
+            yield from field.get("itemTitles", ())
+
+
+def test_the_page_has_a_german_text_for_each_title_and_help() -> None:
+    page = Path(__file__).parents[3] / "frontend/src/language/schemaTexts.de.ts"
+    known = {
+        quoted.replace('\\"', '"') or bare
+        for quoted, bare in re.findall(
+            r'^  (?:"((?:[^"\\]|\\.)*)"|(\w+)):', page.read_text("utf-8"), re.M
+        )
+    }
+    shown = {text for file in ("machine", "board", "tool") for text in _texts(json_schema(file))}
+    assert len(shown) > 200
+    assert sorted(shown - known) == []
+
+
+def test_titles_are_for_people_and_no_value_is_null() -> None:
+    schema = json_schema("machine")
+    assert schema["properties"]["travel_z"]["title"] == "Travel height"
+    assert schema["properties"]["gantry"]["$ref"] == "#/$defs/GantryTable"
+    assert (
+        schema["$defs"]["StationTable"]["properties"]["spindle_speed"]["title"] == "Spindle speed"
+    )
+    assert '"null"' not in json.dumps(schema)
+    # A comment on several lines is one text.
+    swivel = schema["$defs"]["KnifeTable"]["properties"]["swivel"]["description"]
+    assert swivel.startswith("swivel angle: at corners")
+    assert swivel.endswith("its swivel depth (degrees)")

@@ -9,7 +9,7 @@ import pytest
 
 from knifetip.library import load
 from knifetip.library.definition import Shelf, check_definition
-from knifetip.library.toml_text import write_toml
+from knifetip.library.toml_text import read_toml, write_toml
 
 
 @pytest.mark.parametrize(
@@ -49,3 +49,20 @@ def test_values_that_toml_does_not_have_are_refused() -> None:
 
 def test_a_lone_surrogate_becomes_a_question_mark() -> None:
     assert tomllib.loads(write_toml({"a": "\ud800"})) == {"a": "?"}
+
+
+@pytest.mark.parametrize("part", ["a", '"\\""', "'x y'"])
+@pytest.mark.parametrize("dot", [".", " . "])
+@pytest.mark.parametrize("form", ["{} = 1", "[{}]", "a = {{ {} = 1 }}"])
+def test_keys_with_very_many_parts_are_refused_unread(
+    part: str, dot: str, form: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert read_toml(form.format(dot.join([part] * 20)))
+    monkeypatch.delattr("knifetip.library.toml_text.tomllib.loads")
+    with pytest.raises(RecursionError):
+        read_toml(form.format(dot.join([part] * 33)))
+
+
+def test_long_texts_with_many_dots_are_read() -> None:
+    text = "a.b = [" + "1.5, " * 100 + "]\nc = 'www.example.org'\n# and so on ....\n"
+    assert read_toml(text) == {"a": {"b": [1.5] * 100}, "c": "www.example.org"}

@@ -262,7 +262,7 @@ def test_a_damaged_shape_is_left_out_and_the_others_are_read(damaged: str, words
     ("data", "words"),
     [
         (carton()[:-30], "The LightBurn file is incomplete"),
-        (carton().replace(b"<XForm>", b"<XForm"), "The LightBurn project is damaged at line "),
+        (carton().replace(b"<XForm>", b"<XForm"), "The LightBurn file is damaged at line "),
         (carton().replace(b"UTF-8", b"UTF-X"), "unknown encoding: UTF-X"),
         (carton().replace(b"UTF-8", b"utf-7"), "multi-byte encodings are not supported"),
         (project(layer(1)), "contains no shape"),

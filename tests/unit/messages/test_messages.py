@@ -5,13 +5,12 @@ from __future__ import annotations
 import json
 import math
 import pickle
-from string import Formatter
 from typing import Any
 
 import numpy as np
 import pytest
 
-from knifetip.messages import Message, english, finite, from_json, hint, render, with_text
+from knifetip.messages import Message, finite, from_json, hint, render, with_text
 from knifetip.messages.codes import CODES
 
 SAMPLES = {
@@ -32,21 +31,6 @@ SAMPLES = {
 def sample(code: str) -> Message:
     arguments: dict[str, Any] = {name: SAMPLES[kind] for name, kind in CODES[code].items()}
     return Message(code, **arguments)
-
-
-def fields(template: str) -> set[str]:
-    return {name for _, name, _, _ in Formatter().parse(template) if name is not None}
-
-
-def test_every_code_has_a_text_and_no_text_is_without_a_code() -> None:
-    assert english.TEXTS.keys() == CODES.keys()
-    assert english.HINTS.keys() <= CODES.keys()
-
-
-@pytest.mark.parametrize("code", CODES)
-def test_text_and_hint_use_every_argument_and_no_other(code: str) -> None:
-    used = fields(english.TEXTS[code]) | fields(english.HINTS.get(code, ""))
-    assert used == CODES[code].keys()
 
 
 @pytest.mark.parametrize("code", CODES)

@@ -114,6 +114,28 @@ def test_two_islands_of_a_pocket_may_touch_in_a_point(radius: float) -> None:
     assert area == pytest.approx(shape.buffer(-radius, quad_segs=90).area, rel=1e-4)
 
 
+@pytest.mark.parametrize("turn", [0.0, 0.3, 2.0, 4.5])
+def test_two_parts_on_the_same_side_of_a_common_corner_have_one_offset(turn: float) -> None:
+    """Two triangles meet at the origin, 22.6° apart; round the origin, both have the same arc.
+
+    The outer sides are 11.662, 4 and 10.198 mm long.  Between the triangles the tool of 1 mm comes
+    within 5.099 mm, which shortens the inner sides by 5 mm each.  The arcs turn by 118.07° at the
+    origin and by 120.96° and 78.69° at the two other corners of each triangle.
+    """
+    upper = np.array([(0, 0), (10, 2), (10, 6)], float)
+    lower = np.array([(0, 0), (10, -6), (10, -2)], float)
+    rotation = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+    shapes = [shape @ rotation for shape in (upper, lower)]
+    xy, ends = np.concatenate(shapes), np.concatenate([np.roll(one, -1, axis=0) for one in shapes])
+    made = offset_paths(paths_of(xy, ends, np.zeros(6), [0, 3, 6]), 1.0, -1, group=[0, 0])
+    assert made.paths.closed.tolist() == [True]
+    straight = 2.0 * (11.6619 + 4.0 + 10.1980 - 5.0)
+    turned = np.radians(118.07 + 2.0 * (120.96 + 78.69))
+    assert made.paths.lengths.sum() == pytest.approx(straight + turned, abs=1e-3)
+    outlines = shapely.MultiLineString([shapely.LinearRing(one) for one in shapes])
+    assert shapely.distance(outlines, points(made)).min() >= 1.0 - 1e-9
+
+
 @settings(max_examples=100, deadline=None)
 @given(
     seed=st.integers(0, 10_000),

@@ -14,7 +14,7 @@ from types import ModuleType
 
 import pytest
 
-from knifetip.api.service import Settings
+from knifetip.service.settings import Settings
 from tests.support.serving.server import LocalClient, run_server, square
 
 ROOT = Path(__file__).resolve().parents[3]

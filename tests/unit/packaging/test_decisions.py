@@ -7,7 +7,8 @@ from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
-PAGES = sorted((ROOT / "backend" / "docs" / "decisions").glob("*.md"))
+DECISIONS = ROOT / "backend" / "docs" / "decisions"
+PAGES = sorted(page for page in DECISIONS.glob("*.md") if page.name != "README.md")
 
 
 def test_each_decision_has_a_number_of_its_own_which_its_heading_repeats() -> None:
@@ -17,6 +18,15 @@ def test_each_decision_has_a_number_of_its_own_which_its_heading_repeats() -> No
     assert [number for number, count in Counter(numbers).items() if count > 1] == []
     headings = [page.read_text().partition(".")[0] for page in PAGES]
     assert headings == [f"# {number}" for number in numbers]
+
+
+def test_the_index_has_each_decision_once_with_its_title() -> None:
+    rows = re.findall(
+        r"^\| \[(\d+\. .+?)\]\(([^)]+)\) \|", (DECISIONS / "README.md").read_text(), re.M
+    )
+    headings = {page.name: page.read_text().splitlines()[0].removeprefix("# ") for page in PAGES}
+    assert {path: title for title, path in rows} == headings
+    assert len(rows) == len(headings)
 
 
 def test_the_changelog_links_to_decisions_by_their_numbers() -> None:

@@ -2,30 +2,19 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import re
 import tomllib
 from pathlib import Path
-from types import ModuleType
 
 import pytest
 
-BACKEND = Path(__file__).resolve().parents[3] / "backend"
+from tests.support.scripts import BACKEND, load_script
+
 ROW = re.compile(r"^\| (\S+) \| (\S+) \| (.+) \|$", re.M)
 
-
-def load(name: str) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(name, BACKEND / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-licences = load("licences")
-supply_chain = load("supply_chain")
+licences = load_script("licences")
+supply_chain = load_script("supply_chain")
 Status = supply_chain.Status
 
 

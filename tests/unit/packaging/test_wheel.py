@@ -50,7 +50,7 @@ def build(target: Path, source: Path = BACKEND) -> Path:
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    if not (BACKEND / "knifetip" / "api" / "page" / "index.html").is_file():
+    if not (BACKEND / "knifetip" / "service" / "page" / "index.html").is_file():
         pytest.skip("the page is not built (make page)")
     return build(tmp_path_factory.mktemp("wheel"))
 

@@ -206,7 +206,7 @@ def test_missing_and_circular_references_do_not_affect_other_lines() -> None:
         ("9" * 400 + " 0", "a coordinate of the object is not a number"),
         (
             "9" * 200 + " 0",
-            "a coordinate of the object is 1e+200 file units, but the limit is 2.83465e+07",
+            "a coordinate of the object is 1E200 file units, but the limit is 28,346,500",
         ),
         ("--5 0", "the path uses the PDF operator 'l' with a wrong number or type of values"),
         ("(5) 0", "the path uses the PDF operator 'l' with a wrong number or type of values"),

@@ -588,7 +588,7 @@ def test_only_the_first_page_is_read_and_others_are_reported() -> None:
     assert_allclose(drawing.lengths * MM, [9])
     assert outcomes(drawing)[-1] == (
         "page",
-        "The PDF has 1 other page besides the first page, and only the first page is read. Page 2 "
+        "The file has 1 other page besides page 1, and only page 1 is read. Page 2 "
         "has the most lines of the other pages (1).",
     )
 

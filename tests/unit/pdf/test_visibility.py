@@ -9,12 +9,13 @@ from numpy.testing import assert_allclose
 from pypdf import PdfReader, PdfWriter
 
 from knifetip import pipeline
-from knifetip.errors import NotADrawing
+from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.model.drawing import Drawing
-from knifetip.pdf.read import read
+from knifetip.pdf.chosen_page import choose_page
+from knifetip.pdf.read import read, read_each_page
 from knifetip.presentation.drawing import drawing_json
 from knifetip.presentation.import_warnings import import_warnings
-from tests.support.writers.pdf_text import MM, carton, objects, pdf, stream
+from tests.support.writers.pdf_text import MM, carton, pages, pdf, stream
 
 CUT = "1 0 0 RG 0 50 m 100 50 l S "
 
@@ -108,30 +109,43 @@ def test_a_curve_is_not_cut_by_a_clip_path_of_the_same_shape() -> None:
     assert import_warnings(drawing) == []
 
 
-def two_pages(*contents: bytes) -> bytes:
-    page = "<</Type /Page /Parent 2 0 R /MediaBox [0 0 99 99] /Contents {} 0 R>>"
-    count = len(contents)
-    kids = " ".join(f"{3 + k} 0 R" for k in range(count))
-    return objects(
-        "<</Type /Catalog /Pages 2 0 R>>",
-        f"<</Type /Pages /Kids [{kids}] /Count {count}>>",
-        *(page.format(3 + count + k) for k in range(count)),
-        *map(stream, contents),
-    )
-
-
 def test_the_warning_about_other_pages_names_the_page_with_the_most_lines() -> None:
     line = b"0 0 m 9 0 l S "
-    assert warnings(read(two_pages(line, line, 3 * b"5 5 9 9 re S ", b""))) == (
-        "The PDF has 3 other pages besides the first page, and only the first page is read. Page 3 "
+    assert warnings(read(pages(line, line, 3 * b"5 5 9 9 re S ", b""))) == (
+        "The file has 3 other pages besides page 1, and only page 1 is read. Page 3 "
         "has the most lines of the other pages (12)."
     )
 
 
+def test_the_chosen_page_is_read() -> None:
+    data = pages(b"0 0 m 9 0 l S", b"0 0 m 0 20 l S 0 20 m 9 20 l S", b"")
+    assert len(read(data)) == 1
+    second = choose_page(choose_page(data, 1), 2)
+    assert second.startswith(data)
+    drawing = read(second)
+    assert len(drawing) == 2
+    assert warnings(drawing).startswith("The file has 2 other pages besides page 2, ")
+    with pytest.raises(NotADrawing, match="The PDF has 3 pages, but no page 4"):
+        read(choose_page(data, 4))
+    with pytest.raises(NotADrawing, match="contains no drawing"):
+        read(choose_page(data, 3))
+
+
+def test_each_page_is_read_although_others_are_damaged() -> None:
+    data = pages(b"0 0 m 9 0 l S", b"(never closed", b"", b"0 0 m 5 5 l S 1 1 m 2 1 l S")
+    first, second, third, fourth = read_each_page(choose_page(data, 4), 9)
+    assert not isinstance(first, KnifetipError)
+    assert not isinstance(fourth, KnifetipError)
+    assert (len(first), len(fourth)) == (1, 2)
+    assert isinstance(second, NotADrawing)
+    assert isinstance(third, NotADrawing)
+    assert len(read_each_page(data, 2)) == 2
+
+
 @pytest.mark.parametrize("other", [b"(never closed", b""])
 def test_a_damaged_or_blank_other_page_does_not_prevent_reading(other: bytes) -> None:
-    assert warnings(read(two_pages(b"0 0 m 9 0 l S", other))) == (
-        "The PDF has 2 pages, but only the first page is read."
+    assert warnings(read(pages(b"0 0 m 9 0 l S", other))) == (
+        "The file has 2 pages, but only page 1 is read."
     )
 
 

@@ -29,7 +29,7 @@ def run_outs(drawn: Dieline, sheet: Sheet | None) -> list[list[float]]:
     return result
 
 
-@pytest.mark.parametrize("sheet", [Sheet(), Sheet(300, 200)])
+@pytest.mark.parametrize("sheet", [Sheet(), Sheet(width=300, height=200)])
 def test_a_groove_to_the_edge_of_the_sheet_runs_out_until_the_blade_can_turn(sheet: Sheet) -> None:
     # Half the blade 1.5, and beyond it its extent √(1.5² + 1²), the clearance 2 and 0.05 to spare.
     far = round(1.5 + math.hypot(1.5, 1.0) + 2.0 + 0.05, 3)
@@ -40,7 +40,7 @@ def test_a_groove_to_the_edge_of_the_sheet_runs_out_until_the_blade_can_turn(she
 def test_a_groove_to_an_edge_inside_the_sheet_runs_out_as_without_a_sheet() -> None:
     drawn = grooved(((0, 50), (300, 50)))
     placed = replace(drawn, ends=drawn.ends + 20.0)
-    assert run_outs(placed, Sheet(340, 240, 20.0)) == [[0.0, 0.0]]
+    assert run_outs(placed, Sheet(width=340, height=240, margin=20.0)) == [[0.0, 0.0]]
 
 
 def test_the_run_out_is_longer_at_a_slanted_edge_and_absent_along_it() -> None:
@@ -105,10 +105,10 @@ def test_parts_in_a_window_are_no_edge_of_the_sheet() -> None:
 @pytest.mark.parametrize(
     ("sheet", "expected"),
     [
-        (Sheet(299, 200), "too small"),
-        (Sheet(310, 205, 10), "310.0 × 210.0 mm"),
-        (Sheet(400, 300, 10), "would lie from X -10.0, Y -10.0"),
-        (Sheet(1601, 300), "the table of Test table reaches from 0 to 1600"),
+        (Sheet(width=299, height=200), "too small"),
+        (Sheet(width=310, height=205, margin=10), "310.0 × 210.0 mm"),
+        (Sheet(width=400, height=300, margin=10), "would lie from X -10.0, Y -10.0"),
+        (Sheet(width=1601, height=300), "the table of Test table reaches from 0 to 1,600"),
     ],
 )
 def test_a_sheet_that_does_not_fit_is_refused(sheet: Sheet, expected: str) -> None:

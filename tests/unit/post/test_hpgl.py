@@ -198,7 +198,7 @@ def test_the_speed_is_written_when_it_changes() -> None:
     [
         (
             [*SQUARE[:2], (1, F, 120, 20, -0.3, 0, 24100.0), SQUARE[3]],
-            "multiples of 600 mm/min from 600 to 48000 mm/min",
+            "multiples of 600 mm/min from 600 to 48,000 mm/min",
         ),
         (
             [*SQUARE[:2], (1, F, 120, 20, -0.2, 0, CUT), SQUARE[3]],

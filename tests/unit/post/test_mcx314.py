@@ -193,6 +193,29 @@ def test_a_move_of_less_than_a_pulse_is_made_by_the_next_one() -> None:
     assert program(tiny).text.count(b"LINE") == 1
 
 
+def test_the_tool_is_not_lowered_for_less_than_a_pulse() -> None:
+    def passes(x: float) -> int:
+        made = path(
+            (0.0, 0.0, 3.0, 0.0),
+            ((0.0, 0.0, 3.0, 0.0), 0.0, Motion.RAPID),
+            ((0.0, 0.0, 1.0, 0.0), 0.0, Motion.PLUNGE),
+            ((x, 0.0, 1.0, 0.0), 0.0, Motion.FEED),
+            ((x, 0.0, 3.0, 0.0), 0.0, Motion.LIFT),
+        )
+        return program(made).text.count(b"LINE Z")
+
+    assert passes(0.002) == 0
+    assert passes(0.004) == 2
+    # A crease press has no move by design.
+    press = path(
+        (0.0, 0.0, 3.0, 0.0),
+        ((0.0, 0.0, 3.0, 0.0), 0.0, Motion.RAPID),
+        ((0.0, 0.0, 1.0, 0.0), 0.0, Motion.PLUNGE),
+        ((0.0, 0.0, 3.0, 0.0), 0.0, Motion.LIFT),
+    )
+    assert program(press).text.count(b"LINE Z") == 2
+
+
 def test_c_limits_the_speed() -> None:
     turning = path(
         (0.0, 0.0, 1.0, 0.0),
@@ -206,9 +229,9 @@ def test_c_limits_the_speed() -> None:
 @pytest.mark.parametrize(
     ("end", "feed", "words"),
     [
-        ((5e4, 0.0, 1.0, 0.0), 24000.0, "needs 10000000 pulses, and .* at most 8388607"),
+        ((5e4, 0.0, 1.0, 0.0), 24000.0, "needs 10,000,000 pulses, and .* at most 8,388,607"),
         ((10.0, 5.0, -2.0, 30.0), 24000.0, "moves four axes"),
-        ((10.0, 0.0, 1.0, 0.0), 240000.0, "needs 800000 pulses per second"),
+        ((10.0, 0.0, 1.0, 0.0), 240000.0, "needs 800,000 pulses per second"),
         ((10.0, 0.0, 1.0, 0.0), 3.0, "needs 10 pulses per second"),
     ],
 )

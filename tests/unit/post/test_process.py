@@ -367,6 +367,14 @@ def test_linuxcnc_blends_slow_and_slight_bends() -> None:
         assert exact_stops(*rows) == expected
 
 
+def test_a_tiny_move_at_its_feed_is_as_fast_as_its_feed() -> None:
+    """0.006 mm up at 6000 mm/min take 0.06 ms, less than the least time of a move in G93."""
+    start = rapid(0, 0), (1, Motion.PLUNGE, (0, 0, 2.8148, 0), 0.0, 6000.0)
+    turn = (1, Motion.FEED, (0.0027, 0, 2.8148, 0.0062), 0.0, 30000.0)
+    rise = (1, Motion.FEED, (0.0027, 0, 2.8208, 0.0062), 0.0, 6000.0)
+    assert exact_stops(*start, turn, rise) == [1, 2]
+
+
 def test_a_tool_turns_before_it_plunges_but_rapids_are_blended() -> None:
     rows = [rapid(0, 0), rapid(50, 50, c=90), rapid(50, 50, c=180), feed(50, 50, c=180)]
     assert exact_stops(*rows) == [2]

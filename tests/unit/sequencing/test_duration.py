@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from knifetip import pipeline
-from knifetip.gateway.table import Table
 from knifetip.library import load
 from knifetip.model.machine import Machine
 from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing import linuxcnc
 from knifetip.sequencing.duration import duration, durations
+from knifetip.simulators.grbl.table import Table
 from tests.support.shapes import MACHINE, toolpath
 from tests.support.truth.named import SAMPLES, Named
 

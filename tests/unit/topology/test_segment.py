@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import pytest
 import shapely
 from hypothesis import assume, given
 from hypothesis import strategies as st
@@ -65,6 +66,17 @@ def test_lines_cross_at_the_points_that_shapely_returns(
     assert math.dist(here, np.add(c, t * np.subtract(d, c))) < 1e-6 * (
         1.0 + 1.0 / max(abs(math.sin(_between(a, b, c, d))), 1e-12)
     )
+
+
+@pytest.mark.parametrize("angle", range(0, 180, 17))
+def test_lines_that_continue_each_other_do_not_cross(angle: int) -> None:
+    """Turned coordinates are rounded, so the lines are not exactly parallel."""
+    turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
+    for x in np.arange(164.5, 170.0, 0.01):
+        a, b, c = np.array([[x, -212.0], [189.5, -212.0], [321.5, -212.0]]) @ turn
+        assert math.isnan(
+            crossing_parameters(a[0], a[1], b[0] - a[0], b[1] - a[1], np.array([[c, b]]), 0)[0]
+        )
 
 
 def _between(

@@ -1,4 +1,4 @@
-"""``subdivision``: how many components of edges enclose a point."""
+"""``subdivision``: how many components of edges enclose a point or another component."""
 
 from __future__ import annotations
 
@@ -34,3 +34,15 @@ def test_a_point_beside_the_end_of_a_circle_lies_outside(side: float) -> None:
     faces = subdivide(circle, np.ones(2))
     points = side * np.array([(4.999999999, 0.0), (5.000000001, 0.0)])
     np.testing.assert_array_equal(faces.count_enclosing(points), [1, 0])
+
+
+@pytest.mark.parametrize("overlap", [-0.001, 0.0, 0.001, 0.04])
+def test_a_hole_above_outlines_that_overlap_a_little_lies_in_the_upper_one(overlap: float) -> None:
+    """Two circles of radius 60 one above the other, and holes in them above where they touch."""
+    rows = []
+    for y, radius in ((0.0, 60.0), (120.0 - overlap, 60.0), (0.0, 2.0), (120.0, 2.0), (260.0, 2.0)):
+        rows += [[[-radius, y], [radius, y]], [[radius, y], [-radius, y]]]
+    faces = subdivide(np.array(rows), np.ones(10))
+    np.testing.assert_array_equal(faces.depth[faces.component[::2]], [0, 0, 1, 1, 0])
+    upper = faces.face[2, 0]
+    assert faces.enclosing[faces.component[6]] == upper

@@ -224,11 +224,11 @@ def test_services_without_traces_do_not_import_opentelemetry() -> None:
         "import re, sys\n"
         "from knifetip import tracing\n"
         "def found(pattern): return [name for name in sys.modules if re.match(pattern, name)]\n"
-        "import knifetip.cli.service, knifetip.gateway.claim, knifetip.jobs.compile_service\n"
+        "import knifetip.cli.service, knifetip.gateway.claim, knifetip.service.compiling.service\n"
         "with tracing.exporting('knifetip-test'), tracing.span('s'):\n"
         "    print(found('opentelemetry|knifetip.telemetry'))\n"
         # FastAPI imports the API of OpenTelemetry.
-        "    import knifetip.api.embedded\n"
+        "    import knifetip.server.embedded\n"
         "    print(found('opentelemetry.(sdk|exporter|proto)'))\n"
     )
     environment = {name: text for name, text in os.environ.items() if name[:5] != "OTEL_"}

@@ -25,12 +25,13 @@ KNOWN = [
     ("generated__kyholdings__diecut_generator/mailer_200x150x60_t3.dxf", "mm", "mm"),
     ("generated__kyholdings__diecut_generator/mailer_120x80x40_all_layers.dxf", "mm", "mm"),
     ("Jayanthan-Amalanathan__laser-cutting-and-engraving/box.dxf", "mm", "mm"),
-    # It has few straight lines, and may measure 190 mm, or 1.9 m with a wrong header.
-    ("suhail-jr__Manual-pnP/cut.dxf", "mm", ""),
-    # Written by pstoedit: lengths are rounded to thousandths, and no unit is stated.
-    ("generated__eridur-de__mightyscape-inkpacking/box_rwlf.dxf", "mm", ""),
-    ("generated__florianfesti__boxes/PaperBox_100x40x140.dxf", "mm", ""),
-    ("generated__florianfesti__boxes/FlexBox.dxf", "mm", ""),
+    # It has few straight lines, but the header of Inkscape, which writes the unit that it uses.
+    ("suhail-jr__Manual-pnP/cut.dxf", "mm", "mm"),
+    # No unit is stated, and lengths are rounded to thousandths; the page is that of pstoedit in mm.
+    ("generated__eridur-de__mightyscape-inkpacking/box_rwlf.dxf", "mm", "mm"),
+    # They state no unit, but curls of 0.15 mm at their corners show that they are for a laser.
+    ("generated__florianfesti__boxes/PaperBox_100x40x140.dxf", "mm", "mm"),
+    ("generated__florianfesti__boxes/FlexBox.dxf", "mm", "mm"),
 ]
 
 

@@ -35,7 +35,7 @@ def test_question_states_the_size_in_each_unit_and_begins_with_the_likeliest() -
     assert question.text.startswith(
         "The file does not state the unit of the drawing. In which unit is the drawing? "
         "Its possible sizes are: 250.0 × 180.0 mm if the unit is mm, "
-        "2500 × 1800 mm if the unit is cm, 6350 × 4572 mm if the unit is inches,"
+        "2,500 × 1,800 mm if the unit is cm, 6,350 × 4,572 mm if the unit is inches,"
     )
     assert (
         "The strongest evidence for mm is: if the unit is mm, 2 of 2 different edge lengths"

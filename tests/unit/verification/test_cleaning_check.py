@@ -14,7 +14,7 @@ from knifetip.cleaning.clean import clean
 from knifetip.geometry.columns import F64
 from knifetip.model.cleaned import Cleaned, Stretches
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.verification.checks.cleaning_check import check_cleaning
+from knifetip.verification.checks.cleaning.check import check_cleaning
 from tests.support.shapes import closed, dieline, edges
 
 CUT, CREASE = LineType.CUT, LineType.CREASE

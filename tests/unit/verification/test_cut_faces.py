@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from knifetip.verification.checks.cut_faces import find_cut_faces
+from knifetip.verification.checks.order.cut_faces import find_cut_faces
 from knifetip.verification.expectation.edges import place_edges
 from knifetip.verification.expectation.outline import count_enclosing, find_outlines
 from tests.support.programs.handwritten import CUT, dieline

@@ -95,11 +95,11 @@ def test_a_short_crease_is_pressed_in_its_middle_at_the_depth_that_fits() -> Non
     np.testing.assert_allclose([found.low[0], found.high[0]], [3.2, 3.2])
 
 
-@pytest.mark.parametrize(("length", "is_refused"), [(0.3, True), (0.7, True), (0.8, False)])
+@pytest.mark.parametrize(("length", "is_refused"), [(0.3, True), (1.4, True), (1.6, False)])
 def test_a_crease_without_depth_between_its_clearances_is_refused(
     length: float, is_refused: bool
 ) -> None:
-    # 0.001 mm deep, the wheel touches 2 √(0.001 · 29.999) = 0.346 mm, and 0.4 mm remain free.
+    # 0.01 mm deep, the wheel touches 2 √(0.01 · 29.99) = 1.095 mm, and 0.4 mm remain free.
     assert bool(expected_of((0, 0, 0, length)).refused[0]) is is_refused
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from knifetip.model.dieline import LineType
-from knifetip.verification.checks.groove_flanks import DamagedCuts, damaged_cuts
+from knifetip.verification.checks.groove.flanks import DamagedCuts, damaged_cuts
 from knifetip.verification.expectation.edges import place_edges
 from knifetip.verification.verify import verify
 from tests.support.programs.handwritten import BOARD, CUT, MACHINE, PLACEMENT, dieline

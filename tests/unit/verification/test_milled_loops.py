@@ -9,7 +9,7 @@ import pytest
 
 from knifetip.geometry.columns import F64
 from knifetip.library import load
-from knifetip.verification.checks.milled_loops import loose_lines
+from knifetip.verification.checks.order.milled_loops import loose_lines
 from knifetip.verification.curves.curve import arc_curves, line_curves
 from knifetip.verification.kinematics import TipPaths
 from knifetip.verification.tools import OperationKind

@@ -11,7 +11,7 @@ from knifetip.model.dieline import Dieline
 from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Cutter
 from knifetip.model.verdict import Finding, Severity, Verdict
-from knifetip.verification.checks.milling_geometry import is_beside_arc, spans_near_points
+from knifetip.verification.checks.milling.geometry import is_beside_arc, spans_near_points
 from knifetip.verification.columns import F64
 from knifetip.verification.curves.curve import line_curves
 from knifetip.verification.curves.intervals import uncovered_edges

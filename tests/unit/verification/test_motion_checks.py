@@ -35,9 +35,9 @@ def findings_without_dieline(text: bytes) -> list[Finding]:
 @pytest.mark.parametrize(
     ("old", "new", "line", "expected"),
     [
-        ("G1 Y65.6000 F30000", "G1 Y65.6000 F30001", 18, "30001 mm/min instead of 30000"),
-        ("G1 Z1.4000 F6000", "G1 Z1.4000 F5999", 17, "5999 mm/min instead of 6000"),
-        ("G1 X110.0000 F24000", "G1 X110.0000 F34000", 57, "34000 mm/min instead of 24000"),
+        ("G1 Y65.6000 F30000", "G1 Y65.6000 F30001", 18, "30,001 mm/min instead of 30,000"),
+        ("G1 Z1.4000 F6000", "G1 Z1.4000 F5999", 17, "5,999 mm/min instead of 6,000"),
+        ("G1 X110.0000 F24000", "G1 X110.0000 F34000", 57, "34,000 mm/min instead of 24,000"),
     ],
 )
 def test_a_feed_that_is_not_the_tools_own_is_found(

@@ -15,7 +15,7 @@ from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Finding, Severity
-from knifetip.verification.checks.replaced_lines import note_replaced
+from knifetip.verification.checks.lines.replaced_lines import note_replaced
 from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline, edges
 

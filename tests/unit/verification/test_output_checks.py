@@ -178,3 +178,14 @@ def test_a_station_without_an_output_needs_no_state() -> None:
     fixed = replace(MACHINE, stations=(replace(MACHINE.stations[0], output=-1),))
     bare = b"G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1\nG0 Z20.0000\nM5\nG4 P0.15\nG0 X5 Y5\nM2\n"
     assert program_findings(bare, fixed, drawn=False) == []
+
+
+@pytest.mark.parametrize("height", [-1.4, 3.0, 19.9])
+def test_no_head_goes_low_while_no_station_is_selected(height: float) -> None:
+    # At the end of the program, after a dwell in which all stations have come up.
+    program, end = GRBLHAL, GRBLHAL.rindex(b"M30")
+    text = program[:end] + b"G4 P0.15\nG0 Z%.4f\n" % height + program[end:]
+    lines = program_findings(text)
+    assert any(f"goes down to {height:.2f} mm while no station" in line for line in lines), lines
+    lifted = text.replace(b"G0 Z%.4f" % height, b"G0 Z20.0000")
+    assert program_findings(lifted) == []

@@ -16,7 +16,7 @@ from knifetip.planning.sheet_outline import sheet_outline
 from knifetip.post.emit import process
 from knifetip.sequencing.duration import duration
 from knifetip.sequencing.sequence import sequence
-from knifetip.verification.checks.sheet_check import _footprints
+from knifetip.verification.checks.motion.sheet import _footprints
 from knifetip.verification.expectation.edges import place_edges
 from knifetip.verification.expectation.sheet_area import place_sheet
 from knifetip.verification.verify import verify
@@ -27,7 +27,7 @@ DRAWN = dieline(
     (LineType.CUT, BLANK),
     (LineType.V_GROOVE, edges(*(((0, y), (300, y)) for y in range(40, 200, 40)))),
 )
-SHEET = Sheet(300.0, 200.0)
+SHEET = Sheet(width=300.0, height=200.0)
 
 
 def emitted(sheet: Sheet | None) -> tuple[bytes, float]:
@@ -57,7 +57,13 @@ def test_turns_beside_the_sheet_have_no_lift_and_save_time() -> None:
 
 
 @pytest.mark.parametrize(
-    "sheet", [None, Sheet(310.0, 200.0, 5.0), Sheet(301.0, 200.0), Sheet(302.0, 200.0)]
+    "sheet",
+    [
+        None,
+        Sheet(width=310.0, height=200.0, margin=5.0),
+        Sheet(width=301.0, height=200.0),
+        Sheet(width=302.0, height=200.0),
+    ],
 )
 def test_the_same_turns_are_refused_over_a_larger_sheet(sheet: Sheet | None) -> None:
     codes = {finding.message.code for finding in verdict_of(emitted(SHEET)[0], sheet).findings}

@@ -7,8 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from knifetip.verification.checks.cut_faces import CutFaces, find_cut_faces
-from knifetip.verification.checks.worked_spans import (
+from knifetip.verification.checks.order.cut_faces import CutFaces, find_cut_faces
+from knifetip.verification.checks.order.worked_spans import (
     WorkedSpans,
     completing_lines,
     first_lines,

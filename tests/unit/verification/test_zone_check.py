@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from knifetip.model.machine import Machine, Zone
-from knifetip.verification.checks.zone_check import _enters
+from knifetip.verification.checks.motion.zones import _enters
 from knifetip.verification.verify import verify
 from tests.support.programs.handwritten import (
     BOARD,

@@ -18,6 +18,7 @@ from knifetip.classification.decision.role_types import (
     likeliest_type,
 )
 from knifetip.classification.decision.style_evidence import StyleEvidence
+from knifetip.classification.shape.open_dividers import DividerKind
 from knifetip.classification.shape.roles import HOLES, NOT_CARTON, Role
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
@@ -37,6 +38,24 @@ _NAMES: Final = {
     (True, False): "classification.layer-name-against",
     (False, True): "classification.linetype-name",
     (False, False): "classification.linetype-name-against",
+}
+#: Confidence of a guess that is the most likely line type, but would not contradict what earlier
+#: drawings of the customer teach.
+_LIKELY: Final = 0.74
+#: Line type, confidence and reasons of dividers that their style does not distinguish.
+_OPEN_DIVIDERS: Final[dict[DividerKind, tuple[LineType, float, Sequence[Message]]]] = {
+    DividerKind.OTHER: (LineType.CREASE, _LIKELY, ()),
+    DividerKind.CORNERS: (LineType.CUT, _LIKELY, (Message("classification.corners"),)),
+    DividerKind.SLOT_SIDE: (LineType.CUT, _LIKELY, (Message("classification.slot-side"),)),
+    DividerKind.FOLD_END: (LineType.CUT, _LIKELY, (Message("classification.fold-end"),)),
+    DividerKind.PART_OF_SIDE: (LineType.CUT, _LIKELY, (Message("classification.part-of-side"),)),
+    DividerKind.THROUGH: (LineType.CREASE, _LIKELY, (Message("classification.through"),)),
+    DividerKind.RING_SLIT: (LineType.CUT, _LIKELY, (Message("classification.ring-slit"),)),
+    DividerKind.RING_FOLD: (LineType.CREASE, _LIKELY, (Message("classification.ring-fold"),)),
+    DividerKind.ALONG: (LineType.CREASE, 0.55, (Message("classification.along"),)),
+    DividerKind.PERPENDICULAR: (LineType.CREASE, 0.55, (Message("classification.across"),)),
+    DividerKind.OBLIQUE: (LineType.CREASE, 0.55, (Message("classification.oblique"),)),
+    DividerKind.SHARED: (LineType.CUT, 0.6, (Message("classification.shared"),)),
 }
 _LIKE_OUTLINE: Final = (Message("classification.like-outline"),)
 
@@ -71,12 +90,17 @@ class _Guess:
 
 
 def decide_by_evidence(
-    evidence: StyleEvidence, style: int, role: Role, must_fold: bool
+    evidence: StyleEvidence,
+    style: int,
+    role: Role,
+    must_fold: bool,
+    divider: DividerKind = DividerKind.OTHER,
 ) -> Decision:
     """Return the decision that shape, conventions and names suggest for a style without a rule.
 
     ``style`` is the index of the style, ``role`` is the role of the edges in the drawing's
-    shape, and ``must_fold`` is whether a panel is attached by these edges alone.
+    shape, and ``must_fold`` is whether a panel is attached by these edges alone.  ``divider`` is
+    what their ends show.
     """
     if role == Role.OPEN:
         shape = Message(
@@ -88,7 +112,7 @@ def decide_by_evidence(
     if not evidence.has_outline or role == Role.UNKNOWN:
         reason = Message("classification.no-rule", profile=evidence.profile.name)
         return Decision(LineType.UNCLASSIFIED, 0.0, reason)
-    kind, confidence, details = _guess_by_shape(evidence, style, role, must_fold)
+    kind, confidence, details = _guess_by_shape(evidence, style, role, must_fold, divider)
     guess = _Guess(kind, confidence)
     guess.votes.append(Message("classification.shape", parts=[role.message, *details]))
     guess.others.append(likeliest_type(role))
@@ -171,18 +195,21 @@ def _weigh_names(
 
 
 def _guess_by_shape(
-    evidence: StyleEvidence, style: int, role: Role, must_fold: bool
+    evidence: StyleEvidence, style: int, role: Role, must_fold: bool, divider: DividerKind
 ) -> tuple[LineType, float, Sequence[Message]]:
     """Return the line type that shape alone suggests, its confidence, and the reasons.
 
     ``style`` and ``role`` are the style and the role of the edges; ``must_fold`` is whether a
-    panel is attached by them alone.
+    panel is attached by them alone, and ``divider`` what their ends
+    show.
     """
     own, total = evidence.length[style], evidence.total
     outlines = own[Role.OUTLINE] >= 0.3 * total[Role.OUTLINE]
     # Only one style has the folds of a drawing.
     folds_elsewhere = outlines and evidence.other_folds[style] > 1.4 * own[Role.DIVIDER]
     if role == Role.OUTLINE:
+        if divider == DividerKind.OPEN_FLAP:
+            return LineType.CUT, 0.6, [Message("classification.open-flap")]
         # A style with dividers does not close the outline if another style closes most of it.
         minor = own[Role.OUTLINE] < 0.5 * total[Role.OUTLINE]
         if minor and own[Role.DIVIDER] > 0.25 * own[Role.OUTLINE]:
@@ -197,18 +224,19 @@ def _guess_by_shape(
     if role == Role.DIVIDER:
         if folds_elsewhere:
             return LineType.CUT, 0.85, [Message("classification.like-outline-not-folds")]
-        return _guess_divider(evidence, style, must_fold)
+        return _guess_divider(evidence, style, must_fold, divider)
     if role in (Role.SLIT, Role.FREE):
         if folds_elsewhere:
             return LineType.CUT, 0.85, _LIKE_OUTLINE
         if evidence.only_divides[style]:
             return LineType.CREASE, 0.6, ()
-        return LineType.CUT, 0.6 if outlines else 0.4, ()
+        likely = _LIKELY if role == Role.FREE else 0.6
+        return LineType.CUT, likely if outlines else 0.4, ()
     if role in NOT_CARTON:
         nothing_else = sum(own[part] for part in NOT_CARTON) >= 0.95 * own.sum()
         if role == Role.BLEED and own[[Role.OUTLINE, *HOLES]].any():
             # A window round another part is drawn like the cuts, and a bleed line seldom is.
-            return LineType.IGNORED, 0.6, ()
+            return LineType.IGNORED, _LIKELY, ()
         if role in (Role.TABLE, Role.LABELLED):
             return LineType.IGNORED, 0.85 if nothing_else else 0.6, ()
         confidence = IGNORED_CONFIDENCE.get(role, 0.65 if nothing_else else 0.5)
@@ -217,12 +245,13 @@ def _guess_by_shape(
 
 
 def _guess_divider(
-    evidence: StyleEvidence, style: int, must_fold: bool
+    evidence: StyleEvidence, style: int, must_fold: bool, divider: DividerKind
 ) -> tuple[LineType, float, Sequence[Message]]:
     """Return the line type that shape suggests for dividers, its confidence, and the reasons.
 
     Dividers are the edges between two panels.  ``style`` is the style of the dividers, and
-    ``must_fold`` is whether a panel is attached by them alone.
+    ``must_fold`` is whether a panel is attached by them alone, and ``divider`` what their ends
+    show.
     """
     own = evidence.length[style, Role.DIVIDER]
     if evidence.only_divides[style]:
@@ -248,4 +277,4 @@ def _guess_divider(
     # A perforation from fold to fold has the shape of a fold.
     if must_fold and not evidence.other_folds[style]:
         return LineType.CREASE, 0.85, [Message("classification.panel-hangs")]
-    return LineType.CREASE, 0.55, ()
+    return _OPEN_DIVIDERS[divider]

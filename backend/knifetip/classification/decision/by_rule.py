@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from knifetip.classification.decision.conventions import FOLD_TYPES
 from knifetip.classification.decision.decision import Decision
 from knifetip.classification.decision.role_types import IGNORED_CONFIDENCE, likeliest_type
 from knifetip.classification.decision.style_evidence import StyleEvidence
@@ -16,6 +17,8 @@ from knifetip.model.dieline import LineType
 
 #: Roles that are so certain that they override rules.
 _OVERRIDING_ROLES: Final = (Role.ARROW, Role.LEGEND)
+#: Confidence that a profile swaps cut and crease, if it seems to.
+_SWAPPED: Final = 0.74
 #: Line types that a closed line inside a panel may have, besides cut.
 _CLOSED_IN_PANEL: Final = (LineType.PERFORATION, LineType.COMBI, LineType.HALF_CUT)
 
@@ -37,12 +40,7 @@ def decide_by_rule(evidence: StyleEvidence, style: int, role: Role) -> Decision:
     if kind == LineType.UNCLASSIFIED:
         return Decision(kind, 0.0, rule)
     if evidence.swapped and kind != LineType.IGNORED:
-        swapped = Message("classification.contradicted", rule=rule, reason=evidence.swapped)
-        if role in (Role.OUTLINE, *HOLES, Role.DIVIDER):
-            guess = likeliest_type(role)
-            others = tuple(one for one in (kind,) if one != guess)
-            return Decision(guess, 0.6, swapped, others)
-        return Decision(kind, 0.3, swapped)
+        return _decide_swapped(evidence.swapped, rule, kind, role)
     if not evidence.has_outline or role in (Role.UNKNOWN, Role.OPEN):
         return Decision(kind, confidence, rule, by_rule=True)
     if role in _OVERRIDING_ROLES and kind != LineType.IGNORED:
@@ -53,6 +51,20 @@ def decide_by_rule(evidence: StyleEvidence, style: int, role: Role) -> Decision:
         reason = _contradiction_message(rule, role, against)
         return Decision(kind, min(confidence, 0.5), reason, instead)
     return Decision(kind, confidence, rule, by_rule=True)
+
+
+def _decide_swapped(swapped: Message, rule: Message, kind: LineType, role: Role) -> Decision:
+    """Return the decision where the profile seems to swap cut and crease.
+
+    All edges that a rule cuts or folds have one decision, so that one answer confirms the swap.
+    ``swapped`` is why the profile seems to swap them, ``rule`` the clause that names the rule,
+    ``kind`` its line type, and ``role`` the role of the edges.
+    """
+    reason = Message("classification.contradicted", rule=rule, reason=swapped)
+    if role in NOT_CARTON or kind not in (LineType.CUT, *FOLD_TYPES):
+        return Decision(kind, 0.3, reason)
+    other = LineType.CREASE if kind == LineType.CUT else LineType.CUT
+    return Decision(other, _SWAPPED, reason, (kind,))
 
 
 def _contradiction(

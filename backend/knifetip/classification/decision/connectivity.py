@@ -8,16 +8,15 @@ of the middle of a blank is a hole, and is permitted.
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
 from knifetip.classification.shape.features import ShapeFeatures
 from knifetip.classification.shape.roles import Role
 from knifetip.geometry.columns import U8, Bool
-from knifetip.geometry.union_find import flatten, union
-from knifetip.kernels import I32_2, kernel
 from knifetip.model.dieline import LineType
+from knifetip.topology.connected_faces import label_connected_faces
 
 #: A piece with less than this fraction of the area of the other piece is a separated panel; two
 #: pieces of more equal area are two blanks with a common cut.
@@ -64,17 +63,3 @@ def find_separating_cuts(features: ShapeFeatures, line_type: U8) -> Bool:
         & (area[smaller] < _MAX_AREA_FRACTION * area[larger])
     )
     return separating
-
-
-@kernel
-def label_connected_faces(faces: int, sides: I32_2) -> Any:
-    """Return a label of each face, (faces,), which is equal for faces that are connected.
-
-    ``sides`` (k, 2) are k pairs of neighbouring faces.  Two faces are connected if a series of such
-    pairs leads from one to the other.  ``faces`` is the number of faces.
-    """
-    parent = np.arange(faces)
-    for k in range(len(sides)):
-        union(parent, sides[k, 0], sides[k, 1])
-    flatten(parent)
-    return parent

@@ -107,14 +107,10 @@ def _only_main_dashes(
     pattern.  If none has most, the layers may be parts of the carton, and a look is a colour and
     dash pattern.  If none of these has most, the rule counts for no dashed line.
 
-    Parameters
-    ----------
-    styles, matches
-        The styles of the drawing, and the rule of the convention that matches each of them.
-    convention
-        The convention.
-    divider : (c,)
-        Length of the dividers of each style.
+    ``styles``, ``matches``: the styles of the drawing, and the rule of the convention that matches
+    each of them.
+    ``convention``: the convention.
+    ``divider`` (c,): length of the dividers of each style.
     """
     line_type = matches.line_type
     by_dashes = np.array(

@@ -11,11 +11,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from knifetip.classification.decision.connectivity import label_connected_faces
 from knifetip.classification.shape.features import ShapeFeatures
 from knifetip.classification.shape.roles import Role
 from knifetip.geometry.columns import I32, Bool
 from knifetip.geometry.unique_rows import unique_rows
+from knifetip.topology.connected_faces import label_connected_faces
 
 #: Panels, and pairs of panels with a common fold, of a cross and of a rectangle with four folds.
 _CROSS = (5, 4)

@@ -197,14 +197,9 @@ def _divide_groups(look: I64, width: I32, length: F64) -> I64:
     Otherwise the widths have no known meaning: the cuts of a colour have two widths, or one line
     was drawn thinner by chance.
 
-    Parameters
-    ----------
-    look : (c,)
-        Number of the layer, colour and dash pattern of each style.
-    width : (c,)
-        Number of the line width of each style within its look, 0 if it has no meaning.
-    length : (c, roles)
-        Length of the edges of each style, by role.
+    ``look`` (c,): number of the layer, colour and dash pattern of each style.
+    ``width`` (c,): number of the line width of each style within its look, 0 if it has no meaning.
+    ``length`` (c, roles): length of the edges of each style, by role.
     """
     if not width.any():
         return look
@@ -237,14 +232,10 @@ def _divider_fraction(part: F64, group: I64, grouped: F64) -> F64:
     line width form a group.  The fraction, 0 … 1, is computed for each group, and the result
     contains for each of c styles the fraction of its group.
 
-    Parameters
-    ----------
-    part : (c,)
-        Total length of the dividers of each style that have the property, for example are dashed.
-    group : (c,)
-        Index of the group of each style.
-    grouped : (groups, roles)
-        Total length of the edges of each group, by role.
+    ``part`` (c,): total length of the dividers of each style that have the property, for example
+    are dashed.
+    ``group`` (c,): index of the group of each style.
+    ``grouped`` (groups, roles): total length of the edges of each group, by role.
     """
     total = np.maximum(grouped[:, Role.DIVIDER], 1e-12)
     fraction: F64 = (np.bincount(group, part, len(grouped)) / total)[group]
@@ -276,14 +267,9 @@ def _swap_reason(
 ) -> Message | None:
     """Return the message why the profile seems to swap cut and crease, or None if it does not.
 
-    Parameters
-    ----------
-    matches
-        The profile rule that matches each of c styles.
-    length : (c, roles)
-        Length of the edges of each style in each role.
-    conventions
-        Colour conventions that fit the drawing; the message names the first one.
+    ``matches``: the profile rule that matches each of c styles.
+    ``length`` (c, roles): length of the edges of each style in each role.
+    ``conventions``: colour conventions that fit the drawing; the message names the first one.
     """
     folds = np.isin(matches.line_type, (LineType.CREASE, LineType.V_GROOVE, LineType.COMBI))
     cuts = matches.line_type == LineType.CUT

@@ -12,6 +12,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from knifetip.classification.shape.features import ShapeFeatures
+from knifetip.classification.shape.open_dividers import DividerKind
 from knifetip.classification.shape.roles import Role
 from knifetip.geometry.columns import F64, I64
 from knifetip.kernels import (
@@ -30,9 +31,13 @@ from knifetip.kernels import (
 MIXED_ROLES: Final = 1  #: at least a third of the edge has another role
 NEAR_TEXT: Final = 2  #: a text is beside the edge
 MUST_FOLD: Final = 4  #: a panel is attached by the edge alone
-FLAG_COUNT: Final = 8
+BESIDE_GAP: Final = 8  #: the edge divides two panels only if the outline lacks a line
+FLAG_COUNT: Final = 16
+#: Number of values of ``DividerKind``.
+DIVIDER_KINDS: Final = len(DividerKind)
 _ROLES: Final = len(Role)
 _STRAY, _DIVIDER, _UNKNOWN = (int(role) for role in (Role.STRAY, Role.DIVIDER, Role.UNKNOWN))
+_OUTLINE, _OPEN_FLAP = int(Role.OUTLINE), int(DividerKind.OPEN_FLAP)
 #: An edge with less than this fraction of its length in its main role has mixed roles.
 _MAIN_ROLE: Final = 0.7
 #: If more than this fraction of a style's necessary folds is dashed, all its dashes are folds.
@@ -85,12 +90,14 @@ class StyleTotals(NamedTuple):
         return totals
 
     def decision_keys(self, style: I64, features: ShapeFeatures) -> I64:
-        """Return the decision key of each edge, (n,): an integer for style, role and three flags.
+        """Return the decision key of each edge, (n,): a number for style, roles, kind and flags.
 
-        Edges with equal keys get the same decision.  The flags state whether less than 70 % of the
-        edge's length has its role, whether a text is near an edge outside all blanks, and whether a
-        divider must be a fold.  ``style`` (n,) is the style of each edge, and ``features`` are the
-        shape features of the edges.
+        Edges with equal keys get the same decision.  The roles are that of the edge and that of
+        most of the rest of its length, if the rest is large.  The kind is the DividerKind of
+        edges that may be slits or folds.  The flags state whether less than 70 % of the edge's
+        length has its role, whether a text is near an edge outside all blanks, whether a divider
+        must be a fold, and whether it divides panels only if the outline lacks a line.  ``style``
+        (n,) is the style of each edge, and ``features`` are the shape features of the edges.
         """
         all_folds, dashed_folds = self.fold_lengths.T
         key = np.empty(len(style), np.int64)
@@ -98,13 +105,40 @@ class StyleTotals(NamedTuple):
             style,
             features.role,
             features.role_fraction,
+            features.second_role,
             features.near_text,
             features.must_fold,
+            features.beside_gap,
+            features.divider_kind,
             features.dashed,
             (dashed_folds > _MOSTLY_DASHED * all_folds) & (all_folds > 0.0),
             key,
         )
         return key
+
+
+def lengths_without_covered(style: I64, features: ShapeFeatures, lengths: F64) -> F64:
+    """Return the length of each of n edges, (n,), but 0 for lines drawn on the outline again.
+
+    Such a line coincides with an edge of the outline that has another style, and the other style
+    closes more of the outlines.  It does not show that its own style closes outlines.
+
+    Parameters
+    ----------
+    style, lengths : (n,) each
+        Style and length of each edge.
+    features
+        Shape features of the edges.
+    """
+    covered = np.flatnonzero((features.coincident >= 0) & (features.role == Role.OUTLINE))
+    covered = covered[style[features.coincident[covered]] != style[covered]]
+    if len(covered) == 0:
+        return lengths
+    closing = np.bincount(style, np.where(features.role == Role.OUTLINE, lengths, 0.0))
+    other = style[features.coincident[covered]]
+    own = lengths.copy()
+    own[covered[closing[style[covered]] < closing[other]]] = 0.0
+    return own
 
 
 @kernel(allocates=False)
@@ -124,20 +158,16 @@ def _add(
 ) -> None:
     """Add the number and the lengths of n edges to the totals of their styles.
 
-    Parameters
-    ----------
-    style, lengths, role : (n,) each
-        Style, length and role of each edge.
-    dashed, paired, must_fold : (n,) each
-        Whether each edge is a dash, has a parallel line beside it, and must be a fold.
-    count, length : (c, roles) each
-        Totals of the c styles, by role: number and length of edges.  The function adds to them.
-    dashed_length, paired_length, must_fold_length : (c,) each
-        Total lengths of the dividers of each style that are dashed, that are paired, and that must
-        be folds.  The function adds to them.
-    fold_lengths : (c, 2)
-        Total length of all edges of each style that must be folds, and of those that are dashed
-        too.  The function adds to it.
+    ``style``, ``lengths``, ``role`` (n,) each: style, length and role of each edge.
+    ``dashed``, ``paired``, ``must_fold`` (n,) each: whether each edge is a dash, has a parallel
+    line beside it, and must be a fold.
+    ``count``, ``length`` (c, roles) each: totals of the c styles, by role: number and length of
+    edges.  The function adds to them.
+    ``dashed_length``, ``paired_length``, ``must_fold_length`` (c,) each: total lengths of the
+    dividers of each style that are dashed, that are paired, and that must be folds.  The function
+    adds to them.
+    ``fold_lengths`` (c, 2): total length of all edges of each style that must be folds, and of
+    those that are dashed too.  The function adds to it.
     """
     for i in range(len(style)):
         s, edge_length = style[i], lengths[i]
@@ -161,34 +191,45 @@ def _write_keys(
     style: I64_1,
     role: U8_1,
     role_fraction: F64_1,
+    second_role: U8_1,
     near_text: Bool_1,
     must_fold: Bool_1,
+    beside_gap: Bool_1,
+    divider_kind: U8_1,
     dashed: Bool_1,
     dashes_fold: Bool_1,
     key: OutI64_1,
 ) -> None:
     """Write the decision key of each of n edges to ``key``, (n,).
 
-    A decision key is an integer that combines the style and the role of an edge with three flags: a
+    A decision key is an integer that combines the style of an edge, its role, and the role of most
+    of the rest of its length, which is its own role unless the rest is large, with four flags: a
     large part of the edge has another role; it is outside all blanks and a text is near it; it is a
-    divider that must be a fold.
+    divider that must be a fold; it divides panels only if the outline lacks a line.  It also has
+    the kind of the edges that may be slits or folds.
 
-    Parameters
-    ----------
-    style : (n,)
-        Style of each edge.
-    role, role_fraction, near_text, must_fold, dashed : (n,) each
-        Role of each edge, fraction of its length that has this role, whether a text is near it,
-        whether it must be a fold, and whether it is a dash.
-    dashes_fold : (c,)
-        Whether all dashes of each style are treated as edges that must be folds.
+    ``style`` (n,): style of each edge.
+    ``role``, ``role_fraction``, ``second_role``, ``near_text``, ``must_fold``, ``beside_gap``,
+    ``divider_kind``, ``dashed`` (n,): role of each edge, fraction of its length that has this role,
+    role of most of the rest, whether a text is near it, whether it must be a fold, whether it
+    divides panels only if the outline lacks a line, its DividerKind, and whether it is a dash.
+    ``dashes_fold`` (c,): whether all dashes of each style are treated as edges that must be folds.
     """
     for i in range(len(style)):
-        flags = 0
+        flags, second = 0, role[i]
         if role_fraction[i] < _MAIN_ROLE and role[i] != _UNKNOWN:
             flags += MIXED_ROLES
+            second = second_role[i]
         if near_text[i] and role[i] == _STRAY:
             flags += NEAR_TEXT
         if role[i] == _DIVIDER and (must_fold[i] or (dashed[i] and dashes_fold[style[i]])):
             flags += MUST_FOLD
-        key[i] = (style[i] * _ROLES + role[i]) * FLAG_COUNT + flags
+        if beside_gap[i]:
+            flags += BESIDE_GAP
+        kind = 0
+        if role[i] == _DIVIDER and not flags & MUST_FOLD:
+            kind = divider_kind[i]
+        elif role[i] == _OUTLINE and divider_kind[i] == _OPEN_FLAP:
+            kind = _OPEN_FLAP
+        roles = (style[i] * _ROLES + role[i]) * _ROLES + second
+        key[i] = (roles * DIVIDER_KINDS + kind) * FLAG_COUNT + flags

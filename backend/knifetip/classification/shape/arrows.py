@@ -3,7 +3,7 @@
 An arrowhead is two short edges of equal length that meet at the end of a third edge, the shaft.
 The two short edges point back along the shaft at equal angles, and their other ends are free or
 joined to each other.  A notch at the end of a crease points the other way, and its ends continue in
-the outline.
+the outline.  ``facing_arrows`` finds heads that point the other way and have free ends.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
+from knifetip.classification.shape.facing_arrows import find_facing_arrows
 from knifetip.geometry.columns import Bool
 from knifetip.geometry.parallel import chunks, parallel_map
 from knifetip.kernels import F64_1, F64_2, I32_1, Bool_1, OutBool_1, kernel
@@ -74,13 +75,15 @@ def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
         Number of drawing units in a millimetre.
     """
     is_arrow, tip = np.zeros(count, np.bool_), np.zeros(len(graph.vertex), np.bool_)
+    fork = np.zeros(len(graph.vertex), np.bool_)
     columns = _Graph(graph.vertex, graph.start, graph.end, graph.edge, graph.first)
     incidence = _pieces_by_vertex(columns, graph.twin_piece)
 
     def mark(chunk: tuple[int, int]) -> None:
-        _mark_arrowheads(columns, graph.bulge, incidence, unit, is_arrow, tip, *chunk)
+        _mark_arrowheads(columns, graph.bulge, incidence, unit, is_arrow, tip, fork, *chunk)
 
     parallel_map(mark, chunks(len(tip), MIN_CHUNK))
+    is_arrow[find_facing_arrows(graph, np.flatnonzero(fork), unit)] = True
     _mark_extension_lines(columns, incidence, unit, is_arrow, tip)
     if tip.any():
         _mark_coincident(columns, graph.twin_piece, is_arrow)
@@ -119,25 +122,19 @@ def _pieces_by_vertex(graph: _Graph, twin: I32_1) -> _Incidence:
 @kernel
 def _mark_arrowheads(
     graph: _Graph, bulge: F64_1, incidence: _Incidence, unit: float, is_arrow: OutBool_1,
-    tip: OutBool_1, begin: int, stop: int,
+    tip: OutBool_1, fork: OutBool_1, begin: int, stop: int,
 ) -> None:  # fmt: skip
     """Mark the edges of arrowheads, and of their shafts, at vertices ``begin`` … ``stop`` - 1.
 
-    Parameters
-    ----------
-    graph
-        Planar graph of n edges, with q vertices and p pieces; a piece is the part of an edge
-        between two neighbouring vertices.
-    bulge : (p,)
-        Bulge of each piece.
-    incidence
-        The pieces at each vertex.
-    unit
-        Number of drawing units in a millimetre.
-    is_arrow : (n,)
-        Set to True for edges of heads and shafts.
-    tip : (q,)
-        Set to True for vertices at the tip of an arrowhead.
+    ``graph``: planar graph of n edges, with q vertices and p pieces; a piece is the part of an edge
+    between two neighbouring vertices.
+    ``bulge`` (p,): bulge of each piece.
+    ``incidence``: the pieces at each vertex.
+    ``unit``: number of drawing units in a millimetre.
+    ``is_arrow`` (n,): set to True for edges of heads and shafts.
+    ``tip`` (q,): set to True for vertices at the tip of an arrowhead.
+    ``fork`` (q,): set to True for vertices at which two such short edges with free ends point away
+    from a third edge.
     """
     vertex, start, end, edge, first_piece = graph
     first, piece = incidence
@@ -197,6 +194,8 @@ def _mark_arrowheads(
                     left, right = _turn(along, direction[a]), _turn(along, direction[b])
                     if left * right >= 0.0 or abs(abs(left) - abs(right)) > _ANGLE_TOLERANCE:
                         continue
+                    if loose and abs(left) >= math.pi - _MAX_ANGLE:
+                        fork[tip_vertex] = True
                     if not _MIN_ANGLE <= abs(left) <= _MAX_ANGLE:
                         continue
                     tip[tip_vertex] = True
@@ -224,16 +223,11 @@ def _mark_extension_lines(
 ) -> None:
     """Mark the extension lines of dimensions: lines that end shortly beyond the tip of an arrow.
 
-    Parameters
-    ----------
-    graph, incidence
-        Graph of n edges with q vertices, and the pieces of edges that end at each vertex.
-    unit
-        Number of drawing units in a millimetre.
-    is_arrow : (n,)
-        Set to True for extension lines.
-    tip : (q,)
-        Whether each vertex is at the tip of an arrow.
+    ``graph``, ``incidence``: graph of n edges with q vertices, and the pieces of edges that end at
+    each vertex.
+    ``unit``: number of drawing units in a millimetre.
+    ``is_arrow`` (n,): set to True for extension lines.
+    ``tip`` (q,): whether each vertex is at the tip of an arrow.
     """
     vertex, start, end, edge, first_piece = graph
     first, piece = incidence
@@ -282,16 +276,10 @@ def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, vertex: int
 
     The edges are divided into p pieces at the vertices.
 
-    Parameters
-    ----------
-    start, end : (p,)
-        Start vertex and end vertex of each piece.
-    first_piece : (n + 1,)
-        Index of the first piece of each edge.
-    i
-        Index of the edge.
-    vertex
-        Index of the vertex.
+    ``start``, ``end`` (p,): start vertex and end vertex of each piece.
+    ``first_piece`` (n + 1,): index of the first piece of each edge.
+    ``i``: index of the edge.
+    ``vertex``: index of the vertex.
     """
     one, two = start[first_piece[i]], end[first_piece[i + 1] - 1]
     if one == vertex:
@@ -325,16 +313,10 @@ def _chord_length(vertex: F64_2, start: I32_1, end: I32_1, first_piece: I32_1, i
 
     The vertices of a planar graph divide each of n edges into pieces, p in total.
 
-    Parameters
-    ----------
-    vertex : (q, 2)
-        Position of each vertex.
-    start, end : (p,)
-        Start vertex and end vertex of each piece.
-    first_piece : (n + 1,)
-        Index of the first piece of each edge.
-    i
-        Index of the edge.
+    ``vertex`` (q, 2): position of each vertex.
+    ``start``, ``end`` (p,): start vertex and end vertex of each piece.
+    ``first_piece`` (n + 1,): index of the first piece of each edge.
+    ``i``: index of the edge.
     """
     a, b = start[first_piece[i]], end[first_piece[i + 1] - 1]
     return math.hypot(vertex[b, 0] - vertex[a, 0], vertex[b, 1] - vertex[a, 1])

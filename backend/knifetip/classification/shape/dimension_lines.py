@@ -102,12 +102,9 @@ class _Lines:
     def beside(self, text: Annotation, length: float, precision: float) -> list[int]:
         """Return the lines of a length beside a text, the nearest first.
 
-        Parameters
-        ----------
-        text
-            The text, which lies beside the line between its ends.
-        length, precision
-            Length of the line, and the greatest deviation from it (drawing units).
+        ``text``: the text, which lies beside the line between its ends.
+        ``length``, ``precision``: length of the line, and the greatest deviation from it (drawing
+        units).
         """
         rows = np.flatnonzero(np.abs(self._length - length) <= precision)
         start, along = self._ends[rows, 0], self._along[rows]

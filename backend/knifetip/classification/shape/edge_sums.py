@@ -46,6 +46,7 @@ class EdgeSums(NamedTuple):
 
     role: OutU8_1  #: (n,) Role of the greatest part of the length
     fraction: OutF64_1  #: (n,) fraction of the length that has this role
+    second_role: OutU8_1  #: (n,) Role of most of the rest of the length, ``role`` if there is none
     length: OutF64_1  #: (n,) length of all pieces; 0 for edges without pieces
     paired: OutBool_1  #: (n,) whether most of the edge has a narrow face on exactly one side
     component: OutI32_1  #: (n,) connected component, -1 for edges without pieces
@@ -57,6 +58,7 @@ class EdgeSums(NamedTuple):
         return cls(
             np.empty(count, np.uint8),
             np.empty(count),
+            np.empty(count, np.uint8),
             np.empty(count),
             np.empty(count, np.bool_),
             np.empty(count, np.int32),
@@ -98,6 +100,7 @@ def fill_short_edges(
     )
     short_edges, model = short_edges[model >= 0], model[model >= 0]
     edges.role[short_edges], edges.fraction[short_edges] = edges.role[model], edges.fraction[model]
+    edges.second_role[short_edges] = edges.second_role[model]
     edges.component[short_edges] = edges.component[model]
     edges.length[short_edges] = tolerance
 
@@ -170,7 +173,14 @@ def sum_pieces(
             kind = role[p]
             if by_role[kind] > by_role[best] or (by_role[kind] == by_role[best] and kind < best):
                 best = kind
-        edges.role[i] = best
+        second = best
+        if by_role[best] < total:
+            rest = 0.0
+            for p in range(first[i], first[i + 1]):
+                kind = role[p]
+                if kind != best and by_role[kind] > rest:
+                    second, rest = kind, by_role[kind]
+        edges.role[i], edges.second_role[i] = best, second
         edges.fraction[i] = by_role[best] / total if total > 0.0 else 0.0
         edges.length[i], edges.paired[i] = total, paired > 0.5 * total
         for p in range(first[i], first[i + 1]):
@@ -184,14 +194,9 @@ def _longest_neighbours(graph: PlanarGraph, length: F64, short_edges: I64) -> I3
     a piece that starts or ends at the start vertex of the short edge; the entry is its index, or -1
     if there is no neighbour.  A piece is the part of an edge between two neighbouring vertices.
 
-    Parameters
-    ----------
-    graph
-        Planar graph of all edges, with p pieces.
-    length : (p,)
-        Length of each piece.
-    short_edges : (k,)
-        Indices of the short edges.
+    ``graph``: planar graph of all edges, with p pieces.
+    ``length`` (p,): length of each piece.
+    ``short_edges`` (k,): indices of the short edges.
     """
     found = np.full(len(graph.vertex), -1, np.int32)
     if len(short_edges) == 0:

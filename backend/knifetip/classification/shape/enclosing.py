@@ -77,16 +77,10 @@ def _find_frames(
 
     A frame may also contain a title block.
 
-    Parameters
-    ----------
-    faces, boxes
-        Faces of the planar graph, and bounding boxes of its c components.
-    parent : (c,)
-        Index of the innermost component around each component, -1 for none.
-    panels : (c,)
-        Number of faces inside the outline of each component.
-    bounded_area : (c,)
-        Sum of the areas of the bounded faces of each component.
+    ``faces``, ``boxes``: faces of the planar graph, and bounding boxes of its c components.
+    ``parent`` (c,): index of the innermost component around each component, -1 for none.
+    ``panels`` (c,): number of faces inside the outline of each component.
+    ``bounded_area`` (c,): sum of the areas of the bounded faces of each component.
     """
     box, rectilinear = boxes
     count, owner = len(box), faces.component
@@ -126,20 +120,12 @@ def _find_bleeds(
 
     The blank must have several panels, because a ring inside a ring may be a gasket.
 
-    Parameters
-    ----------
-    graph
-        Planar graph of the drawing, with c components.
-    box : (c, 4)
-        Bounding box of each component: x min, y min, x max, y max.
-    parent : (c,)
-        Index of the innermost component around each component, -1 for none.
-    frame : (c,)
-        Whether each component is a frame.
-    panels : (c,)
-        Number of faces inside the outline of each component.
-    unit
-        Number of drawing units in a millimetre.
+    ``graph``: planar graph of the drawing, with c components.
+    ``box`` (c, 4): bounding box of each component: x min, y min, x max, y max.
+    ``parent`` (c,): index of the innermost component around each component, -1 for none.
+    ``frame`` (c,): whether each component is a frame.
+    ``panels`` (c,): number of faces inside the outline of each component.
+    ``unit``: number of drawing units in a millimetre.
     """
     count = len(parent)
     bleed = np.zeros(count, np.bool_)
@@ -229,24 +215,16 @@ def _mark_bleeds(
 ) -> None:
     """Write to ``bleed`` whether components follow the outlines of the components inside them.
 
-    Parameters
-    ----------
-    lines
-        The planar graph of the drawing.
-    pieces
-        For each component of the graph, the pieces of edges that it consists of.
-    outer : (k,)
-        Indices of the components to check.
-    contents : (k, 2)
-        Index in ``inner`` of the first component inside each component to check, and the index
-        after the last one.
-    inner
-        Indices of the components inside the components ``outer``, sorted by the component around
-        them.
-    nearest
-        Least distance between a bleed and a component inside it (drawing units).
-    bleed : (c,)
-        Mask of all components of the graph; the entries of the components ``outer`` are written.
+    ``lines``: the planar graph of the drawing.
+    ``pieces``: for each component of the graph, the pieces of edges that it consists of.
+    ``outer`` (k,): indices of the components to check.
+    ``contents`` (k, 2): index in ``inner`` of the first component inside each component to check,
+    and the index after the last one.
+    ``inner``: indices of the components inside the components ``outer``, sorted by the component
+    around them.
+    ``nearest``: least distance between a bleed and a component inside it (drawing units).
+    ``bleed`` (c,): mask of all components of the graph; the entries of the components ``outer`` are
+    written.
     """
     for k in range(len(outer)):
         ends, bulge = _segments_of(lines, pieces, outer[k : k + 1])
@@ -291,12 +269,9 @@ def _distance_range(
     The points are the start and the middle of each segment; the distance of a point is measured to
     the nearest of the other segments.
 
-    Parameters
-    ----------
-    ends, bulge : (m, 2, 2) and (m,)
-        Start and end points and bulges of the segments.
-    other_ends, other_bulge : (k, 2, 2) and (k,)
-        Start and end points and bulges of the other segments.
+    ``ends``, ``bulge`` (m, 2, 2) and (m,): start and end points and bulges of the segments.
+    ``other_ends``, ``other_bulge`` (k, 2, 2) and (k,): start and end points and bulges of the other
+    segments.
     """
     least, most = np.inf, 0.0
     for p in range(len(bulge)):

@@ -59,18 +59,12 @@ def find_letters(box: F64, length: F64, pieces: I64, unit: float) -> Bool:
 def _mark_words(box: F64_2, shape: F64_2, order: I64_1, axis: int, letter: OutBool_1) -> None:
     """Mark the components that form words: rows along an axis with enough different shapes.
 
-    Parameters
-    ----------
-    box : (k, 4)
-        Bounding boxes of k small components.
-    shape : (k, 4)
-        Shorter side, longer side, total edge length and number of edge pieces of each component.
-    order : (k,)
-        The components sorted by the least coordinate of their boxes along the axis.
-    axis
-        Direction of the rows: 0 for x, 1 for y.
-    letter : (k,)
-        Set to True for the components of words.
+    ``box`` (k, 4): bounding boxes of k small components.
+    ``shape`` (k, 4): shorter side, longer side, total edge length and number of edge pieces of each
+    component.
+    ``order`` (k,): the components sorted by the least coordinate of their boxes along the axis.
+    ``axis``: direction of the rows: 0 for x, 1 for y.
+    ``letter`` (k,): set to True for the components of words.
     """
     across = 1 - axis
     count = len(order)

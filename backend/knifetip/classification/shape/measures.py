@@ -141,16 +141,11 @@ def _measure_boxes(
     A component is rectilinear if it has only lines that are horizontal or vertical within
     ``tolerance``.
 
-    Parameters
-    ----------
-    vertex : (q, 2)
-        Position of each vertex.
-    start, end, bulge, component : (p,)
-        Start vertex, end vertex, bulge and component of each piece of an edge.
-    box : (c, 4)
-        Gets x min, y min, x max, y max of each component.
-    rectilinear : (c,)
-        Set to False for components that are not rectilinear.
+    ``vertex`` (q, 2): position of each vertex.
+    ``start``, ``end``, ``bulge``, ``component`` (p,): start vertex, end vertex, bulge and component
+    of each piece of an edge.
+    ``box`` (c, 4): gets x min, y min, x max, y max of each component.
+    ``rectilinear`` (c,): set to False for components that are not rectilinear.
     """
     for p in range(len(start)):
         c, a, b = component[p], start[p], end[p]
@@ -178,20 +173,13 @@ def _add_lengths(
     A piece is the part of an edge between two neighbouring vertices of a planar graph; a component
     is a set of connected pieces.
 
-    Parameters
-    ----------
-    edge, component, left, right, length : (p,)
-        Edge and component of each piece, the faces on its left and right, and its length.
-    outer_face : (c,)
-        Outer face of each component.
-    total : (c,)
-        Total length of all pieces of each component; increased.
-    dangling : (c,)
-        Total length of the pieces with the outer face on both sides; increased.
-    outline : (c,)
-        Total length of the pieces with the outer face on one side; increased.
-    pieces : (c,)
-        Number of pieces of each component; increased.
+    ``edge``, ``component``, ``left``, ``right``, ``length`` (p,): edge and component of each piece,
+    the faces on its left and right, and its length.
+    ``outer_face`` (c,): outer face of each component.
+    ``total`` (c,): total length of all pieces of each component; increased.
+    ``dangling`` (c,): total length of the pieces with the outer face on both sides; increased.
+    ``outline`` (c,): total length of the pieces with the outer face on one side; increased.
+    ``pieces`` (c,): number of pieces of each component; increased.
     """
     for p in range(len(edge)):
         c = component[p]
@@ -211,18 +199,11 @@ def _has_slot_shape(area: F64, perimeter: F64, pieces: I64, size: F64, unit: flo
 
     A piece is the part of an edge between two neighbouring vertices of the planar graph.
 
-    Parameters
-    ----------
-    area : (c,)
-        Area inside the outline of each component.
-    perimeter : (c,)
-        Total length of the pieces of each component.
-    pieces : (c,)
-        Number of pieces of each component.
-    size : (c,)
-        Diagonal of the bounding box of each component.
-    unit
-        Number of drawing units in a millimetre.
+    ``area`` (c,): area inside the outline of each component.
+    ``perimeter`` (c,): total length of the pieces of each component.
+    ``pieces`` (c,): number of pieces of each component.
+    ``size`` (c,): diagonal of the bounding box of each component.
+    ``unit``: number of drawing units in a millimetre.
     """
     length = np.maximum(perimeter, 1e-12)
     is_round = 4.0 * np.pi * area > 0.98 * length * length
@@ -272,14 +253,10 @@ def _locate_texts(annotations: Sequence[Annotation], box: F64) -> tuple[I64, Boo
 def _count_texts(text: F64_2, box: F64_2, inside: OutI64_1, near_text: OutBool_1) -> None:
     """Count the texts in each box, and mark the boxes with a text in or beside them.
 
-    Parameters
-    ----------
-    text : (t, 4)
-        x, y, height and width of each text, sorted by x.
-    box : (c, 4)
-        x min, y min, x max, y max of each box.
-    inside, near_text : (c,) and (c,)
-        Receive the number of texts in each box, and whether a text is in or beside it.
+    ``text`` (t, 4): x, y, height and width of each text, sorted by x.
+    ``box`` (c, 4): x min, y min, x max, y max of each box.
+    ``inside``, ``near_text`` (c,) and (c,): receive the number of texts in each box, and whether a
+    text is in or beside it.
     """
     widest, lowest, highest = 0.0, np.inf, -np.inf
     for t in range(len(text)):

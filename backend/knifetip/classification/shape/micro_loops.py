@@ -83,14 +83,9 @@ def contract_micro_loops(ends: F64, bulge: F64, unit: float) -> Contracted | Non
 def _longest_edges(of_end: I64, length: F64, short: Bool, count: int) -> I64:
     """Return the longest edge that is not short and ends at each cluster of vertices, -1 for none.
 
-    Parameters
-    ----------
-    of_end : (2n,)
-        Cluster of the vertex of each end.
-    length, short : (n,)
-        Length of each edge, and whether it is short.
-    count
-        Number of clusters.
+    ``of_end`` (2n,): cluster of the vertex of each end.
+    ``length``, ``short`` (n,): length of each edge, and whether it is short.
+    ``count``: number of clusters.
     """
     long = np.flatnonzero(~short)
     ordered = long[np.argsort(length[long], kind="stable")]
@@ -108,14 +103,9 @@ def _longest_edges(of_end: I64, length: F64, short: Bool, count: int) -> I64:
 def _join(end_vertex: I32_1, edges: I64_1, cluster: OutI64_1) -> None:
     """Join the vertices that some edges connect; write the root of each vertex to ``cluster``.
 
-    Parameters
-    ----------
-    end_vertex : (2n,)
-        Vertex of each end; edge i has the ends 2 i and 2 i + 1.
-    edges : (k,)
-        Indices of the edges.
-    cluster : (v,)
-        On entry, entry i must be i.
+    ``end_vertex`` (2n,): vertex of each end; edge i has the ends 2 i and 2 i + 1.
+    ``edges`` (k,): indices of the edges.
+    ``cluster`` (v,): on entry, entry i must be i.
     """
     for edge in edges:
         union(cluster, end_vertex[2 * edge], end_vertex[2 * edge + 1])

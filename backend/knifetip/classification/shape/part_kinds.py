@@ -136,18 +136,11 @@ def _find_doubtful(measures: Measures, box: F64, outlines: Bool, small: Bool, ti
     If the bounding box of an open component covers most of that of a large component, the dangling
     edges of both are added, because the open component may be a part of the same outline.
 
-    Parameters
-    ----------
-    measures
-        Measures of the c components.
-    box : (c, 4)
-        Bounding box of each component.
-    outlines : (c,)
-        Mask of components that may be a blank or a part of the outline of a blank.
-    small : (c,)
-        Mask of small components; they are not in the result.
-    tiny
-        The area of a square millimetre, in square drawing units.
+    ``measures``: measures of the c components.
+    ``box`` (c, 4): bounding box of each component.
+    ``outlines`` (c,): mask of components that may be a blank or a part of the outline of a blank.
+    ``small`` (c,): mask of small components; they are not in the result.
+    ``tiny``: the area of a square millimetre, in square drawing units.
     """
     blank = outlines & ~small & (measures.area > tiny)
     dangling = np.where(blank, measures.dangling, 0.0)
@@ -183,17 +176,11 @@ def _add_open_outlines(
     An open component surrounds a blank if its bounding box covers more than half of the bounding
     box of the blank.
 
-    Parameters
-    ----------
-    open_row, open_box, open_dangling : (k,), (k, 4) and (k,)
-        Indices of the open components, their bounding boxes, and the lengths of their dangling
-        edges.
-    box, box_area : (c, 4) and (c,)
-        Bounding box of each component, and its area.
-    blank : (b,)
-        Indices of the components that are blanks.
-    dangling : (c,)
-        Dangling length of each component; the entries of blanks are increased.
+    ``open_row``, ``open_box``, ``open_dangling`` (k,), (k, 4) and (k,): indices of the open
+    components, their bounding boxes, and the lengths of their dangling edges.
+    ``box``, ``box_area`` (c, 4) and (c,): bounding box of each component, and its area.
+    ``blank`` (b,): indices of the components that are blanks.
+    ``dangling`` (c,): dangling length of each component; the entries of blanks are increased.
     """
     for m in range(len(blank)):
         b = blank[m]

@@ -79,19 +79,14 @@ def _look_up_roles(
 
     A piece is the part of an edge between two neighbouring vertices of a planar graph.
 
-    Parameters
-    ----------
-    table : (kinds, 4)
-        Role of a piece, by the kind of its component (row) and by the faces on its two sides
-        (column).  Column 0: one of them is the outer face of the component; column 1: both are the
-        outer face; column 2: both are the same bounded face; column 3: they are two different
-        bounded faces.
-    row : (c,)
-        Row of ``table`` for each component.
-    component, left, right : (p,)
-        Component of each piece, and the faces on its left and on its right.
-    outer_face : (c,)
-        Outer face of each component.
+    ``table`` (kinds, 4): role of a piece, by the kind of its component (row) and by the faces on
+    its two sides (column).  Column 0: one of them is the outer face of the component; column 1:
+    both are the outer face; column 2: both are the same bounded face; column 3: they are two
+    different bounded faces.
+    ``row`` (c,): row of ``table`` for each component.
+    ``component``, ``left``, ``right`` (p,): component of each piece, and the faces on its left and
+    on its right.
+    ``outer_face`` (c,): outer face of each component.
     """
     for p in range(begin, end):
         outside = outer_face[component[p]]

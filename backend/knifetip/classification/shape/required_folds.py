@@ -14,13 +14,15 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 
+from knifetip.classification.shape.face_pairs import face_pairs, find_bridges
+from knifetip.classification.shape.panels import Panels, measure_faces
 from knifetip.classification.shape.roles import HOLES, Role
-from knifetip.geometry.columns import F64, I64, U8, Bool
-from knifetip.kernels import I64_1, I64_2, kernel
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
+from knifetip.topology.connected_faces import label_connected_faces
 from knifetip.topology.faces import Faces
 from knifetip.topology.planar_graph import PlanarGraph
 
@@ -41,14 +43,22 @@ _REPEATED_IN_ROW: Final = 0.55
 _MOST_EQUAL: Final = 16
 #: Least fraction of the length of a carton's dividers that is straight from face to face.
 _STRAIGHT_FRACTION: Final = 0.6
-#: A component with more panels than this counts as several blanks.
+#: A line inside a blank is a fold if it is at least this fraction of the width of both panels.
+_MIN_HINGE: Final = 0.25
+#: A blank with more panels than this counts as several ones.
 _MOST_PANELS: Final = 64
-#: Largest number of components that are examined.
-_MOST_COMPONENTS: Final = 200
+#: Largest number of blanks that are examined.
+_MOST_BLANKS: Final = 200
 
 
 def find_required_folds(
-    graph: PlanarGraph, faces: Faces, role: U8, length: F64, count: int
+    graph: PlanarGraph,
+    faces: Faces,
+    role: U8,
+    is_slot: Bool,
+    length: F64,
+    count: int,
+    blanks: I32,
 ) -> Bool:
     """Return the mask of edges that must be folds, because a panel is attached by them alone, (n,).
 
@@ -60,8 +70,12 @@ def find_required_folds(
         Planar graph of the edges, with p pieces, and its faces.
     role, length : (p,)
         Role and length of each piece of the graph.
+    is_slot : (f,)
+        Whether each face is a slot at a fold, which is no panel.
     count
         Number of edges, n.
+    blanks : (c,)
+        Number of equal blanks that each component consists of.
     """
     divider = np.flatnonzero(role == Role.DIVIDER)
     if len(divider) == 0:
@@ -73,26 +87,47 @@ def find_required_folds(
     vertex_on_rim = np.zeros(len(graph.vertex), np.bool_)
     for end in (graph.start, graph.end):
         vertex_on_rim[end[outline | np.isin(role, HOLES)]] = True
-    panel = _find_panels(graph, faces, divider, at_rim, (degree == 2) & bent)
-    left, right = faces.left[divider], faces.right[divider]
-    pair, number = _face_pairs(left, right)
+    panel = _find_panels(graph, faces, divider, at_rim, (degree == 2) & bent) & ~is_slot
+    around = _faces_around_slots(faces, role, is_slot)
+    left, right = around[faces.left[divider]], around[faces.right[divider]]
+    pair, number = face_pairs(left, right)
     borders = _Borders(graph, divider, number, len(pair))
     straight = borders.straight()
     inner = straight & borders.between_inner_corners(vertex_on_rim, degree)
-    bridge = _find_bridges(pair, len(faces.area)) & straight
+    panel_width = np.sqrt(np.maximum(faces.area[pair].min(axis=1), 0.0))
+    inner &= np.bincount(number, length[divider], len(pair)) >= _MIN_HINGE * panel_width
+    bridge = find_bridges(pair, len(faces.area)) & straight
     chosen = (bridge | inner)[number] & borders.longest(length, count)
-    carton = _find_single_cartons(graph, faces, length, at_rim, panel)
+    blank: I64 = faces.component.astype(np.int64)
+    if (blanks > 1).any():
+        # The numbers of the groups of panels are unlike those of components.
+        group = label_connected_faces(len(faces.area), np.column_stack([left, right]))
+        blank = np.where(blanks[blank] > 1, len(blanks) + group, blank)
+        blank = np.unique(blank, return_inverse=True)[1]
+    carton = _find_single_cartons(measure_faces(graph, faces, length, at_rim), panel, blank)
     # Maps and floor plans have faces and dividers too, but few straight ones.
-    components, component = len(faces.outer_face), graph.component[divider]
-    total = np.bincount(component, length[divider], components)
-    straight_length = np.bincount(component, length[divider] * straight[number], components)
+    total = np.bincount(blank[left], length[divider], len(blank))
+    straight_length = np.bincount(blank[left], length[divider] * straight[number], len(blank))
     carton &= straight_length >= _STRAIGHT_FRACTION * total
-    required = panel[left] & panel[right] & chosen & carton[component]
+    required = panel[left] & panel[right] & chosen & carton[blank[left]]
     edge = graph.edge[divider]
     real = edge >= 0
-    whole = np.bincount(edge[real], length[divider][real], count)
+    # A fold may be drawn along the sides of slots that lie at it.
+    folded = real & ~(is_slot[faces.left[divider]] | is_slot[faces.right[divider]])
+    whole = np.bincount(edge[folded], length[divider][folded], count)
     part = np.bincount(edge[real & required], length[divider][real & required], count)
     return (part > 0.9 * whole) & (whole > 0.0)
+
+
+def _faces_around_slots(faces: Faces, role: U8, is_slot: Bool) -> I32:
+    """Return for each face the face itself, and for a slot at a fold the panel beside it, (f,)."""
+    around = np.arange(len(faces.area), dtype=np.int32)
+    if is_slot.any():
+        side = np.flatnonzero(role == Role.SLOT)
+        for slot, panel in ((faces.left, faces.right), (faces.right, faces.left)):
+            rows = side[is_slot[slot[side]] & ~is_slot[panel[side]]]
+            around[slot[rows]] = panel[rows]
+    return around
 
 
 def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, bend: Bool) -> Bool:
@@ -101,17 +136,11 @@ def _find_panels(graph: PlanarGraph, faces: Faces, divider: I64, at_rim: Bool, b
     A bounded face inside a blank, away from its outline, is no panel if its boundary has a bend.
     Such a face is, for example, a tab or a window inside a panel.
 
-    Parameters
-    ----------
-    graph, faces
-        Planar graph with q vertices, and its f faces.
-    divider : (d,)
-        Indices of the pieces of edges between two faces of a blank; a bend is looked for at their
-        ends.
-    at_rim : (f,)
-        Whether each face is at the outline of a blank.
-    bend : (q,)
-        Whether each vertex is a bend: exactly two pieces meet there, at an angle.
+    ``graph``, ``faces``: planar graph with q vertices, and its f faces.
+    ``divider`` (d,): indices of the pieces of edges between two faces of a blank; a bend is looked
+    for at their ends.
+    ``at_rim`` (f,): whether each face is at the outline of a blank.
+    ``bend`` (q,): whether each vertex is a bend: exactly two pieces meet there, at an angle.
     """
     framed = np.zeros(len(faces.area), np.bool_)
     for side in (faces.left, faces.right):
@@ -140,19 +169,6 @@ def _vertex_shapes(graph: PlanarGraph) -> tuple[I64, Bool]:
     y = np.bincount(ends, np.sin(angles), vertices)
     straight = np.hypot(x, y) >= degree * math.cos(_STRAIGHT)
     return degree, ~straight
-
-
-def _face_pairs(left: Any, right: Any) -> tuple[I64, I64]:
-    """Return the k pairs of neighbouring faces, (k, 2), and the pair of each piece, (d,).
-
-    A piece is the part of an edge between two neighbouring vertices; its pair is the two faces on
-    its sides.  The second array contains indices of pairs, 0 … k - 1.  ``left`` and ``right``,
-    (d,), are the faces on the two sides of each of d pieces.
-    """
-    low, high = np.minimum(left, right).astype(np.int64), np.maximum(left, right).astype(np.int64)
-    key = low * (int(high.max()) + 1) + high
-    known, number = np.unique(key, return_inverse=True)
-    return np.column_stack(np.divmod(known, int(high.max()) + 1)), number
 
 
 class _Borders(NamedTuple):
@@ -201,12 +217,8 @@ class _Borders(NamedTuple):
         A border is the common boundary of two neighbouring faces; the rim is the outline of a
         blank.
 
-        Parameters
-        ----------
-        on_rim : (q,)
-            Whether each vertex is on the rim.
-        degree : (q,)
-            Number of pieces of edges that meet at each vertex.
+        ``on_rim`` (q,): whether each vertex is on the rim.
+        ``degree`` (q,): number of pieces of edges that meet at each vertex.
         """
         graph, vertices = self.graph, len(self.graph.vertex)
         key = np.concatenate(
@@ -231,12 +243,8 @@ class _Borders(NamedTuple):
         dashes instead.  Short edges at the ends of a fold are left out, because they may be slits
         that lock it.
 
-        Parameters
-        ----------
-        length : (p,)
-            Length of each piece of the whole graph.
-        count
-            Number of edges of the graph.
+        ``length`` (p,): length of each piece of the whole graph.
+        ``count``: number of edges of the graph.
         """
         edge = self.graph.edge[self.piece]
         whole = np.bincount(edge[edge >= 0], length[self.piece][edge >= 0], count)
@@ -249,83 +257,29 @@ class _Borders(NamedTuple):
         return result
 
 
-class _Panels(NamedTuple):
-    """Area, centre, bounding box and location (at the outline or not) of each of m faces."""
-
-    area: F64  #: (m,) area of each panel
-    centre: F64  #: (m, 2) mean of the contour
-    box: F64  #: (m, 4) x min, y min, x max, y max
-    at_rim: Bool  #: (m,) whether each panel is at the outline of a blank
-
-    def take(self, rows: I64) -> _Panels:
-        """Return the record of the faces with the indices ``rows``, in the order of ``rows``."""
-        area, centre, box, at_rim = self
-        return _Panels(area[rows], centre[rows], box[rows], at_rim[rows])
-
-
-def _find_single_cartons(
-    graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool, panel: Bool
-) -> Bool:
-    """Return the mask of components whose panels belong to one carton, not to several blanks, (c,).
+def _find_single_cartons(faces: Panels, panel: Bool, blank: I64) -> Bool:
+    """Return the mask of blanks whose panels belong to one carton, not to several blanks, (f,).
 
     Equal blanks are beside each other, or head to tail: one translation, or one half-turn, maps
     every panel at the outline onto another panel.  In a single carton, the glue flap or the base
-    has no such image.  Components with too few panels for a decision are not in the mask.
+    has no such image.  Blanks with too few panels for a decision are not in the mask.
 
-    Parameters
-    ----------
-    graph, faces
-        Planar graph of the drawing, with p pieces and c components, and its f faces.
-    length : (p,)
-        Length of each piece, which is the part of an edge between two neighbouring vertices.
-    at_rim, panel : (f,) and (f,)
-        Whether each face is at the outline of a blank, and whether it is a panel.
+    ``faces``: measures of the f faces.
+    ``panel``, ``blank`` (f,) and (f,): whether each face is a panel, and the number of the blank
+    that it belongs to, 0 … f - 1.
     """
-    measured = _measure_faces(graph, faces, length, at_rim)
-    owner = faces.component
     chosen = np.flatnonzero(panel)
-    single = np.zeros(len(faces.outer_face), np.bool_)
-    order = chosen[np.argsort(owner[chosen], kind="stable")]
-    bounds = np.flatnonzero(np.diff(owner[order], prepend=-1, append=-1))
-    for first, last in list(pairwise(bounds.tolist()))[:_MOST_COMPONENTS]:
+    single = np.zeros(len(panel), np.bool_)
+    order = chosen[np.argsort(blank[chosen], kind="stable")]
+    bounds = np.flatnonzero(np.diff(blank[order], prepend=-1, append=-1))
+    ranges = [one for one in pairwise(bounds.tolist()) if one[1] - one[0] >= _FEWEST_PANELS]
+    for first, last in ranges[:_MOST_BLANKS]:
         rows = order[first:last]
-        single[owner[rows[0]]] = not _has_repeated_blanks(measured.take(rows))
-    panels = np.bincount(owner[panel], minlength=len(faces.outer_face))
-    return single & (panels >= _FEWEST_PANELS)
+        single[blank[rows[0]]] = not _has_repeated_blanks(faces.take(rows))
+    return single
 
 
-def _measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) -> _Panels:
-    """Return the area, centre and bounding box of each of f faces, and whether it is at an outline.
-
-    Parameters
-    ----------
-    graph, faces
-        Planar graph with p pieces, which are parts of edges between neighbouring vertices, and its
-        f faces.  Of coincident pieces only the first one is used.
-    length : (p,)
-        Length of each piece.
-    at_rim : (f,)
-        Whether each face is at the outline of a blank; copied to the result.
-    """
-    count = len(faces.area)
-    own = np.flatnonzero(graph.twin_piece == np.arange(len(graph.twin_piece)))
-    start, end, length = graph.vertex[graph.start[own]], graph.vertex[graph.end[own]], length[own]
-    middle = 0.5 * (start + end)
-    centre = np.zeros((count, 2))
-    box = np.tile([np.inf, np.inf, -np.inf, -np.inf], (count, 1))
-    weight = np.zeros(count)
-    for side in (faces.left[own], faces.right[own]):
-        weight += np.bincount(side, length, count)
-        for axis in range(2):
-            centre[:, axis] += np.bincount(side, length * middle[:, axis], count)
-        for point in (start, end):
-            np.minimum.at(box[:, :2], side, point)
-            np.maximum.at(box[:, 2:], side, point)
-    centre /= np.maximum(weight, 1e-12)[:, None]
-    return _Panels(faces.area, centre, box, at_rim)
-
-
-def _has_repeated_blanks(panels: _Panels) -> bool:
+def _has_repeated_blanks(panels: Panels) -> bool:
     """Return whether the panels belong to several equal blanks.
 
     This is assumed if one translation or one half-turn maps all or most panels onto other panels,
@@ -363,74 +317,3 @@ def _has_repeated_blanks(panels: _Panels) -> bool:
         if mapped.any(axis=0)[at_rim].all() and not mapped.diagonal().any():
             return True
     return False
-
-
-def _find_bridges(pair: I64, faces: int) -> Bool:
-    """Return the mask of the k pairs of neighbouring faces that are bridges, (k,).
-
-    The faces are the nodes of a graph, and each pair of neighbouring faces is an edge of that
-    graph.  A pair is a bridge if its two faces would not be connected in the graph without it.
-    ``pair`` (k, 2) are the two faces of each pair, and ``faces`` is the number of faces.
-    """
-    ends = np.concatenate([pair[:, 0], pair[:, 1]])
-    order = np.argsort(ends, kind="stable")
-    first = np.searchsorted(ends[order], np.arange(faces + 1))
-    bridge: Bool = _mark_bridges(pair, first, order % len(pair), faces)
-    return bridge
-
-
-@kernel
-def _mark_bridges(pair: I64_2, first: I64_1, incident: I64_1, faces: int) -> Any:
-    """Return the mask of the k pairs of neighbouring faces that are bridges, (k,).
-
-    The faces are the nodes of a graph, and each pair of neighbouring faces is an edge of that
-    graph.  A pair is a bridge if its two faces would not be connected in the graph without it.  The
-    bridges are found by depth-first search (Tarjan 1974).
-
-    Parameters
-    ----------
-    pair : (k, 2)
-        The two faces of each pair.
-    first, incident : (faces + 1,) and (2k,)
-        The pairs with face f are ``incident[first[f] : first[f + 1]]``.
-    faces
-        Number of faces.
-    """
-    bridge = np.zeros(len(pair), np.bool_)
-    entered = np.full(faces, -1, np.int64)
-    lowest = np.zeros(faces, np.int64)
-    parent_pair = np.full(faces, -1, np.int64)
-    position = first[:-1].copy()
-    stack = np.empty(faces, np.int64)
-    time = 0
-    for root in range(faces):
-        if entered[root] >= 0 or first[root] == first[root + 1]:
-            continue
-        depth = 0
-        stack[0] = root
-        entered[root] = lowest[root] = time
-        time += 1
-        while depth >= 0:
-            face = stack[depth]
-            if position[face] < first[face + 1]:
-                k = incident[position[face]]
-                position[face] += 1
-                if k == parent_pair[face]:
-                    continue
-                other = pair[k, 1] if pair[k, 0] == face else pair[k, 0]
-                if entered[other] >= 0:
-                    lowest[face] = min(lowest[face], entered[other])
-                    continue
-                parent_pair[other] = k
-                entered[other] = lowest[other] = time
-                time += 1
-                depth += 1
-                stack[depth] = other
-                continue
-            depth -= 1
-            if depth >= 0:
-                parent = stack[depth]
-                lowest[parent] = min(lowest[parent], lowest[face])
-                if lowest[face] > entered[parent]:
-                    bridge[parent_pair[face]] = True
-    return bridge

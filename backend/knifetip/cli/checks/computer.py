@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Final
 
 from knifetip.cli.checks.check_result import CheckResult, ok, problem, warning
+from knifetip.formats import FORMATS
 
 _OLDEST: Final = (3, 11)
 #: Modules with compiled code, which another processor or system library may not be able to load.
@@ -65,6 +66,19 @@ def check_packages(
         yield ok("packages", f"knifetip {metadata.version('knifetip')} and all that it needs")
 
 
+def check_converters() -> Iterator[CheckResult]:
+    """Report the optional programs that convert files before they are read."""
+    for one in FORMATS:
+        if one.converter is None:
+            continue
+        found = one.converter.find()
+        text = f"{one.converter.title} is not installed, so {one.title} files are refused"
+        if found is not None:
+            used = f"{one.converter.title} {found.version}".strip()
+            text = f"{used} ({found.path}) converts {one.title} files"
+        yield ok("converters", text)
+
+
 def _fault(requirement: str) -> str:
     """Return what is wrong with the package that a requirement names, or ""."""
     match = _REQUIREMENT.match(requirement)
@@ -95,7 +109,7 @@ def _within(version: str, bound: str) -> bool:
 
 def check_kernels() -> Iterator[CheckResult]:
     """Check that the compiled functions have machine code of this version on the disk."""
-    from knifetip.warming import missing_parts
+    from knifetip.service.processes.kernel_groups import missing_parts
 
     missing = missing_parts()
     if not missing:

@@ -13,8 +13,8 @@ from knifetip.cli.checks.check_result import CheckResult, ok, problem, warning
 from knifetip.errors import StoreError
 
 if TYPE_CHECKING:
-    from knifetip.jobs.schema import Schema
-    from knifetip.jobs.store import Store
+    from knifetip.service.database.schema import Schema
+    from knifetip.service.store import Store
 
 _CLOCKS: Final = (2.0, 30.0)  # differences (s) that are a warning and a problem
 _SILENT: Final = 60.0  # seconds without a request after which a gateway is not connected
@@ -33,7 +33,7 @@ class ServerOptions:
 
 def data_folder(options: ServerOptions) -> Path | None:
     """Return the folder of an SQLite database that exists; None for another."""
-    from knifetip.jobs.database_url import sqlite_file
+    from knifetip.service.database.url import sqlite_file
 
     try:
         file = sqlite_file(options.url)
@@ -50,9 +50,9 @@ def check_database(
     """Check the database, and what is stored in it."""
     import sqlalchemy.exc
 
-    from knifetip.jobs.database_damage import is_damaged
-    from knifetip.jobs.database_url import sqlite_file
-    from knifetip.jobs.store import Store
+    from knifetip.service.database.damage import is_damaged
+    from knifetip.service.database.url import sqlite_file
+    from knifetip.service.store import Store
 
     try:
         file = sqlite_file(options.url)
@@ -96,12 +96,13 @@ def _damaged(options: ServerOptions, fault: str) -> CheckResult:
 
 
 def _schema(found: Schema, shown: str, *, is_file: bool) -> CheckResult:
+    from knifetip.service.database.schema import unknown_revision
+
     text = f"{shown}, revision {found.revision or 'none'}"
     if found.is_current:
         return ok("database", text)
-    if found.is_newer:
-        advice = f"Use knifetip {found.writer or 'of a newer version'}, or restore a backup."
-        return problem("database", f"{text}, which is newer than {found.newest}", advice)
+    if (unknown := unknown_revision(found, shown)) is not None:
+        return problem("database", unknown.text, unknown.hint)
     text = f"{text}, {found.newest} is needed"
     if is_file or found.is_empty:
         return warning("database", text, "knifetip serve migrates it; back it up before.")
@@ -111,8 +112,8 @@ def _schema(found: Schema, shown: str, *, is_file: bool) -> CheckResult:
 def _write(store: Store) -> CheckResult:
     import sqlalchemy.exc
 
-    from knifetip.jobs.database_damage import is_disk_full
-    from knifetip.jobs.write_probe import write_probe
+    from knifetip.service.database.damage import is_disk_full
+    from knifetip.service.database.write_probe import write_probe
 
     try:
         write_probe(store.database)
@@ -151,7 +152,7 @@ def _contents(store: Store, url: str) -> CheckResult:
 
 
 def _accounts(store: Store, options: ServerOptions) -> CheckResult:
-    from knifetip.api.access_rules import is_loopback
+    from knifetip.service.accounts.access_rules import is_loopback
 
     create = "Create an administrator: knifetip user add NAME --role admin"
     if store.users.has_admin():

@@ -21,7 +21,7 @@ def drawing_beside(document: bytes) -> str:
     Errors of the document are left to the server, which explains them.
     """
     # Imported here: only orders in XJDF need the parser.
-    from knifetip.api.xjdf_order import read_order
+    from knifetip.service.xjdf.order import read_order
 
     try:
         url = urlsplit(read_order(document).file)

@@ -117,12 +117,8 @@ class OrderClient:
     def _send(self, method: str, path: str, key: str = "", **body: Any) -> httpx.Response:
         """Send a request and return the answer, which is a success.
 
-        Raises
-        ------
-        RetryLater
-            The server cannot be reached, or cannot process requests now.
-        OrderRefused
-            The server refuses the request.
+        Raises ``RetryLater``: the server cannot be reached, or cannot process requests now.
+        Raises ``OrderRefused``: the server refuses the request.
         """
         headers = {"Idempotency-Key": key} if key else {}
         try:
@@ -151,10 +147,8 @@ class OrderClient:
 def _fields(answer: httpx.Response) -> dict[str, Any]:
     """Return the JSON of a drawing or a job.
 
-    Raises
-    ------
-    RetryLater
-        The answer is another one, such as the page of a proxy on which a person signs in.
+    Raises ``RetryLater``: the answer is another one, such as the page of a proxy on which a person
+    signs in.
     """
     try:
         found = answer.json()

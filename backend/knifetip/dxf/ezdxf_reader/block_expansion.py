@@ -220,16 +220,9 @@ class BlockExpansion:
         No block is expanded for this.  A recursive block contains itself, directly or through other
         blocks; it is not counted.
 
-        Parameters
-        ----------
-        references
-            For each INSERT in model space: name in lower case of the block that it places, and
-            how many times it places the block.
-
-        Raises
-        ------
-        DrawingTooLarge
-            The depth of INSERTs or the number of entities exceeds a limit.
+        ``references``: for each INSERT in model space: name in lower case of the block that it
+        places, and how many times it places the block.
+        Raises ``DrawingTooLarge``: the depth of INSERTs or the number of entities exceeds a limit.
         """
         block_references = {name: block.references for name, block in self._blocks.items()}
         children = {
@@ -360,14 +353,11 @@ class BlockExpansion:
     ) -> None:
         """Add a row to the import report for an entity that is dropped, with its bounding box.
 
-        Parameters
-        ----------
-        counted, handle
-            The entity as written in the file, and its handle in the import report.
-        placements
-            Linear maps (k, 2, 2) and translations (k, 2) of the k placements of the entity.
-        reason
-            Reason for dropping the entity.
+        ``counted``, ``handle``: the entity as written in the file, and its handle in the import
+        report.
+        ``placements``: linear maps (k, 2, 2) and translations (k, 2) of the k placements of the
+        entity.
+        ``reason``: reason for dropping the entity.
         """
         row = self.sheet.row(handle, counted.kind, counted.layer, reason)
         if counted.box is not None:
@@ -453,12 +443,8 @@ def _topological_order(
     Returns the sorted block names, and the names of the blocks that cannot be sorted: blocks that
     place themselves, directly or through other blocks, and blocks that place a block of this kind.
 
-    Parameters
-    ----------
-    children
-        For each block name: names of the blocks that this block places.
-    parents
-        For each block name: names of the blocks that place this block.
+    ``children``: for each block name: names of the blocks that this block places.
+    ``parents``: for each block name: names of the blocks that place this block.
     """
     waiting = {name: len(found) for name, found in children.items()}
     ready = [name for name, number in waiting.items() if number == 0]

@@ -215,14 +215,10 @@ def _line(entity: DXFGraphic) -> EntityShape:
 def _round(centre: Any, radius: float, first: float, sweep: float, mirror: bool) -> Lines:
     """Return an arc or a circle as segments of at most 180 degrees.
 
-    Parameters
-    ----------
-    centre, radius
-        Centre, with attributes ``x`` and ``y``, and radius of the arc (file units).
-    first, sweep
-        Start angle and sweep (degrees).
-    mirror
-        Whether the x coordinates are negated.
+    ``centre``, ``radius``: centre, with attributes ``x`` and ``y``, and radius of the arc (file
+    units).
+    ``first``, ``sweep``: start angle and sweep (degrees).
+    ``mirror``: whether the x coordinates are negated.
     """
     if not radius > 0.0:
         raise Undrawable(Message("import.bad-radius", radius=radius))
@@ -258,16 +254,10 @@ def _circle(entity: DXFGraphic) -> EntityShape:
 def _chain(xy: F64, bulge: F64, closed: bool, mirror: bool) -> Lines:
     """Return the segments of a polyline; an arc of more than 180 degrees becomes two segments.
 
-    Parameters
-    ----------
-    xy : (n, 2)
-        Vertices of the polyline.
-    bulge : (n,)
-        Bulge of the segment that starts at each vertex.
-    closed
-        Whether the last vertex is connected to the first vertex.
-    mirror
-        Whether the x coordinates are negated.
+    ``xy`` (n, 2): vertices of the polyline.
+    ``bulge`` (n,): bulge of the segment that starts at each vertex.
+    ``closed``: whether the last vertex is connected to the first vertex.
+    ``mirror``: whether the x coordinates are negated.
     """
     if len(xy) < 2:
         raise Undrawable(Message("import.few-vertices", vertices=len(xy)))

@@ -100,13 +100,9 @@ def _match(
     that ezdxf contains and the file does not is appended, with a new ``PrescannedEntity`` made from
     it.
 
-    Parameters
-    ----------
-    counted, entities
-        Entities as written in the file, and ezdxf entities.
-    paper
-        Whether ``entities`` include entities in paper space.  If False, entities of ``counted`` in
-        paper space are matched only by kind and handle.
+    ``counted``, ``entities``: entities as written in the file, and ezdxf entities.
+    ``paper``: whether ``entities`` include entities in paper space.  If False, entities of
+    ``counted`` in paper space are matched only by kind and handle.
     """
     by_handle: dict[tuple[str, str], deque[DXFEntity]] = defaultdict(deque)
     for entity in entities:

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
-from typing import Final
+from typing import Final, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -26,14 +26,16 @@ from knifetip.dxf.shapes import map_points
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import REACH, Limits
 from knifetip.geometry import arc
-from knifetip.geometry.columns import F64
-from knifetip.geometry.curve import Segments
-from knifetip.geometry.ellipse import Ellipse
-from knifetip.geometry.spline import Spline
+from knifetip.geometry.columns import F64, I64
+from knifetip.geometry.curve import Fit, Segments, fitted
+from knifetip.geometry.ellipse import Ellipse, fit_ellipses
+from knifetip.geometry.spline import Spline, fit_splines
 from knifetip.geometry.tolerance import BULGE, CURVE
 from knifetip.geometry.unique_rows import unique_rows
 
 _RELATIVE_TOLERANCE: Final = 1.0 / 250_000.0
+#: Number of shapes whose curves are approximated together, to limit the memory.
+_SHAPES_AT_ONCE: Final = 4096
 
 
 def columns(
@@ -91,21 +93,23 @@ def columns(
             parts[number] = (*exact, np.zeros(len(exact[1])))
             boxes.append(_box(exact[0]))
     tolerance = CURVE / scale if scale else _relative_tolerance(boxes)
-    for number in curved:
-        placed = shapes[number]
+    for begin in range(0, len(curved), _SHAPES_AT_ONCE):
+        some = curved[begin : begin + _SHAPES_AT_ONCE]
         refuse_after(deadline, limits)
-        try:
-            ends, bulge, error = _approximate(placed, tolerance)
-        except GeometryError as reason:
-            sheet.dropped[placed.row] = reason.message
-            continue
-        sheet.notes.setdefault(placed.row, []).append(
-            curves_fitted(len(bulge), tolerance, relative=not scale)
-        )
-        if not isinstance(placed.shape, Lines):
-            total += len(bulge)
-            refuse_beyond(total, limits)
-        parts[number] = ends, bulge, error
+        copies = _approximate([shapes[number] for number in some], tolerance, limits)
+        for number, found in zip(some, copies, strict=True):
+            placed = shapes[number]
+            if isinstance(found, GeometryError):
+                sheet.dropped[placed.row] = found.message
+                continue
+            ends, bulge, error = found
+            sheet.notes.setdefault(placed.row, []).append(
+                curves_fitted(len(bulge), tolerance, relative=not scale)
+            )
+            if not isinstance(placed.shape, Lines):
+                total += len(bulge)
+                refuse_beyond(total, limits)
+            parts[number] = ends, bulge, error
     count = np.zeros(len(shapes), dtype=np.int64)
     for number, (_, bulge, _) in parts.items():
         count[number] = len(bulge)
@@ -192,12 +196,8 @@ def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
     The result is None if a placement makes an arc of the shape elliptical, or if the shape is an
     ellipse or a spline.
 
-    Returns
-    -------
-    ends : (n, 2, 2)
-        Start and end point of each of the n segments of all placements together (file units).
-    bulge : (n,)
-        Bulge of each segment.
+    Returns ``ends`` (n, 2, 2): start and end point of each of the n segments of all placements
+    together (file units); ``bulge`` (n,): bulge of each segment.
     """
     shape, linear, shift = placed.shape, placed.linear, placed.shift
     if not isinstance(shape, Lines):
@@ -216,62 +216,137 @@ def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
     return ends.reshape(-1, 2, 2), (side[:, None] * shape.bulge).reshape(-1)
 
 
-def _approximate(placed: Placed, tolerance: float) -> tuple[F64, F64, F64]:
-    """Return n lines and arcs that approximate all placed copies of a shape.
+def _approximate(
+    shapes: list[Placed], tolerance: float, limits: Limits
+) -> list[tuple[F64, F64, F64] | GeometryError]:
+    """Return the lines and arcs that approximate all copies of each shape, or why there are none.
 
     ``tolerance`` is the largest permitted distance of a line or arc from the placed shape (file
-    units).
+    units).  The curves of all shapes are approximated together.
 
-    Returns
-    -------
-    ends : (n, 2, 2)
-        Start and end point of each line or arc (file units).
-    bulge : (n,)
-        Bulge of each line or arc; 0 for a line.
-    error : (n,)
-        Greatest distance of each line or arc from the placed shape (file units).
+    Returns ``ends`` (n, 2, 2): start and end point of each line or arc of a shape (file units);
+    ``bulge`` (n,): bulge of each line or arc; 0 for a line; ``error`` (n,): greatest distance of
+    each line or arc from the placed shape (file units).
+    Raises ``DrawingTooLarge``: the curves need more lines and arcs than the limits allow.
     """
-    shape, linear, shift = placed.shape, placed.linear, placed.shift
-    ends_of: list[F64] = []
-    bulge_of: list[F64] = []
-    error_of: list[F64] = []
-    different, kind = np.unique(linear.reshape(-1, 4), axis=0, return_inverse=True)
-    fits = [_fit(shape, one.reshape(2, 2), tolerance) for one in different]
-    for number, move in zip(kind.reshape(-1), shift, strict=True):
-        start, end, bulge, error = fits[number]
-        ends_of.append(np.stack([start, end], axis=1) + move)
-        bulge_of.append(bulge)
-        error_of.append(error)
-    return np.concatenate(ends_of), np.concatenate(bulge_of), np.concatenate(error_of)
+    curves = _Curves()
+    plans: list[tuple[list[_Path], I64]] = []
+    for placed in shapes:
+        linear = placed.linear.reshape(-1, 4)
+        if len(linear) == 1:
+            different, kind = linear, np.zeros(1, np.int64)
+        else:
+            different, kind = np.unique(linear, axis=0, return_inverse=True)
+        paths = [curves.add(placed.shape, one.reshape(2, 2)) for one in different]
+        plans.append((paths, kind.reshape(-1)))
+    curves.fit(tolerance, limits)
+    return [
+        _copies([curves.segments(one) for one in paths], kind, placed.shift)
+        for placed, (paths, kind) in zip(shapes, plans, strict=True)
+    ]
 
 
-def _fit(shape: Shape, linear: F64, tolerance: float) -> Segments:
-    """Return lines and arcs that approximate the shape after the linear map ``linear``, (2, 2).
+def _copies(fits: list[Fit], kind: I64, shift: F64) -> tuple[F64, F64, F64] | GeometryError:
+    """Return ends, bulges and errors of the copies of a shape, or why there are none.
 
-    ``tolerance`` is the largest permitted distance between the lines and arcs and the transformed
-    shape (file units).
+    ``fits``: the shape after each of its different linear maps.
+    ``kind`` (k,): index into ``fits`` of the linear map of each copy.
+    ``shift`` (k, 2): translation of each copy.
     """
-    if isinstance(shape, Ellipse):
-        return Ellipse(
-            linear @ shape.centre, linear @ shape.u, linear @ shape.v, shape.first, shape.last
-        ).to_segments(tolerance)
-    if isinstance(shape, Spline):
-        return Spline(
-            shape.control @ linear.T, shape.weights, shape.knots, shape.degree
-        ).to_segments(tolerance)
-    pieces: list[Segments] = []
-    middle = arc.centre(shape.ends[:, 0], shape.ends[:, 1], shape.bulge)
-    for (start, end), bulge, centre in zip(shape.ends, shape.bulge, middle, strict=True):
-        if abs(bulge) < BULGE:
-            exact = np.zeros(1)
-            pieces.append(((linear @ start)[None], (linear @ end)[None], exact, exact))
-            continue
-        u = start - centre
-        v = np.array([-u[1], u[0]]) * np.sign(bulge)
-        turn = 4.0 * float(np.arctan(abs(bulge)))
-        fit = Ellipse(linear @ centre, linear @ u, linear @ v, 0.0, turn).to_segments(tolerance)
-        # Exact ends, so that the next segment begins where this one ends.
-        fit[0][0], fit[1][-1] = linear @ start, linear @ end
-        pieces.append(fit)
-    start, end, bulges, error = (np.concatenate(column) for column in zip(*pieces, strict=True))
-    return start, end, bulges, error
+    if failed := next((fit for fit in fits if isinstance(fit, GeometryError)), None):
+        return failed
+    found = [fitted(fit) for fit in fits]
+    ends = [
+        np.stack(found[number][:2], axis=1) + move
+        for number, move in zip(kind.tolist(), shift, strict=True)
+    ]
+    bulge, error = (
+        np.concatenate([found[number][column] for number in kind.tolist()]) for column in (2, 3)
+    )
+    return np.concatenate(ends), bulge, error
+
+
+class _Piece(NamedTuple):
+    """A curve of a shape: an ellipse, a spline or a line."""
+
+    ellipse: int = -1  #: number of the ellipse, -1 if the curve is none
+    spline: int = -1  #: number of the spline, -1 if the curve is none
+    ends: F64 | None = None  #: (2, 2) exact ends of a line or of an arc that becomes an ellipse
+
+
+#: The curves of one shape, in their order, or the reason why it cannot be placed.
+_Path: TypeAlias = list[_Piece] | GeometryError
+
+
+class _Curves:
+    """Collects the curves of transformed shapes, and approximates them together."""
+
+    def __init__(self) -> None:
+        self._ellipses: list[Ellipse] = []
+        self._splines: list[Spline] = []
+        self._ellipse_fits: list[Fit] = []
+        self._spline_fits: list[Fit] = []
+
+    def add(self, shape: Shape, linear: F64) -> _Path:
+        """Add a shape after the linear map ``linear``, (2, 2), and return its curves."""
+        if isinstance(shape, Ellipse):
+            centre, u, v = (linear @ one for one in (shape.centre, shape.u, shape.v))
+            self._ellipses.append(Ellipse(centre, u, v, shape.first, shape.last))
+            return [_Piece(ellipse=len(self._ellipses) - 1)]
+        if isinstance(shape, Spline):
+            try:
+                moved_spline = Spline(
+                    shape.control @ linear.T, shape.weights, shape.knots, shape.degree
+                )
+            except GeometryError as error:
+                return error
+            self._splines.append(moved_spline)
+            return [_Piece(spline=len(self._splines) - 1)]
+        path = []
+        middle = arc.centre(shape.ends[:, 0], shape.ends[:, 1], shape.bulge)
+        for (start, end), bulge, centre in zip(shape.ends, shape.bulge, middle, strict=True):
+            # Exact ends, so that the next segment begins where this one ends.
+            ends = np.array([linear @ start, linear @ end])
+            if abs(bulge) < BULGE:
+                path.append(_Piece(ends=ends))
+                continue
+            u = start - centre
+            v = np.array([-u[1], u[0]]) * np.sign(bulge)
+            turn = 4.0 * float(np.arctan(abs(bulge)))
+            self._ellipses.append(Ellipse(linear @ centre, linear @ u, linear @ v, 0.0, turn))
+            path.append(_Piece(ellipse=len(self._ellipses) - 1, ends=ends))
+        return path
+
+    def fit(self, tolerance: float, limits: Limits) -> None:
+        """Approximate all curves within ``tolerance`` (file units).
+
+        Raises ``DrawingTooLarge``: the curves need more lines and arcs than the limits allow.
+        """
+        try:
+            self._ellipse_fits = fit_ellipses(self._ellipses, tolerance, limits.segments)
+            self._spline_fits = fit_splines(self._splines, tolerance, limits.segments)
+        except GeometryError:
+            refuse_beyond(limits.segments + 1, limits)
+
+    def segments(self, path: _Path) -> Fit:
+        """Return the lines and arcs of a shape, or the reason why there are none."""
+        if isinstance(path, GeometryError):
+            return path
+        pieces: list[Segments] = []
+        for one in path:
+            if one.spline >= 0:
+                return self._spline_fits[one.spline]
+            if one.ellipse >= 0:
+                found = self._ellipse_fits[one.ellipse]
+                if isinstance(found, GeometryError):
+                    return found
+                if one.ends is not None:
+                    found[0][0], found[1][-1] = one.ends
+                pieces.append(found)
+            elif one.ends is not None:
+                exact = np.zeros(1)
+                pieces.append((one.ends[:1], one.ends[1:], exact, exact))
+        if len(pieces) == 1:
+            return pieces[0]
+        start, end, bulges, error = (np.concatenate(column) for column in zip(*pieces, strict=True))
+        return start, end, bulges, error

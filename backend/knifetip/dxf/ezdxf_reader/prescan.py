@@ -165,14 +165,9 @@ def _index_after(kind: str, number: int, starts: list[int], values: Sequence[Any
 
     The VERTEX entities after a POLYLINE are skipped, because they belong to the POLYLINE.
 
-    Parameters
-    ----------
-    kind, number
-        Kind of the entity, and its index in ``starts``.
-    starts
-        Index into ``values`` of the first tag of each entity.
-    values
-        Values of all tags of the file.
+    ``kind``, ``number``: kind of the entity, and its index in ``starts``.
+    ``starts``: index into ``values`` of the first tag of each entity.
+    ``values``: values of all tags of the file.
     """
     number += 1
     if kind == "POLYLINE":
@@ -237,12 +232,8 @@ def _header(
 
     If a variable is repeated, its first value is written.
 
-    Parameters
-    ----------
-    codes, values
-        Group codes and values of all tags of the file.
-    starts
-        Indices of the tags with group code 0.
+    ``codes``, ``values``: group codes and values of all tags of the file.
+    ``starts``: indices of the tags with group code 0.
     """
     for number, row in enumerate(starts):
         next_start = starts[number + 1] if number + 1 < len(starts) else len(codes)

@@ -48,7 +48,7 @@ def read_with_ezdxf(data: bytes, unit: str, limits: Limits, lines_before: int = 
         )
     counted = prescan(data, lines_before)
     _check(counted, limits)
-    known = known_unit(unit, counted.variables)
+    known = known_unit(unit, data, counted.variables)
     sheet, shapes = expand(load_document(data, counted, limits), counted, limits, known.scale)
     if not counted.ended:
         sheet.row("EOF", "EOF", "", Message("import.no-end-mark", mark="EOF"))
@@ -62,12 +62,9 @@ def _check(counted: Prescan, limits: Limits) -> None:
 
     ``counted`` contains the entities and defects of the file.
 
-    Raises
-    ------
-    NotADrawing
-        The file is not a DXF file, is incomplete, or contains values that ezdxf would change.
-    DrawingTooLarge
-        The file has too many entities.
+    Raises ``NotADrawing``: the file is not a DXF file, is incomplete, or contains values that ezdxf
+    would change.
+    Raises ``DrawingTooLarge``: the file has too many entities.
     """
     if not counted.sections:
         if counted.broken:

@@ -141,15 +141,9 @@ def _split_tags(records: _Records, tag: int, tag_end: int) -> tuple[list[int], l
     The tags of the entity have the indices ``tag`` … ``tag_end`` - 1.  Its extension data starts at
     the first tag with a group code of at least 1000.
 
-    Returns
-    -------
-    head : list
-        Indices of all tags before the extension data, without subclass markers.
-    own : list
-        Those indices in ``head`` whose tags are specific to the kind of the entity, such as its
-        coordinates.
-    added : range
-        Indices of the tags of the extension data.
+    Returns ``head`` list: indices of all tags before the extension data, without subclass markers;
+    ``own`` list: those indices in ``head`` whose tags are specific to the kind of the entity, such
+    as its coordinates; ``added`` range: indices of the tags of the extension data.
     """
     codes = records.codes
     end = next((n for n in range(tag, tag_end) if codes[n] >= _ADDED), tag_end)

@@ -297,13 +297,10 @@ def _store_geometry_tag(
 
     Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
 
-    Parameters
-    ----------
-    code, data, low, high
-        Group code of the tag, bytes of the file, and the range of the value: ``data[low:high]``.
-    entity, spans, slots, state
-        The entities, the positions of the names in the file, the hash table of names, and the
-        state of the scan; all are updated.
+    ``code``, ``data``, ``low``, ``high``: group code of the tag, bytes of the file, and the range
+    of the value: ``data[low:high]``.
+    ``entity``, ``spans``, ``slots``, ``state``: the entities, the positions of the names in the
+    file, the hash table of names, and the state of the scan; all are updated.
     """
     row, kind, seen_tags, marks = (
         state[s.ROW],

@@ -138,23 +138,14 @@ def _spell(
 ) -> bool:
     """Write the handles of all e entities as text and as numbers; return whether all are valid.
 
-    Parameters
-    ----------
-    data
-        Content of the file.
-    start, size : (e,)
-        Position and length of the handle of each entity in ``data``.
-    block : (e,)
-        Row of the block that contains each entity, -1 for an entity of model space.
-    count
-        Array of zeros that receives the number of entities of each block; the last element is for
-        model space.
-    text
-        Array that receives the text of all handles.
-    end : (e,)
-        Array that receives the end of each handle in ``text``.
-    number : (e,)
-        Array that receives the value of each handle, 0 for an entity without a handle.
+    ``data``: content of the file.
+    ``start``, ``size`` (e,): position and length of the handle of each entity in ``data``.
+    ``block`` (e,): row of the block that contains each entity, -1 for an entity of model space.
+    ``count``: array of zeros that receives the number of entities of each block; the last element
+    is for model space.
+    ``text``: array that receives the text of all handles.
+    ``end`` (e,): array that receives the end of each handle in ``text``.
+    ``number`` (e,): array that receives the value of each handle, 0 for an entity without a handle.
     """
     written = 0
     for row in range(len(start)):
@@ -187,15 +178,10 @@ def _measure(end: I64_1, own: I64_1, insert: I64_1, out_end: OutI64_1) -> int:
     Writes the ends, positions in bytes, into ``out_end``, (m,).  Returns the length of the text in
     bytes.
 
-    Parameters
-    ----------
-    end
-        End of the handle of each entity in the text of all entity handles (bytes).
-    own : (m,)
-        Index into ``end`` of the handle of the entity in each row.
-    insert : (m,)
-        Index into ``end`` of the handle of the INSERT that precedes the handle of the entity,
-        separated by a slash; -1 if no INSERT precedes it.
+    ``end``: end of the handle of each entity in the text of all entity handles (bytes).
+    ``own`` (m,): index into ``end`` of the handle of the entity in each row.
+    ``insert`` (m,): index into ``end`` of the handle of the INSERT that precedes the handle of the
+    entity, separated by a slash; -1 if no INSERT precedes it.
     """
     total = 0
     for row in range(len(own)):

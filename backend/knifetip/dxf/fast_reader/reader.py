@@ -198,14 +198,9 @@ class FastReader:
         the segments are examined, and an arc may extend beyond its ends: a coordinate of an end is
         therefore limited to a third of ``reach``.
 
-        Parameters
-        ----------
-        rows
-            Rows in ``Scan.entity`` of the entities that are not in a block.
-        hidden
-            Mask of the entities in ``rows`` with segments that lie on hidden layers.
-        reach
-            Largest permitted absolute value of a coordinate (file units).
+        ``rows``: rows in ``Scan.entity`` of the entities that are not in a block.
+        ``hidden``: mask of the entities in ``rows`` with segments that lie on hidden layers.
+        ``reach``: largest permitted absolute value of a coordinate (file units).
         """
         kind, layer, paper = (self.entity[rows, column] for column in (f.KIND, f.LAYER, f.PAPER))
         one_by_one: Bool = self._is_unsupported[rows]
@@ -220,14 +215,9 @@ class FastReader:
 
         The INSERTs are those in model space.  A block may occur more than once in the list.
 
-        Parameters
-        ----------
-        rows
-            Rows in ``Scan.entity`` of the entities of model space.
-        one_by_one
-            Mask of the entities in ``rows`` that ``BlockExpansion`` expands.
-        block
-            Row in ``Scan.block`` of the block of each INSERT that array operations place.
+        ``rows``: rows in ``Scan.entity`` of the entities of model space.
+        ``one_by_one``: mask of the entities in ``rows`` that ``BlockExpansion`` expands.
+        ``block``: row in ``Scan.block`` of the block of each INSERT that array operations place.
         """
         numbers, times = np.unique(block, return_counts=True)
         references = list(zip(map(self._key, numbers.tolist()), times.tolist(), strict=True))
@@ -242,17 +232,11 @@ class FastReader:
 
         Array operations compute these segments for all entities together.
 
-        Parameters
-        ----------
-        sheet
-            The entities of model space.
-        styles : (e,)
-            Style index of each entity of the file; -1 if the entity is not in
-            model space or has no segments.
-        total
-            Number of segments to return.
-        placed
-            The INSERTs whose blocks are placed by array operations.
+        ``sheet``: the entities of model space.
+        ``styles`` (e,): style index of each entity of the file; -1 if the entity is not in model
+        space or has no segments.
+        ``total``: number of segments to return.
+        ``placed``: the INSERTs whose blocks are placed by array operations.
         """
         segments = Columns(
             np.empty((total, 2, 2)),
@@ -288,21 +272,15 @@ class FastReader:
     ) -> Columns:
         """Return ``segments`` and the segments of the expanded entities together, in file order.
 
-        Parameters
-        ----------
-        segments
-            Segments of the entities that array operations process.
-        expansion
-            Import report and shapes of the entities that were expanded one by one.
-        segments_before
-            For each expanded entity, the number of ``segments`` that precede it in file order.
-        first_row
-            For each expanded entity, its first row in the import report of ``expansion``.
-        whole_row
-            For each row of the import report of ``expansion``, its row in the import report of the
-            whole file.
-        scale
-            Millimetres per file unit, 0 while the unit is unknown.
+        ``segments``: segments of the entities that array operations process.
+        ``expansion``: import report and shapes of the entities that were expanded one by one.
+        ``segments_before``: for each expanded entity, the number of ``segments`` that precede it in
+        file order.
+        ``first_row``: for each expanded entity, its first row in the import report of
+        ``expansion``.
+        ``whole_row``: for each row of the import report of ``expansion``, its row in the import
+        report of the whole file.
+        ``scale``: millimetres per file unit, 0 while the unit is unknown.
         """
         expanded_segments = columns(
             expansion.sheet, expansion.placed, scale, self.limits, segments.ends
@@ -350,7 +328,7 @@ def read_fast(data: bytes, unit: str, limits: Limits) -> Drawing | None:
     """
     try:
         reader = FastReader(data, limits)
-        known = known_unit(unit, reader.tables.variables)
+        known = known_unit(unit, data, reader.tables.variables)
         reading = reader.read(known.scale)
     except Unsupported:
         return None

@@ -130,15 +130,10 @@ class _PartScans:
 def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
     """Scan the parts of a file in parallel, and return their content.
 
-    Parameters
-    ----------
-    data
-        Content of the file.
-    bounds
-        Positions at which the parts begin, and the end of the last part.
-    entities
-        Number of entities for which memory is reserved, in all parts together.  The number
-        is divided among the parts by their lengths; a part with more entities is not supported.
+    ``data``: content of the file.
+    ``bounds``: positions at which the parts begin, and the end of the last part.
+    ``entities``: number of entities for which memory is reserved, in all parts together.  The
+    number is divided among the parts by their lengths; a part with more entities is not supported.
     """
     parts = list(pairwise(bounds))
     rows = [entities * (end - begin) // max(len(data), 1) for begin, end in parts]
@@ -258,16 +253,11 @@ def _move_up(
 ) -> None:
     """Move the rows of one part of a file directly after the rows of the parts before it.
 
-    Parameters
-    ----------
-    entity, value
-        Arrays in which the rows are moved.
-    row, to, count
-        The ``count`` rows from index ``row`` on are moved to the lower index ``to``.
-    numbers
-        New index of each name; the names in the moved rows are renumbered.
-    gap
-        Subtracted from the indices of vertices in the moved rows.
+    ``entity``, ``value``: arrays in which the rows are moved.
+    ``row``, ``to``, ``count``: the ``count`` rows from index ``row`` on are moved to the lower
+    index ``to``.
+    ``numbers``: new index of each name; the names in the moved rows are renumbered.
+    ``gap``: subtracted from the indices of vertices in the moved rows.
     """
     for column in range(f.WIDTH):
         named = column in (f.WORD, f.LAYER, f.LINETYPE, f.REFERENCE)

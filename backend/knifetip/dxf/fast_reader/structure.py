@@ -197,14 +197,9 @@ def _open_entity(start: int, word: int, name: int, tables: ScanTables, state: Ou
 
     Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
 
-    Parameters
-    ----------
-    start
-        Position of the first group code of the entity.
-    word
-        Number of the keyword for the kind of the entity, -1 if the kind is not a keyword.
-    name
-        Index of the kind in the table of names of the file, -1 if it cannot be stored.
+    ``start``: position of the first group code of the entity.
+    ``word``: number of the keyword for the kind of the entity, -1 if the kind is not a keyword.
+    ``name``: index of the kind in the table of names of the file, -1 if it cannot be stored.
     """
     entity, value, row = tables.entity, tables.value, state[s.ENTITIES]
     if row == state[s.MOST_ENTITIES] or name < 0:
@@ -300,15 +295,10 @@ def _section_record(low: int, word: int, state: OutI64_1) -> int:
     Returns ``ON`` if the scan continues, ``DONE`` at the end of the file, or ``REFUSED`` if the
     fast reader cannot read the file.
 
-    Parameters
-    ----------
-    low
-        Position of the keyword in the file.  If the keyword ends the section HEADER, the position
-        is stored as the end of this section.
-    word
-        Number of the keyword: ``SECTION``, ``ENDSEC`` or ``EOF``.
-    state
-        State of the scan, which is updated.
+    ``low``: position of the keyword in the file.  If the keyword ends the section HEADER, the
+    position is stored as the end of this section.
+    ``word``: number of the keyword: ``SECTION``, ``ENDSEC`` or ``EOF``.
+    ``state``: state of the scan, which is updated.
     """
     if state[s.INSIDE] >= 0 or state[s.TABLE] >= 0:
         return s.REFUSED

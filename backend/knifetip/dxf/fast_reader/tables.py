@@ -112,10 +112,8 @@ class Tables:
 
         The keys of the dictionary are the indices of the kinds in the table of names.
 
-        Raises
-        ------
-        Unsupported
-            The name of a kind is not ASCII, not in upper case, or not the name of an entity.
+        Raises ``Unsupported``: the name of a kind is not ASCII, not in upper case, or not the name
+        of an entity.
         """
         column = self.scan.entity[:, f.WORD]
         words = {
@@ -173,11 +171,8 @@ class Tables:
     def _blocks(self) -> dict[str, int]:
         """Return the row in ``Scan.block`` of each block definition, by block name in lower case.
 
-        Raises
-        ------
-        Unsupported
-            A block is external, has no name, has a name with special characters or a name that
-            occurs twice, or contains the entities of a layout.
+        Raises ``Unsupported``: a block is external, has no name, has a name with special characters
+        or a name that occurs twice, or contains the entities of a layout.
         """
         blocks: dict[str, int] = {}
         if self.scan.block[:, f.EXTERNAL].any():

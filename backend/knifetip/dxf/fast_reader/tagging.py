@@ -45,12 +45,8 @@ def _header_tag_valid(code: int, previous_code: int, data: U8_1, low: int, high:
 
     In this section a tag with the name of a variable is followed by one value or one point.
 
-    Parameters
-    ----------
-    code, previous_code
-        Group codes of the tag and of the preceding tag.
-    data, low, high
-        Bytes of the file; the value of the tag is ``data[low:high]``.
+    ``code``, ``previous_code``: group codes of the tag and of the preceding tag.
+    ``data``, ``low``, ``high``: bytes of the file; the value of the tag is ``data[low:high]``.
     """
     if code == 9:
         return previous_code != 9 and high > low and data[low] == 36
@@ -76,12 +72,10 @@ def _store_layer_tag(
 
     Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
 
-    Parameters
-    ----------
-    code, data, low, high
-        Group code of the tag, bytes of the file, and the range of the value: ``data[low:high]``.
-    spans, slots
-        Positions of the names in the file, and hash table of names; a new name is added.
+    ``code``, ``data``, ``low``, ``high``: group code of the tag, bytes of the file, and the range
+    of the value: ``data[low:high]``.
+    ``spans``, ``slots``: positions of the names in the file, and hash table of names; a new name is
+    added.
     """
     row = state[s.LAYERS] - 1
     if code == 2 or code == 6:
@@ -131,12 +125,10 @@ def _store_block_tag(
 
     Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
 
-    Parameters
-    ----------
-    code, data, low, high
-        Group code of the tag, bytes of the file, and the range of the value: ``data[low:high]``.
-    spans, slots
-        Positions of the names in the file, and hash table of names; a new name is added.
+    ``code``, ``data``, ``low``, ``high``: group code of the tag, bytes of the file, and the range
+    of the value: ``data[low:high]``.
+    ``spans``, ``slots``: positions of the names in the file, and hash table of names; a new name is
+    added.
     """
     row = state[s.INSIDE]
     if code == 5:
@@ -215,17 +207,12 @@ def _store_structure_tag(
 
     Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
 
-    Parameters
-    ----------
-    code
-        Group code of the tag.
-    data, low, high
-        Bytes of the file; the value of the tag is ``data[low:high]``.
-    next_tag
-        Position of the next tag.  If the tag is the name of the section HEADER, this position is
-        stored as the start of the section.
-    tables, state
-        The arrays into which the scan writes, and the state of the scan; both are updated.
+    ``code``: group code of the tag.
+    ``data``, ``low``, ``high``: bytes of the file; the value of the tag is ``data[low:high]``.
+    ``next_tag``: position of the next tag.  If the tag is the name of the section HEADER, this
+    position is stored as the start of the section.
+    ``tables``, ``state``: the arrays into which the scan writes, and the state of the scan; both
+    are updated.
     """
     spans, slots = tables.spans, tables.slots
     mode = state[s.MODE]

@@ -134,16 +134,12 @@ class _TuckEndCarton:
         The columns are x, y, radius of the fillet at the corner (mm), and bulge of the side after
         the corner.
 
-        Parameters
-        ----------
-        tucked
-            x of the side of the dust flap beside which the tuck flap of the lid is inserted.
-        hinged
-            x of the other side, which is next to the panel to which the lid is attached.
-        crease
-            y of the crease of the dust flap.
-        direction
-            +1 if the dust flap points upwards from its crease, -1 if it points downwards.
+        ``tucked``: x of the side of the dust flap beside which the tuck flap of the lid is
+        inserted.
+        ``hinged``: x of the other side, which is next to the panel to which the lid is attached.
+        ``crease``: y of the crease of the dust flap.
+        ``direction``: +1 if the dust flap points upwards from its crease, -1 if it points
+        downwards.
         """
         reach = (self._width + _TUCK) / 2.0
         shoulder = _SLIT + 2.0

@@ -199,17 +199,9 @@ def _pose(value: str, rotary: int) -> Pose:
 
     Axes that are not reported are 0.
 
-    Parameters
-    ----------
-    value
-        Axis positions separated by commas, such as ``1.000,2.000,0.000,90.000``.
-    rotary
-        Index of the axis that rotates the tool.
-
-    Raises
-    ------
-    ValueError
-        A position is not a finite number.
+    ``value``: axis positions separated by commas, such as ``1.000,2.000,0.000,90.000``.
+    ``rotary``: index of the axis that rotates the tool.
+    Raises ``ValueError``: a position is not a finite number.
     """
     axes = [float(part) for part in value.split(",")]
     if not all(map(math.isfinite, axes)):

@@ -179,10 +179,7 @@ class Grbl(GrblOperations):
     async def _read_capabilities(self) -> None:
         """Request axes, outputs and buffers of the controller (``$I``).
 
-        Raises
-        ------
-        ControllerError
-            The controller has fewer outputs than the machine.
+        Raises ``ControllerError``: the controller has fewer outputs than the machine.
         """
         connection = self._connection
         lines = await connection.command(b"$I")

@@ -15,12 +15,13 @@ from __future__ import annotations
 import asyncio
 from contextlib import suppress
 
+from knifetip.contract.operations import OperationName
 from knifetip.errors import ControllerAlarm, ControllerError
 from knifetip.gateway.controller import State
 from knifetip.gateway.grbl import answers, recovery
 from knifetip.gateway.grbl.capabilities import Capabilities
 from knifetip.gateway.grbl.connection import GrblConnection
-from knifetip.gateway.operations import JOG_PIECE, OperationName
+from knifetip.gateway.operations import JOG_PIECE
 from knifetip.gateway.supervised import SupervisedController
 from knifetip.messages import Message
 from knifetip.model.machine import Station

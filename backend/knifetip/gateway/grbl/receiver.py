@@ -85,10 +85,7 @@ class Receiver:
         the refusal is only stored in ``refusals``.  If no line is unanswered, a fault is recorded
         too, except during a reset or a recovery.
 
-        Parameters
-        ----------
-        code
-            Error code of the answer, 0 for ``ok``.
+        ``code``: error code of the answer, 0 for ``ok``.
         """
         exchange = self._exchange
         if exchange.buffer.first is None:
@@ -200,12 +197,8 @@ class Receiver:
         In check mode missing bytes are no fault: a lost answer is noticed when the check ends, and
         a controller that reads its line slowly may report later than a request counts as ignored.
 
-        Parameters
-        ----------
-        count
-            Result for the last report.
-        repeats
-            Number of consecutive reports with this result.
+        ``count``: result for the last report.
+        ``repeats``: number of consecutive reports with this result.
         """
         lost = count is Count.MISSING
         if count is Count.POSSIBLE or self.banner_due or (lost and self._exchange.checking):

@@ -257,11 +257,8 @@ async def _unlock(machine: Recoverable) -> None:
 
     All other alarms have a cause at the machine that a person must inspect first.
 
-    Raises
-    ------
-    ControllerAlarm
-        The code of the alarm is not in ``UNLOCKABLE``, or the controller refuses to clear the
-        alarm.
+    Raises ``ControllerAlarm``: the code of the alarm is not in ``UNLOCKABLE``, or the controller
+    refuses to clear the alarm.
     """
     locked = _locked_error(machine)
     if machine.last_alarm not in UNLOCKABLE:
@@ -283,10 +280,7 @@ def _locked_error(machine: Recoverable) -> ControllerAlarm:
 async def _wait_until_idle(machine: Recoverable, seconds: float) -> Status:
     """Wait until the controller is idle after the lift of Z, and return its status.
 
-    Raises
-    ------
-    ControllerError
-        The controller is in alarm, or is not idle after ``seconds``.
+    Raises ``ControllerError``: the controller is in alarm, or is not idle after ``seconds``.
     """
     idle = 0
     try:

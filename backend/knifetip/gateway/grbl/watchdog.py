@@ -143,12 +143,9 @@ class Watchdog:
     def _check_limits(self, expected: float) -> None:
         """Record a fault of the connection if a report or an answer is overdue.
 
-        Parameters
-        ----------
-        expected
-            Latest time at which this check should have been made (s, clock of the event loop).  If
-            the check is later by more than half of ``silence``, this process was busy and did not
-            read the answers; the time limits are then restarted, and silence is not recorded.
+        ``expected``: latest time at which this check should have been made (s, clock of the event
+        loop).  If the check is later by more than half of ``silence``, this process was busy and
+        did not read the answers; the time limits are then restarted, and silence is not recorded.
         """
         connection, now = self._connection, _now()
         status = connection.status

@@ -267,7 +267,17 @@ class LinuxcncConnection(ProgramConnection[RunningProgram]):
             self._changed = now
         elif now - self._changed > _UNCHANGED:
             self._changed = now
-            await self.shell.set(f"optional_stop {await self.shell.get('optional_stop')}")
+            await self.confirm()
+
+    async def confirm(self) -> None:
+        """Let the task controller confirm a command without effect, in a later cycle.
+
+        Raises
+        ------
+        ControllerError
+            The connection is lost, or the task controller is silent.
+        """
+        await self.shell.set(f"optional_stop {await self.shell.get('optional_stop')}")
 
     def _checks(self) -> bool:
         return self.program is not None and self.program.checking

@@ -12,12 +12,14 @@ from __future__ import annotations
 
 import asyncio
 
+from knifetip.contract.operations import OperationName
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerRejected
 from knifetip.gateway.controller import State, Status
 from knifetip.gateway.linuxcnc import recovery
 from knifetip.gateway.linuxcnc.connection import LinuxcncConnection
-from knifetip.gateway.operations import AXES, JOG_PIECE, OperationName
+from knifetip.gateway.operations import AXES, JOG_PIECE
 from knifetip.gateway.whole_program.controller import WholeProgramController
+from knifetip.messages import Message
 from knifetip.model.machine import Station
 
 #: Longest time until all joints are homed (s).
@@ -28,6 +30,8 @@ PARK_FEED = 6000.0
 _POLL = 0.1
 #: Most reports until LinuxCNC reports a new feed override.
 _OVERRIDE_REPORTS = 10
+#: Cycles of the task controller without a message after which none is left.
+_SILENT_CYCLES = 3
 
 
 class LinuxcncOperations(WholeProgramController[LinuxcncConnection]):
@@ -119,7 +123,11 @@ class LinuxcncOperations(WholeProgramController[LinuxcncConnection]):
         # An absolute move: other users of LinuxCNC do not expect G91 to be in force.
         target = start + distance
         self._jog = axis, target
-        await self._begin(f"G1 {self._word(axis)}{target:.4f} F{max(feed, 1.0):.0f}")
+        try:
+            await self._begin(f"G1 {self._word(axis)}{target:.4f} F{max(feed, 1.0):.0f}")
+        except ControllerRejected:
+            self._jog = "", 0.0  # it never arrives there, so the next must not start there
+            raise
 
     async def stop_jog(self) -> None:
         """Decelerate the running jog to a stop and discard the rest of it."""
@@ -170,8 +178,30 @@ class LinuxcncOperations(WholeProgramController[LinuxcncConnection]):
 
     async def _begin(self, line: str) -> None:
         """Begin to execute a line of G-code; ``MODES`` must be in force."""
-        await self._connection.shell.set(f"mdi {line}")
-        if (cause := await self._connection.shell.cause()) is not None:
+        connection = self._connection
+        await connection.shell.messages()  # about earlier commands
+        await connection.shell.set(f"mdi {line}")
+        if refusal := await self._refusal():
+            cause = Message("linuxcnc.cause", texts=refusal)
             raise ControllerRejected(
-                "linuxcnc.refused", name=self._connection.name, command=line, cause=cause
+                "linuxcnc.refused", name=connection.name, command=line, cause=cause
             )
+
+    async def _refusal(self) -> list[str]:
+        """Return all messages about the line that was just sent; none if the machine moves.
+
+        LinuxCNC confirms a line before it refuses it, and passes on one message in each cycle of
+        its task controller, which is late on a computer with other work.
+        """
+        connection = self._connection
+        found: list[str] = []
+        silent = 0
+        while True:
+            new = await connection.shell.messages()
+            if not found and not new and (await connection.report()).state is State.JOG:
+                return []
+            found += new
+            silent = 0 if new else silent + 1
+            if silent == _SILENT_CYCLES:
+                return found
+            await connection.confirm()

@@ -1,6 +1,5 @@
 """MCX314, a chip that interpolates up to three of four axes, on a board with a queue.
 
-The driver of the gateway talks to the board (``frames``, ``connection``).  The simulated board
-(``board`` and what it imports, down to ``chip``) serves the same protocol on a TCP port, by
-``simulator``.
+The driver of the gateway talks to the board (``frames``, ``connection``).  The simulated board in
+``simulators.mcx314`` serves the same protocol on a TCP port.
 """

@@ -14,10 +14,11 @@ from __future__ import annotations
 import asyncio
 import math
 
+from knifetip.contract.operations import RUNS, OperationName
 from knifetip.gateway.controller import State, Status
 from knifetip.gateway.mcx314 import recovery
 from knifetip.gateway.mcx314.connection import BoardConnection
-from knifetip.gateway.operations import AXES, RUNS, OperationName
+from knifetip.gateway.operations import AXES
 from knifetip.gateway.whole_program.controller import WholeProgramController
 from knifetip.model.machine import Station
 

@@ -105,10 +105,8 @@ def _search_grid(
     The search ends early when the arrays are full, and after a row with more than ``_FEW`` pairs.
     The pairs of this row are not sorted; those of the other rows are.
 
-    Returns
-    -------
-    Number of rows that are finished, number of pairs, and the index of the first pair of a row
-    whose pairs are not sorted, -1 if there is none.
+    Returns number of rows that are finished, number of pairs, and the index of the first pair of a
+    row whose pairs are not sorted, -1 if there is none.
     """
     wide, tall = grid.wide, grid.tall
     for i in range(begin, len(boxes)):

@@ -66,15 +66,10 @@ def build_tree(boxes: F64_2) -> BoxTree:
 def _fill_levels(nodes: OutF64_2, count: int, level: OutI64_1) -> int:
     """Write the boxes of all nodes of a tree, level by level, and return the level of the root.
 
-    Parameters
-    ----------
-    nodes : (t, 4)
-        All boxes of the tree.  The caller has filled the first ``count`` rows; this function fills
-        the other rows with the boxes of the nodes.
-    count
-        Number of boxes over which the tree is built.
-    level : (24,)
-        Gets the row in ``nodes`` of the first box of each level.
+    ``nodes`` (t, 4): all boxes of the tree.  The caller has filled the first ``count`` rows; this
+    function fills the other rows with the boxes of the nodes.
+    ``count``: number of boxes over which the tree is built.
+    ``level`` (24,): gets the row in ``nodes`` of the first box of each level.
     """
     level[0] = 0
     height = 0

@@ -85,17 +85,25 @@ class DeviceTable(Table):
     title: str = Field(description="name of the device")
     units: Positive = Field(description="plotter units in one millimetre")
     area: Annotated[list[int], Field(min_length=4, max_length=4), AfterValidator(_check_area)] = (
-        Field(description="x and y of two corners of the reachable area: x0, y0, x1, y1 (units)")
+        Field(
+            title="Reachable area",
+            description="x and y of two corners of the reachable area: x0, y0, x1, y1 (units)",
+            json_schema_extra={"itemTitles": ["Left", "Bottom", "Right", "Top"]},
+        )
     )
     origin: Annotated[Literal["corner", "centre"], LISTED] = Field(
         description="place of unit 0, 0: lower left corner or centre of the table"
     )
     pens: int = Field(gt=0, description="number of tools that SP can select")
     speed: _Range | None = Field(
-        None, description="least and greatest VS (cm/s), if the device has it"
+        None,
+        description="least and greatest VS (cm/s), if the device has it",
+        json_schema_extra={"itemTitles": ["Least speed", "Greatest speed"]},
     )
     force: _Range | None = Field(
-        None, description="least and greatest FS (steps of the device), if the device has it"
+        None,
+        description="least and greatest FS (steps of the device), if the device has it",
+        json_schema_extra={"itemTitles": ["Least force", "Greatest force"]},
     )
     comments: bool = Field(False, description="the device reads the instruction CO (HP-GL/2)")
 
@@ -138,8 +146,10 @@ class _NamedDevice:
     def __get_pydantic_json_schema__(
         self, core: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        named = {"type": "string", "enum": sorted(_shipped_devices())}
-        return {"anyOf": [named, handler(core)]}
+        names = sorted(_shipped_devices())
+        named = [{"type": "string", "const": name, "title": name} for name in names]
+        own = {**handler(core), "title": "Another, with these properties"}
+        return {"oneOf": [*named, own]}
 
 
 class ControllerTable(Table):

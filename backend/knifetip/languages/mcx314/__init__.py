@@ -10,7 +10,7 @@ LANGUAGE = Language(
     reader="knifetip.verification.reading.mcx314:READER",
     timing="knifetip.sequencing.look_ahead:look_ahead",
     driver="knifetip.gateway.mcx314.driver:dial",
-    simulator="knifetip.gateway.mcx314.simulator:serve",
+    simulator="knifetip.simulators.mcx314.simulator:serve",
     settings="knifetip.languages.mcx314.settings:read_settings",
     settings_table="knifetip.languages.mcx314.settings:ControllerTable",
 )

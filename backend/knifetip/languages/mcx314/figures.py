@@ -87,7 +87,7 @@ STEEPEST: Final = _figure("largest acceleration A", 8000, MEMORY)
 # Conditions of ramps.  The chip decelerates by itself only at the end of a line with a fixed number
 # of pulses.  On arcs, bit patterns and continuous interpolation the point at which it decelerates
 # must be written, and deceleration must be enabled in the last segment only.  The board therefore
-# uses none of it: it divides segments and lowers the drive speed (``gateway.mcx314.planner``).
+# uses none of it: it divides segments and lowers the drive speed (``simulators.mcx314.planner``).
 ENABLE_DECELERATION: Final = _figure("command: enable deceleration; not used", 0x3B, MEMORY)
 DISABLE_DECELERATION: Final = _figure("command: disable deceleration; not used", 0x3C, MEMORY)
 NEXT_SPEED: Final = _figure(

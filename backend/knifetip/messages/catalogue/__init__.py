@@ -19,6 +19,7 @@ from knifetip.messages.catalogue import (
     database,
     drawing,
     dry_run,
+    edge_choice,
     field,
     gateway,
     general,
@@ -34,6 +35,7 @@ from knifetip.messages.catalogue import (
     motion,
     obstacle,
     operation,
+    output,
     program,
     queue,
     reading,
@@ -64,6 +66,7 @@ _AREAS: Final = (
     content,
     compensation,
     corner,
+    edge_choice,
     sheet,
     program,
     rs274,
@@ -92,6 +95,7 @@ _AREAS: Final = (
     watch,
     webhook,
     xjdf,
+    output,
 )
 
 MESSAGES: Final[Entries] = {code: found for area in _AREAS for code, found in area.MESSAGES.items()}

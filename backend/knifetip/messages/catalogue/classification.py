@@ -7,12 +7,25 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "classification.across": entry(
+        "the edge meets other lines inside the blank, one of which is a slit if the blank is "
+        "folded to a box; the edge is perpendicular to the longest of them",
+    ),
+    "classification.along": entry(
+        "the edge meets other lines inside the blank, one of which is a slit if the blank is "
+        "folded to a box; the edge is parallel to the longest of them",
+    ),
     "classification.around": entry("the edge encloses a complete carton"),
     "classification.arrow": entry(
         "the edge has an arrowhead, or is connected to a line with an arrowhead",
     ),
     "classification.as-its-style": entry(
         "the edge is treated like all edges with the same layer, colour and line style",
+    ),
+    "classification.beside-gap": entry(
+        "{reason} if a straight line is missing in the outline beside the edge, without which the "
+        "blank falls apart",
+        reason="message",
     ),
     "classification.bleed": entry(
         "the edge surrounds a blank at a constant distance, as a bleed line does",
@@ -35,6 +48,9 @@ MESSAGES: Final[Entries] = {
         folds="count",
         lines="count",
     ),
+    "classification.corners": entry(
+        "the edge turns a corner at both ends, and no fold does",
+    ),
     "classification.cuts-panel-off": entry(
         "a cut at the position of the edge would separate a panel from its blank",
     ),
@@ -49,8 +65,13 @@ MESSAGES: Final[Entries] = {
         ", whereas an edge of type {type} divides two panels",
         type="text",
     ),
+    "classification.fold-end": entry(
+        "the edge lies between the outline and a fold of the same two panels, as a slit that locks "
+        "a flap does",
+    ),
     "classification.follows": entry(
-        "the user gave this line type to the other edges with the same colour and line style",
+        "the answer for other edges decides this line type: they have the same colour and line "
+        "style, or show whether the profile swaps cut and crease",
     ),
     "classification.frame": entry("the edge frames the whole drawing"),
     "classification.free": entry("the edge lies inside a panel and touches no other edge"),
@@ -73,6 +94,16 @@ MESSAGES: Final[Entries] = {
     "classification.layer-name-against": entry(
         'but the name of the layer of the edge contains "{word}"',
         word="text",
+    ),
+    "classification.learned": entry(
+        "learned from drawings of the same customer: edges with this layer, colour and line style "
+        "have this line type in {drawings}",
+        drawings="texts",
+    ),
+    "classification.learned-guess": entry(
+        "edges with this layer, colour and line style have this line type in {drawings} of the "
+        "same customer",
+        drawings="texts",
     ),
     "classification.legend": entry(
         "the edge lies outside all blanks, beside the name of a line type, so it belongs to a "
@@ -134,6 +165,10 @@ MESSAGES: Final[Entries] = {
     "classification.not-made": entry(
         ", so the edge must not be processed",
     ),
+    "classification.oblique": entry(
+        "the edge meets other lines inside the blank, one of which is a slit if the blank is "
+        "folded to a box; the edge is neither parallel nor perpendicular to the longest of them",
+    ),
     "classification.on-cut": entry(
         "{rule}, and the edge lies on top of a cut",
         rule="message",
@@ -142,6 +177,10 @@ MESSAGES: Final[Entries] = {
         "no other colour or line style only divides panels",
     ),
     "classification.open": entry("the edge belongs to an outline that does not close"),
+    "classification.open-flap": entry(
+        "equal lines that lead nowhere begin at both ends of the edge, so a flap beside it may be "
+        "open",
+    ),
     "classification.other-style-closes": entry(
         "most of the outline of the blank consists of edges with another layer, colour or "
         "line style",
@@ -170,13 +209,29 @@ MESSAGES: Final[Entries] = {
         layer="text",
         type="text",
     ),
+    "classification.part-of-side": entry(
+        "the side of one of the panels goes on beyond the edge, as it does beside a slit",
+    ),
+    "classification.ring-fold": entry(
+        "the edge meets lines inside the blank that are probably slits, beside which it is a fold",
+    ),
+    "classification.ring-slit": entry(
+        "the edge ends inside the blank at three folds, or is parallel to such an edge, and four "
+        "folds at one point do not make a box",
+    ),
     "classification.role-against": entry("{role}{against}", role="message", against="message?"),
     "classification.rule": entry("profile {profile}: {rule}", profile="text", rule="message"),
     "classification.shape": entry("{parts:, }", parts="messages"),
+    "classification.shared": entry(
+        "the edge lies where equal parts of the drawing touch, so it may be a common cut of blanks",
+    ),
     "classification.slit": entry(
         "the edge is a slit: it begins at another edge and ends inside a panel",
     ),
     "classification.slot": entry("the edge closes a slot or a round hole in a panel"),
+    "classification.slot-side": entry(
+        "the edge is a side of a slot at a fold",
+    ),
     "classification.speck": entry(
         "the edge is short, lies outside all blanks and touches no other edge",
     ),
@@ -185,11 +240,12 @@ MESSAGES: Final[Entries] = {
     ),
     "classification.swapped": entry(
         "this rule turns edges of the closed outline into creases, so cut and crease may be "
-        "swapped",
+        "swapped; the answer also decides the edges that the profile cuts",
     ),
     "classification.swapped-both": entry(
         "this rule turns edges of the closed outline into creases and edges between panels "
-        "into cuts, so cut and crease may be swapped",
+        "into cuts, so cut and crease may be swapped; the answer also decides the edges that the "
+        "profile cuts",
     ),
     "classification.swapped-like": entry(
         "{reason}; {convention}",
@@ -198,6 +254,9 @@ MESSAGES: Final[Entries] = {
     ),
     "classification.table": entry(
         "the edge belongs to boxes with texts, as in a title block",
+    ),
+    "classification.through": entry(
+        "the edge passes points inside the blank at which other lines end, and a slit ends there",
     ),
     "classification.unknown": entry(
         "the geometry of the drawing does not show which line type the edge has",

@@ -30,6 +30,15 @@ MESSAGES: Final[Entries] = {
         edge="edge",
         distance="number",
     ),
+    "cleaning.folds-on-cuts": entry(
+        "{count:# edge|# edges} of the line type {type} {count:lies|lie} on cuts and "
+        "{count:is|are} not made along {length:,.1f} mm: the cuts are made instead.",
+        "If the board should stay connected there, set the line type of the cuts to {type}. "
+        "Otherwise nothing needs to be done.",
+        count="count",
+        type="text",
+        length="number",
+    ),
     "cleaning.folds-trimmed": entry(
         "Creases or V-grooves in {count} edges were shortened: {length:.2f} mm of them lie outside "
         "all panels and are not made.",
@@ -60,6 +69,10 @@ MESSAGES: Final[Entries] = {
     ),
     "cleaning.longer": entry(
         "other edges on the same line were merged into the edge, which is longer now",
+    ),
+    "cleaning.loop": entry(
+        "the edge was dropped, because it belongs to a loop of at most 0.3 mm at a corner of an "
+        "outline, which no tool can follow; the outline is complete without it",
     ),
     "cleaning.moved": entry("one end of the edge was moved to meet another edge"),
     "cleaning.near": entry(

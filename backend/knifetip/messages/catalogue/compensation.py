@@ -275,7 +275,7 @@ MESSAGES: Final[Entries] = {
     ),
     "knife.park-heading": entry(
         "Station {station} has a free blade: before the program starts, it must have a heading of "
-        "{degrees:g}°. The program leaves it so.",
+        "{degrees:g}°. At its end the program leaves it so.",
         station="count",
         degrees="number",
     ),

@@ -129,7 +129,7 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "controller.left-program": entry(
-        "{name} executes the program no more: its state is {state}.",
+        "{name} no longer executes the program: its state is {state}.",
         "Check the table, and why the machine changed its state. Another program or a person may "
         "have operated it.",
         name="text",

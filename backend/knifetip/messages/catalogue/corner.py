@@ -7,36 +7,12 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
-    "corner.at": entry(
-        " at X {x:g} mm, Y {y:g} mm",
-        x="number",
-        y="number",
-    ),
-    "corner.bad-interference": entry(
-        "{interference!r} is not a valid method for the parts of a contour that the cutter "
-        "cannot reach.",
-        "Choose trim (leave these parts uncut) or refuse (write no program).",
-        interference="text",
-    ),
     "corner.bad-k": entry(
         "The parameter k of the corner at the start of edge {edge} is {k}, but must be between "
         "0 and 1.",
         "Choose a k from 0 (the path of corner type B) to 1 (the path of corner type C).",
         edge="edge",
         k="text",
-    ),
-    "corner.bad-k-at": entry(
-        "The parameter k of the corner of type D{where} is {k}, but must be greater than 0 and "
-        "less than 1.",
-        "Choose corner type B instead of k = 0, and corner type C instead of k = 1.",
-        where="message?",
-        k="text",
-    ),
-    "corner.bad-place": entry(
-        "The position ({x}, {y}) of a corner is not valid.",
-        "Give X and Y as numbers in mm, in the coordinates of the drawing.",
-        x="text",
-        y="text",
     ),
     "corner.bad-share": entry(
         "Corner {corner} in the list of corners (the first corner has number 0) has type D with "
@@ -97,12 +73,6 @@ MESSAGES: Final[Entries] = {
         "The corner type {type!r} does not exist.",
         "Choose corner type B, C, D or auto.",
         type="text",
-    ),
-    "corner.unknown-type-at": entry(
-        "The corner type {type!r}{where} does not exist.",
-        "Choose corner type B, C, D or auto.",
-        type="text",
-        where="message?",
     ),
     "deflection.exceeds-radius": entry(
         "The deflection of {deflection:.3f} mm cannot be corrected, because it is not smaller than "

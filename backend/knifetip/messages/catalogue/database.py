@@ -104,6 +104,16 @@ MESSAGES: Final[Entries] = {
         version="text",
         newest="text",
     ),
+    "database.unreleased": entry(
+        "The database {url} has revision {revision}, from before the first release. knifetip "
+        "{version} migrates databases from revision {oldest} on.",
+        "Start the version of knifetip that wrote it, and order unfinished jobs again with "
+        "this version and a new database.",
+        url="text",
+        revision="text",
+        version="text",
+        oldest="text",
+    ),
     "database.not-utf8": entry(
         "The database {url} has the encoding {encoding}, which cannot store all names.",
         "Create it with UTF-8: CREATE DATABASE knifetip ENCODING 'UTF8' TEMPLATE template0 "

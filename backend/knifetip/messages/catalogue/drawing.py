@@ -13,6 +13,14 @@ MESSAGES: Final[Entries] = {
         "Give the edges that shall be made the line type cut, crease or another one.",
         count="count",
     ),
+    "drawing.answer-taken-back": entry(
+        "An answer from earlier drawings of {customer} was taken back.",
+        customer="text",
+    ),
+    "drawing.answer-used": entry(
+        "An answer from earlier drawings of {customer} is used again.",
+        customer="text",
+    ),
     "drawing.changing": entry(
         "Another request is changing drawing {drawing} at the same time.",
         "Try again in a moment.",
@@ -53,6 +61,11 @@ MESSAGES: Final[Entries] = {
         machine="text",
         room_x="number",
         room_y="number",
+    ),
+    "drawing.no-customer": entry(
+        "Drawing {drawing} has no customer, so no other drawing teaches it anything.",
+        "Set the customer of the drawing first.",
+        drawing="text",
     ),
     "drawing.no-lines": entry(
         "There is nothing to make: the file contains no lines that a tool can follow. "
@@ -121,6 +134,20 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "question.default-width": entry("lines of the default width"),
+    "question.follows": entry(
+        'The answer also decides {edges:# edge|# edges} on layer "{layer}" (colour {colour}, line '
+        "style {linetype}): {type} if {questions:the answer is|all # answers about this rule are} "
+        "{answer}, and {other_type} if {questions:it is|they are} {other_answer}.",
+        edges="count",
+        layer="text",
+        colour="text",
+        linetype="text",
+        questions="count",
+        answer="text",
+        type="text",
+        other_answer="text",
+        other_type="text",
+    ),
     "question.guess": entry(
         " The most likely line type is {type} ({percent} %): {reason}.",
         type="text",

@@ -236,6 +236,10 @@ MESSAGES: Final[Entries] = {
         "(from_track or from_line), a station, or both",
         path="text",
     ),
+    "field.edges-or-line-type": entry(
+        "{path} must have either edges or line_type",
+        path="text",
+    ),
     "field.sheet-size": entry(
         "{path} must have both width and height, or none of width, height and margin",
         path="text",

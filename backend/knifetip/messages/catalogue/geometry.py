@@ -34,10 +34,6 @@ MESSAGES: Final[Entries] = {
         "Draw the curve again, as lines and arcs.",
         tolerance="number",
     ),
-    "curve.parameters": entry(
-        "A curve is damaged: its parameter values (knots) do not increase.",
-        "Draw the curve again, as lines and arcs.",
-    ),
     "curve.too-many-pieces": entry(
         "More than {limit:,} lines and arcs are needed to convert a curve with a deviation of "
         "at most {tolerance:g} mm.",

@@ -27,7 +27,7 @@ MESSAGES: Final[Entries] = {
     ),
     "hpgl.bad-feed": entry(
         "{place} has a feed of {feed:g} mm/min, but {device} supports only multiples of "
-        "{step:g} mm/min from {slowest} to {fastest} mm/min.",
+        "{step:g} mm/min from {slowest:,} to {fastest:,} mm/min.",
         "Choose one of these feeds for the tool in the machine file.",
         place="message",
         feed="number",

@@ -156,6 +156,20 @@ MESSAGES: Final[Entries] = {
     "import.contains-itself": entry(
         "the object contains a reference to itself",
     ),
+    "import.conversion-doubtful": entry(
+        "{program}, which converted the file, reported {count:# object or place|# objects or "
+        "places} that it could not convert ({losses}). Objects of the drawing may be missing or "
+        "wrong.",
+        "Compare the drawing with the original. {what:hint}",
+        program="text",
+        count="count",
+        losses="texts",
+        what="message",
+    ),
+    "import.converted": entry(
+        "the file was converted by {program}",
+        program="text",
+    ),
     "import.coordinate-not-a-number": entry("a coordinate of the object is not a number"),
     "import.curves-fitted": entry(
         "the curves of the object were converted to {pieces:# line or arc|# lines and arcs}, "
@@ -402,15 +416,17 @@ MESSAGES: Final[Entries] = {
         "the object is for readers of another language, so it is not visible",
     ),
     "import.other-pages": entry(
-        "The PDF has {pages:# page|# pages}, but only the first page is read.",
-        "If the drawing is on another page, export this page as a separate file.",
+        "The file has {pages:# page|# pages}, but only page {page} is read.",
+        "If the drawing is on another page, choose this page, or export it as a separate file.",
         pages="count",
+        page="count",
     ),
     "import.other-pages-lines": entry(
-        "The PDF has {others:# other page|# other pages} besides the first page, and only the "
-        "first page is read. Page {most} has the most lines of the other pages ({lines:,}).",
-        "If the drawing is on another page, export this page as a separate file.",
+        "The file has {others:# other page|# other pages} besides page {page}, and only page "
+        "{page} is read. Page {most} has the most lines of the other pages ({lines:,}).",
+        "If the drawing is on another page, choose this page, or export it as a separate file.",
         others="count",
+        page="count",
         most="count",
         lines="count",
     ),

@@ -22,14 +22,15 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "mcx314.axis-too-fast": entry(
-        "{path} needs {rate:.0f} pulses per second, and the chip MCX314 makes at most {limit}",
+        "{path} needs {rate:.0f} pulses per second, and the chip MCX314 makes at most {limit:,}",
         "Choose a lower velocity, fewer pulses, or a greater multiple.",
         path="text",
         rate="number",
         limit="count",
     ),
     "mcx314.axis-too-long": entry(
-        "{path} travels {pulses} pulses, and the chip MCX314 counts at most {limit} in one segment",
+        "{path} travels {pulses:,} pulses, and the chip MCX314 counts at most {limit:,} in one "
+        "segment",
         "Choose fewer pulses per millimetre or degree.",
         path="text",
         pulses="count",
@@ -61,8 +62,8 @@ MESSAGES: Final[Entries] = {
         place="message",
     ),
     "mcx314.speed": entry(
-        "{place} needs {rate:.0f} pulses per second, and the chip MCX314 makes {slowest} to "
-        "{fastest}.",
+        "{place} needs {rate:.0f} pulses per second, and the chip MCX314 makes {slowest:,} to "
+        "{fastest:,}.",
         "Choose another feed for the tool, or another multiple of the drive speed.",
         place="message",
         rate="number",
@@ -70,7 +71,8 @@ MESSAGES: Final[Entries] = {
         fastest="count",
     ),
     "mcx314.too-far": entry(
-        "{place} needs {pulses} pulses, and the chip MCX314 counts at most {limit} in one segment.",
+        "{place} needs {pulses:,} pulses, and the chip MCX314 counts at most {limit:,} in one "
+        "segment.",
         "Divide the edge, or use fewer pulses per millimetre.",
         place="message",
         pulses="count",
@@ -115,7 +117,7 @@ MESSAGES: Final[Entries] = {
         count="count",
     ),
     "mcx314.out-of-range": entry(
-        "A number is greater than {limit}, which the chip MCX314 cannot count.",
+        "A number is greater than {limit:,}, which the chip MCX314 cannot count.",
         "Divide the move.",
         limit="count",
     ),
@@ -124,7 +126,7 @@ MESSAGES: Final[Entries] = {
         "Move the axis with GO first.",
     ),
     "mcx314.bad-speed": entry(
-        "The drive speed must be {slowest} to {fastest} pulses per second.",
+        "The drive speed must be {slowest:,} to {fastest:,} pulses per second.",
         "Correct the drive speed.",
         slowest="count",
         fastest="count",

@@ -83,6 +83,13 @@ MESSAGES: Final[Entries] = {
         "The laser moves along an edge while its beam is off, so the edge is not cut.",
         "Switch the beam on (M3) before the edge.",
     ),
+    "verify.low-without-station": entry(
+        "The head goes down to {height:.2f} mm while no station is selected. All tools clear the "
+        "board only at {needed:.2f} mm or higher.",
+        "Select a station before the head goes down, and lift it before the station is released.",
+        height="number",
+        needed="number",
+    ),
     "verify.lowers-second": entry(
         "The program line lowers station {station} while station {other} may still be lowered.",
         "Raise station {other} (M65 P{output}) before this program line.",

@@ -43,8 +43,8 @@ MESSAGES: Final[Entries] = {
     "operation.hands-not-clear": entry(
         "The request {request} moves {machine}, and nobody has stated within the last "
         "{seconds:g} s that hands are clear of it.",
-        "Look that nobody reaches into the machine, state hands clear at its station, then ask "
-        "again.",
+        "Make sure that nobody reaches into the machine, state hands clear at its station, then "
+        "ask again.",
         request="text",
         machine="text",
         seconds="number",

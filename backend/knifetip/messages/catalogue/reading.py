@@ -16,9 +16,72 @@ _POSTSCRIPT: Final = (
 )
 _SOLID: Final = "In the CAD program, make a flat drawing of the carton, and export it as DXF."
 _ARTIOSCAD: Final = "In ArtiosCAD, choose File > Outputs, and CFF2 or DXF as the type."
-_DWG: Final = "In AutoCAD or another CAD program, choose File > Save As, and DXF as the type."
+_DWG: Final = (
+    "In AutoCAD or another CAD program, choose File > Save As, and DXF (such as DXF 2013) as the "
+    "type."
+)
 
 MESSAGES: Final[Entries] = {
+    "conversion.failed": entry(
+        "The file is {what}. {program}, which converts such files, stopped with the error "
+        "{reason!r}.",
+        "{what:hint}",
+        what="message",
+        program="text",
+        reason="text",
+    ),
+    "conversion.failed-at": entry(
+        "The file is {what}. {program}, which converts such files, stopped at byte {position:,} of "
+        "the file with the error {reason!r}.",
+        "{what:hint}",
+        what="message",
+        program="text",
+        reason="text",
+        position="count",
+    ),
+    "conversion.no-program": entry(
+        "The file is {what}, which knifetip reads only if the program {program} is installed.",
+        "{what:hint} Or ask the administrator of knifetip to install {program} (command "
+        "{command}). Files that need no other program are {formats:or}.",
+        what="message",
+        program="text",
+        command="text",
+        formats="texts",
+    ),
+    "conversion.no-result": entry(
+        "The file is {what}. {program}, which converts such files, found no drawing in it.",
+        "{what:hint}",
+        what="message",
+        program="text",
+    ),
+    "conversion.result-unreadable": entry(
+        "The file is {what}. {program} has converted it, but the result cannot be read: {error}",
+        "{what:hint}",
+        what="message",
+        program="text",
+        error="message",
+    ),
+    "conversion.too-large": entry(
+        "The file is {what}. Its conversion by {program} makes files of more than {limit:.0f} MB.",
+        "Export a single carton, without pictures. {what:hint}",
+        what="message",
+        program="text",
+        limit="number",
+    ),
+    "conversion.too-slow": entry(
+        "The file is {what}. Its conversion by {program} takes longer than {seconds:g} s.",
+        "Export a single carton, without pictures. {what:hint}",
+        what="message",
+        program="text",
+        seconds="number",
+    ),
+    "conversion.too-much-memory": entry(
+        "The file is {what}. Its conversion by {program} needs more than {limit:.0f} MB of memory.",
+        "Export a single carton, without pictures. {what:hint}",
+        what="message",
+        program="text",
+        limit="number",
+    ),
     "reading.crashed": entry(
         "The file {name} cannot be read, probably because it is damaged (error {incident}).",
         "Export the drawing again as DXF, CF2, SVG or PDF, if necessary from another program. The "
@@ -26,9 +89,25 @@ MESSAGES: Final[Entries] = {
         name="text",
         incident="text",
     ),
+    "reading.cut-short": entry(
+        "The {format} file is incomplete: it ends at line {line}, after {count:# element|# "
+        "elements}. Objects of the drawing may be missing.",
+        "Send the complete file, or export the drawing again.",
+        line="count",
+        count="count",
+        format="text",
+    ),
     "reading.damaged": entry(
         "The {format} file cannot be read, because it is damaged ({reason}).",
         "Export the drawing again, if necessary from another program.",
+        reason="text",
+        format="text",
+    ),
+    "reading.damaged-at": entry(
+        "The {format} file is damaged at line {line}, column {column}: {reason}.",
+        "Export the drawing again, if necessary from another program.",
+        line="count",
+        column="count",
         reason="text",
         format="text",
     ),
@@ -43,6 +122,11 @@ MESSAGES: Final[Entries] = {
         "Export a drawing with a single carton, without repeated parts that the carton does not "
         "need.",
         limit="count",
+        format="text",
+    ),
+    "reading.no-pages": entry(
+        "A {format} file has no pages.",
+        "Only a PDF or a PostScript file has pages to choose from.",
         format="text",
     ),
     "reading.nested-too-deep": entry(
@@ -311,13 +395,6 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "cf2.subroutine": entry("the subroutine {name}", name="text"),
-    "lightburn.damaged-at": entry(
-        "The LightBurn project is damaged at line {line}, column {column}: {reason}.",
-        "Save the project again in LightBurn.",
-        line="count",
-        column="count",
-        reason="text",
-    ),
     "lightburn.doctype": entry(
         "The LightBurn project has a DOCTYPE, which LightBurn does not write.",
         "Save the project again in LightBurn.",
@@ -386,20 +463,6 @@ MESSAGES: Final[Entries] = {
         name="text",
         count="count",
     ),
-    "svg.cut-short": entry(
-        "The SVG file is incomplete: it ends at line {line}, after {count:# element|# "
-        "elements}. Objects of the drawing may be missing.",
-        "Send the complete file, or export the drawing again as plain SVG.",
-        line="count",
-        count="count",
-    ),
-    "svg.damaged-at": entry(
-        "The SVG file is damaged at line {line}, column {column}: {reason}.",
-        "Export the drawing again as plain SVG.",
-        line="count",
-        column="count",
-        reason="text",
-    ),
     "svg.empty": entry(
         "The SVG file contains no element.",
         "Export the drawing again as plain SVG.",
@@ -422,11 +485,6 @@ MESSAGES: Final[Entries] = {
         "supported.",
         "Save the drawing as plain SVG, without a DOCTYPE.",
         name="text",
-    ),
-    "svg.nested-too-deep": entry(
-        "The elements of the SVG are nested more than {limit} levels deep.",
-        "Ungroup the drawing and export it again.",
-        limit="count",
     ),
     "svg.other-xml": entry(
         "The file is an XML file, but not SVG: its outermost element is {element} instead of svg.",
@@ -454,7 +512,7 @@ MESSAGES: Final[Entries] = {
         limit="number",
     ),
     "pdf.blank": entry(
-        "The first page of the PDF contains no drawing.",
+        "The page of the PDF contains no drawing.",
         "Export the drawing again, as the first page of the PDF.",
     ),
     "pdf.content-damaged": entry(
@@ -502,6 +560,12 @@ MESSAGES: Final[Entries] = {
     "pdf.no-header": entry(
         "The file is not a PDF: it does not begin with %PDF.",
         "Export the drawing again, or send it as DXF.",
+    ),
+    "pdf.no-such-page": entry(
+        "The PDF has {pages:# page|# pages}, but no page {page}.",
+        "Choose one of its pages.",
+        pages="count",
+        page="count",
     ),
     "pdf.no-page": entry("The PDF has no page.", "Export the drawing again, or send it as DXF."),
     "pdf.open-array": entry(

@@ -22,7 +22,7 @@ MESSAGES: Final[Entries] = {
     ),
     "rs274.arc-on-chord-machine": entry(
         "The program line is an arc (G2, G3), and the controller of {machine} cannot follow arcs.",
-        "Make the program anew, or set arcs to 'arcs' in the machine file if the controller has "
+        "Create the program again, or set arcs to 'arcs' in the machine file if the controller has "
         "them and turns the tool in them.",
         machine="text",
     ),

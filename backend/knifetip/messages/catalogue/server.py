@@ -40,7 +40,7 @@ MESSAGES: Final[Entries] = {
     "server.database-damaged": entry(
         "The database of the server is damaged.",
         "Stop the server and put a backup in its place: knifetip restore FILE --replace. Check the "
-        "disk. To try again does not help.",
+        "disk. Trying again does not help.",
     ),
     "server.database-silent": entry(
         "The database of the server does not respond.",
@@ -146,7 +146,7 @@ MESSAGES: Final[Entries] = {
     ),
     "request.outcome-unknown": entry(
         "A request with this Idempotency-Key was begun, and its outcome is not known.",
-        "Look whether it was executed. If it was not, send it again with a new key.",
+        "Check whether it was executed. If it was not, send it again with a new key.",
     ),
     "request.secret-not-kept": entry(
         "The request was executed, and its answer had a secret, which is not kept: see {path}.",
@@ -206,6 +206,12 @@ MESSAGES: Final[Entries] = {
         method="text",
         path="text",
     ),
+    "settings.bad-file": entry(
+        "The settings file {file} cannot be used: {reason}.",
+        "Correct the file, or start the server without it.",
+        file="text",
+        reason="text",
+    ),
     "settings.bad-host": entry(
         "{host!r} is not a host name.",
         "Write the host as NAME or NAME:PORT.",
@@ -218,6 +224,11 @@ MESSAGES: Final[Entries] = {
         what="text",
         shortest="count",
         length="count",
+    ),
+    "settings.invalid": entry(
+        "The settings cannot be used: {faults:; }.",
+        "{faults:hint} The page Settings of the documentation lists all settings.",
+        faults="messages",
     ),
     "settings.key-file": entry(
         "The key file {file} cannot be used: {reason}.",
@@ -233,6 +244,12 @@ MESSAGES: Final[Entries] = {
         "The option --corner-at {text!r} does not have the form X,Y=TYPE or X,Y=TYPE:K.",
         "Write for example --corner-at 300,100=C or --corner-at 300,100=D:0.3.",
         text="text",
+    ),
+    "command.bad-option": entry(
+        "The option {option} cannot be used: {faults:; }.",
+        "{faults:hint} knifetip program --help describes all options.",
+        option="text",
+        faults="messages",
     ),
     "command.bad-edge": entry(
         "The option --edge {pair!r} does not have the form EDGE=TYPE or EDGE,EDGE=TYPE.",

@@ -21,7 +21,7 @@ MESSAGES: Final[Entries] = {
     ),
     "setting.homes-at-other-end": entry(
         "the controller makes the place of the switch its zero, at the other end of the axis than "
-        "the machine file has it",
+        "in the machine file",
     ),
     "setting.inches": entry(
         "positions are reported in inches and would be taken as millimetres",

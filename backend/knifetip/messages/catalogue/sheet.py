@@ -18,6 +18,13 @@ MESSAGES: Final[Entries] = {
         travel="number",
         clearance="number",
     ),
+    "board.too-thick": entry(
+        "The board is {caliper:g} mm thick, but {machine} takes board up to {limit:g} mm.",
+        "Choose a thinner board or another machine. The limit is max_caliper in the machine file.",
+        caliper="number",
+        machine="text",
+        limit="number",
+    ),
     "lift.not-stated": entry(
         "The machine file of {machine} does not state turn_clearance, so the least lift is not "
         "known.",

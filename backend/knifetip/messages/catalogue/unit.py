@@ -41,6 +41,13 @@ MESSAGES: Final[Entries] = {
         y="number",
     ),
     "unit.cf2-scaled": entry("{unit}; {scale}", unit="message", scale="message"),
+    "unit.corner-loops": entry(
+        "if the unit is {unit:unit}, {count} corners of outlines have curls of {length:mm} mm, as "
+        "programs draw them for the beam of a laser",
+        unit="text",
+        count="count",
+        length="number",
+    ),
     "unit.dimensions-larger": entry(
         "Dimensions in the drawing have different scales: {count:# dimension is|# dimensions "
         "are} drawn {factor:.3g} times larger than the other {others:dimension|# dimensions}.",
@@ -308,5 +315,9 @@ MESSAGES: Final[Entries] = {
         "Choose one of {known:or}.",
         unit="text",
         known="texts",
+    ),
+    "unit.writer": entry(
+        "the file was written by {writer}, which writes lengths in mm",
+        writer="text",
     ),
 }

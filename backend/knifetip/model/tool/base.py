@@ -91,6 +91,13 @@ def pass_depths(cut_depth: float, step: float) -> F64:
         Maximum depth of one pass; 0 for one pass.
     """
     count = 1 if step == 0.0 else min(_MAX_PASSES, int(np.ceil(cut_depth / step - 1e-9)))
+    return equal_passes(cut_depth, count)
+
+
+def equal_passes(cut_depth: float, count: int) -> F64:
+    """Return the depths of ``count`` passes of equal increment down to ``cut_depth`` (mm), (count,)
+    mm, ascending.
+    """
     depths: F64 = cut_depth * np.arange(1, count + 1) / count
     return depths
 

@@ -33,7 +33,9 @@ class Knife(Tool):
     #: slant of the leading edge from the vertical (degrees)
     blade_angle: Annotated[float, Ge(0), Lt(80)]
     blade_width: float  #: width of the blade along the cut (mm)
-    swivel: float  #: swivel angle: corners sharper than this are turned above the board (degrees)
+    #: swivel angle: at corners sharper than this the knife is turned above the board, a free one at
+    #: its swivel depth (degrees)
+    swivel: float
     feed: Positive
     plunge: Positive
     oscillating: bool = False

@@ -196,10 +196,18 @@ def _turns(pose: F64, bulge: F64) -> F64:
 
 
 def _drop_empty(pieces: _Pieces, toolpath: Toolpath) -> _Pieces:
-    """Return the pieces that have pulses, and all rapids."""
+    """Return the pieces that have pulses, and all rapids.
+
+    A pass that is shorter than a pulse has none: the tool is not lowered for it.
+    """
     moves = (np.diff(pieces.point, axis=0) != 0).any(axis=1)
-    moves |= toolpath.motion[pieces.row] == Motion.RAPID
+    motion = toolpath.motion[pieces.row]
+    moves |= motion == Motion.RAPID
     kept = np.flatnonzero(moves)
+    down, up = kept[:-1], kept[1:]
+    idle = (motion[down] == Motion.PLUNGE) & (motion[up] == Motion.LIFT) & (up - down > 1)
+    idle &= (pieces.point[down] == pieces.point[up + 1]).all(axis=1)
+    kept = np.delete(kept, np.flatnonzero(idle)[:, None] + (0, 1))
     # The path of a dropped piece runs through the point before it.
     points = np.concatenate([pieces.point[:1], pieces.point[kept + 1]])
     poses = np.concatenate([pieces.pose[:1], pieces.pose[kept + 1]])
@@ -248,10 +256,7 @@ def _merge(
     A line that is too short is merged with the lines that join it, if the line that replaces them
     deviates from their ends by at most ``deviation`` (mm, degrees).
 
-    Raises
-    ------
-    ProgramError
-        A piece is too short and cannot be merged.
+    Raises ``ProgramError``: a piece is too short and cannot be merged.
     """
     count = len(seconds)
     lasting = np.append(pieces.joined[1:], False) & (seconds < wiring.refill)

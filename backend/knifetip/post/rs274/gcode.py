@@ -232,14 +232,9 @@ def _exact_stops(lines: LineColumns, carriage: Carriage, blending: float) -> Boo
     Measured on LinuxCNC 2.9 with the acceleration of the demo table, arcs of 5 … 200 mm followed by
     lines at 100 … 400 mm/s: 0.003 … 3.5 mm without stops, 0.0004 mm with them.
 
-    Parameters
-    ----------
-    lines
-        The n moves.
-    carriage
-        Contains the accelerations of the axes.
-    blending : float, mm
-        Greatest deviation that is permitted without a stop.
+    ``lines``: the n moves.
+    ``carriage``: contains the accelerations of the axes.
+    ``blending`` float, mm: greatest deviation that is permitted without a stop.
     """
     turn, travel = np.radians(lines.turn), lines.travel
     in_place = (travel == 0.0) & (turn != 0.0)
@@ -283,12 +278,8 @@ def _feed_words(feed: I64, inverse: Bool, rapid: Bool) -> Bool:
     line needs an F word.  In G94 a feed line needs one if it is the first feed line, if its feed
     differs from the feed of the previous feed line, or if the previous feed line was in G93.
 
-    Parameters
-    ----------
-    feed : (n,)
-        Feed of each line, in units of its last decimal place.
-    inverse, rapid : (n,)
-        Masks of the lines in G93 and of the rapids.
+    ``feed`` (n,): feed of each line, in units of its last decimal place.
+    ``inverse``, ``rapid`` (n,): masks of the lines in G93 and of the rapids.
     """
     working = np.flatnonzero(~rapid)
     modal_feed = np.where(inverse, -1, feed)[working]
@@ -305,10 +296,7 @@ def _render_lines(words: LineWords, rows: I32, letters: str, dialect: Dialect) -
     ``rows`` are the toolpath rows of the lines, and ``letters`` the letters of the words of the
     four axes.
 
-    Raises
-    ------
-    ProgramError
-        A line is longer than the controller can read.
+    Raises ``ProgramError``: a line is longer than the controller can read.
     """
     form = LineFormat(
         np.frombuffer(letters.ljust(4).encode(), np.uint8),

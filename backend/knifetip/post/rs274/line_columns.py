@@ -123,9 +123,12 @@ def compute_lines(
         length = math.hypot(flat, rise)
         work = abs(degrees) if is_swivel else length
         time = work if is_rapid else work / feed[row]
-        time = max(time, abs(degrees) / rules.turn_velocity, MIN_MINUTES)
+        time = max(time, abs(degrees) / rules.turn_velocity)
         timed = rules.always or (degrees != 0.0 and (not is_arc or is_swivel or rules.arcs))
         rows[used], rapid[used], inverse[used] = row, is_rapid, timed and not is_rapid
+        if inverse[used] or time == 0.0:
+            # Only in inverse time does the program state the time of a move.
+            time = max(time, MIN_MINUTES)
         code[used] = 0 if is_rapid else (1 if not is_arc else (3 if bulge[row] > 0.0 else 2))
         line_feed[used] = 1.0 / time if inverse[used] else feed[row]
         turn[used], travel[used], minutes[used] = degrees, length, time

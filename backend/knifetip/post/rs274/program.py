@@ -112,10 +112,7 @@ def _blending(tolerance: float) -> float:
 
     ``tolerance`` is the greatest deviation of the tip from the path (mm).
 
-    Raises
-    ------
-    ProgramError
-        The tolerance is too small for the controller.
+    Raises ``ProgramError``: the tolerance is too small for the controller.
     """
     half = min(tolerance, MAX_BLENDING) / 2.0
     # LinuxCNC reads P0 as no limit.

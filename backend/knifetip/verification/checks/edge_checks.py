@@ -12,13 +12,14 @@ from typing import Final
 import numpy as np
 
 from knifetip.model.dieline import LineType
-from knifetip.verification.checks.check_base import StationCheck
-from knifetip.verification.checks.check_context import CheckContext
-from knifetip.verification.checks.crease_check import CreaseCheck
-from knifetip.verification.checks.groove_check import GrooveCheck
-from knifetip.verification.checks.knife_check import KnifeCheck
-from knifetip.verification.checks.milling_check import check_milling
-from knifetip.verification.checks.milling_work import MilledPaths
+from knifetip.model.job_options import CutDepth
+from knifetip.verification.checks.common.base import StationCheck
+from knifetip.verification.checks.common.context import CheckContext
+from knifetip.verification.checks.crease.check import CreaseCheck
+from knifetip.verification.checks.groove.check import GrooveCheck
+from knifetip.verification.checks.knife.check import KnifeCheck
+from knifetip.verification.checks.milling.check import check_milling
+from knifetip.verification.checks.milling.work import MilledPaths
 from knifetip.verification.columns import I64
 from knifetip.verification.expectation.edges import Edges, without_duplicates
 from knifetip.verification.expectation.expected_work import WORKED_TYPES
@@ -47,15 +48,40 @@ def check_edges(context: CheckContext, work: TipPaths) -> None:
         owner = _edge_stations(work, rows, edges, context.tolerance)
         for station in np.unique(work.station[rows]) if len(rows) else (-1,):
             station_rows = rows[work.station[rows] == station]
-            _CHECKS[operation](
-                context,
-                work,
-                station_rows,
-                operation,
-                edges.select(np.flatnonzero(owner == station)),
-            ).run()
+            station_edges = edges.select(np.flatnonzero(owner == station))
+            for part in _split_by_depth(context, work, station_rows, operation, station_edges):
+                _CHECKS[operation](context, work, part[0], operation, part[1]).run()
         # An edge that is drawn twice is cut or creased once; both rows get its figures.
         context.figures.copy_rows(first, twin)
+
+
+def _split_by_depth(
+    context: CheckContext, work: TipPaths, rows: I64, operation: OperationKind, edges: Edges
+) -> list[tuple[I64, Edges]]:
+    """Return the tip paths and edges of one station in groups of equal chosen passes and depth.
+
+    A group is checked by itself, since ends and overruns depend on the depth.  A track belongs to
+    the group whose edges it follows for the greatest length.
+
+    ``work``, ``rows``: tip paths of the program, and the indices of those of the station.
+    ``edges``: the edges that the station makes.
+    """
+    is_knife = operation in (OperationKind.CUT, OperationKind.HALF_CUT)
+    if CutDepth not in context.chosen or not is_knife or len(edges) == 0:
+        return [(rows, edges)]
+    numbers, group = np.unique(context.chosen[CutDepth].index[edges.row], return_inverse=True)
+    if len(numbers) == 1:
+        return [(rows, edges)]
+    near = edges.find_overlaps(work.curve[rows], context.tolerance)
+    tracks, track = np.unique(work.track[rows], return_inverse=True)
+    total = np.zeros((len(tracks), len(numbers)))
+    size = np.where(near.best, np.diff(near.along)[:, 0], 0.0)
+    np.add.at(total, (track[near.curve], group[near.edge]), size)
+    owner = total.argmax(axis=1)[track] if len(rows) else np.zeros(0, np.int64)
+    return [
+        (rows[owner == number], edges.select(np.flatnonzero(group == number)))
+        for number in range(len(numbers))
+    ]
 
 
 def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) -> I64:
@@ -64,14 +90,10 @@ def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) ->
     A station covers the part of an edge that tip paths of its tool follow.  An edge without tip
     paths gets the first of the stations that have tip paths, or -1 if there are none.
 
-    Parameters
-    ----------
-    work, rows
-        Tip paths of the program, and the indices of the tip paths that are considered.
-    edges
-        The n edges.
-    tolerance : mm
-        Greatest distance at which a tip path covers an edge.
+    ``work``, ``rows``: tip paths of the program, and the indices of the tip paths that are
+    considered.
+    ``edges``: the n edges.
+    ``tolerance`` mm: greatest distance at which a tip path covers an edge.
     """
     stations = np.unique(work.station[rows])
     if len(stations) < 2:

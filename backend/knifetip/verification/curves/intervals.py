@@ -233,14 +233,12 @@ def _nearest_mask(
     nearer edges leave a part of the stretch uncovered.  If an edge is drawn twice, the overlaps
     with both copies count.
 
-    Parameters
-    ----------
-    curve_of : (k,)
-        Index of the curve of each overlap.  The overlaps are sorted by curve, then by distance.
-    along, distance : (k, 2) and (k,) mm
-        Start and end of each overlap along its curve, and its greatest distance from the edge.
-    length, considered : (n,) mm
-        Length of each of n curves, and the length from its start that is considered.
+    ``curve_of`` (k,): index of the curve of each overlap.  The overlaps are sorted by curve, then
+    by distance.
+    ``along``, ``distance`` (k, 2) and (k,) mm: start and end of each overlap along its curve, and
+    its greatest distance from the edge.
+    ``length``, ``considered`` (n,) mm: length of each of n curves, and the length from its start
+    that is considered.
     """
     best = np.zeros(len(curve_of), np.bool_)
     covered = np.empty((16, 2))
@@ -270,12 +268,10 @@ def _nearest_mask(
 def _nearest_parts(first: I64_1, rows: I64_1, along: F64_2, distance: F64_1) -> Any:
     """Return the parts of n of k overlaps that no nearer edge covers; see ``nearest_parts``.
 
-    Parameters
-    ----------
-    first, rows : (n,)
-        Index of the first overlap of the same curve, and of the overlap itself.
-    along, distance : (k, 2) and (k,) mm
-        Start and end of each overlap along its curve, and its greatest distance from the edge.
+    ``first``, ``rows`` (n,): index of the first overlap of the same curve, and of the overlap
+    itself.
+    ``along``, ``distance`` (k, 2) and (k,) mm: start and end of each overlap along its curve, and
+    its greatest distance from the edge.
     """
     parts = np.empty((len(rows), 2))
     covered = np.empty((16, 2))

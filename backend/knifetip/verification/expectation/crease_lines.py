@@ -2,7 +2,8 @@
 
 A cut through a crease splits it, and the wheel keeps its clearance on both sides of the cut.  Three
 or more collinear dashes may be made as one crease; this is assumed if the path of the wheel covers
-one of the gaps between them.  On a board with double creases each drawn crease becomes two parallel
+one of the gaps between them, or if the wheel must stop before all of them because cuts cross the
+dashes.  On a board with double creases each drawn crease becomes two parallel
 creases, one on each side of it, at half of the board's crease distance.
 """
 
@@ -34,6 +35,8 @@ from knifetip.verification.expectation.edges import (
 #: Greatest gap between dashes: mm, and ratio to their mean length.
 MAX_DASH_GAP: Final = 12.0
 MAX_GAP_RATIO: Final = 1.5
+#: Fraction by which a gap in which the wheel need not work may differ from the other gaps.
+GAP_DIFFERENCE: Final = 0.25
 #: Greatest distance of a cut that lies on a crease, and greatest overlap of a cut that crosses it
 #: (mm).
 ON_DISTANCE: Final = 1e-4
@@ -84,12 +87,10 @@ def _between_crossings(path: I64, place: F64, owner: I64, middle: F64) -> Bool:
     """Return whether each of m points lies between two neighbouring crossings that are at most
     ``TOUCH_DISTANCE`` apart, (m,).
 
-    Parameters
-    ----------
-    path, place : (k,) and (k,) mm
-        Path of each crossing, and its distance from the start of the path.
-    owner, middle : (m,) and (m,) mm
-        Path of each point, and its distance from the start of the path.
+    ``path``, ``place`` (k,) and (k,) mm: path of each crossing, and its distance from the start of
+    the path.
+    ``owner``, ``middle`` (m,) and (m,) mm: path of each point, and its distance from the start of
+    the path.
     """
     if len(path) < 2:
         return np.zeros(len(owner), np.bool_)
@@ -164,14 +165,10 @@ def _met_on_linked_edge(touch: Overlaps, points: F64, lines: Edges, link: I64) -
 
     Near a joint of two edges a point touches both, but it meets their path at one place only.
 
-    Parameters
-    ----------
-    touch
-        Touches of points with edges, as overlaps of curves of length 0.
-    points : (n, 2) mm
-        The points.
-    lines, link
-        The edges, and the index of the end to which each of their 2m ends is linked, (2m,), or -1.
+    ``touch``: touches of points with edges, as overlaps of curves of length 0.
+    ``points`` (n, 2) mm: the points.
+    ``lines``, ``link``: the edges, and the index of the end to which each of their 2m ends is
+    linked, (2m,), or -1.
     """
     result = np.zeros(len(touch.curve), np.bool_)
     if len(result) == 0:
@@ -192,12 +189,9 @@ def _met_on_linked_edge(touch: Overlaps, points: F64, lines: Edges, link: I64) -
 def _places(lines: Edges, paths: EdgePaths, edge: I64, position: F64) -> F64:
     """Return the distances of k points from the start of the path of their edge, (k,) mm.
 
-    Parameters
-    ----------
-    lines, paths
-        The edges, and the paths that they form.
-    edge, position : (k,) and (k,) mm
-        Edge of each point, and its distance from the start of the edge.
+    ``lines``, ``paths``: the edges, and the paths that they form.
+    ``edge``, ``position`` (k,) and (k,) mm: edge of each point, and its distance from the start of
+    the edge.
     """
     onward = np.where(paths.flipped[edge], lines.curve[edge, 5] - position, position)
     return paths.begin[edge] + onward
@@ -227,13 +221,15 @@ def _sub_edges(edges: Edges, row: I64, low: F64, high: F64) -> Edges:
     )
 
 
-def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> Edges:
+def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float, stop: F64) -> Edges:
     """Return the gaps between collinear dashes that were made as one crease, as edges.
 
     Each gap gets the row in the dieline of one of the two dashes beside it.  Collinear dashes count
     as one crease if the wheel has rolled or pressed a gap between them.  They also do if the wheel
     has touched only one of the dashes: a short crease is pressed at a single point.  A gap that the
-    wheel has left out separates two creases if the wheel has worked on the dashes on both sides.
+    wheel has left out separates two creases if the wheel has worked on the dashes on both sides,
+    unless it is as wide as the other gaps and the wheel must stop before it in any case, because a
+    cut crosses the dash beyond it.
 
     Parameters
     ----------
@@ -246,6 +242,8 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
         Paths of the wheel: lines and arcs as rows of six numbers (see ``curves.curve``).
     limit : mm
         Greatest distance of the wheel from the dashes.
+    stop : (n,) mm
+        Distance from a cut through each crease at which the wheel stops.
     """
     plain = np.flatnonzero((edges.curve[:, 0] == 0.0) & (edges.line_type == LineType.CREASE))
     dash = edges.select(plain)
@@ -261,9 +259,15 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
         return edges.select(np.zeros(0, np.int64))
     curve = line_curves(dash.ends[near], dash.ends[far])
     made, met = _gaps_made(dash, curve, wheel_paths, limit)
+    hidden = ~made & _before_crossings(dash, near, far, curve[:, 5], cuts, stop[plain])
     # A gap between two dashes that the wheel makes is made too, or separates two creases.
-    joins = made | ~(met[near // 2] & met[far // 2])
-    near, far, curve, made = near[joins], far[joins], curve[joins], made[joins]
+    joins = made | hidden | ~(met[near // 2] & met[far // 2])
+    near, far, curve = near[joins], far[joins], curve[joins]
+    made, hidden = made[joins], hidden[joins]
+    name = _group_dashes(len(dash), near // 2, far // 2)
+    joins = ~hidden | _are_alike(curve[:, 5], name[near // 2], made)
+    near, far, curve = near[joins], far[joins], curve[joins]
+    made, hidden = made[joins], hidden[joins]
     name = _group_dashes(len(dash), near // 2, far // 2)
     many = np.bincount(name, minlength=len(dash))
     total = np.bincount(name, dash.curve[:, 5], minlength=len(dash))
@@ -272,8 +276,11 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
     run = name[near // 2]
     good = (many[run] >= 3) & (widest[run] * many[run] <= MAX_GAP_RATIO * total[run] + 1e-6)
     near, far, curve, made, run = near[good], far[good], curve[good], made[good], run[good]
+    hidden = hidden[good]
     rolled = np.bincount(name[met], minlength=len(dash)) == 1
     rolled[run[made]] = True
+    is_shown = np.bincount(run[~hidden], minlength=len(dash)) > 0
+    rolled[run[hidden & ~is_shown[run]]] = True
     near, far, curve = near[rolled[run]], far[rolled[run]], curve[rolled[run]]
     heading = azimuth_at(curve, np.zeros(len(curve)))
     return Edges(
@@ -284,6 +291,37 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float) -> E
         np.stack([heading + 180.0, heading], axis=1).ravel(),
         heading,
     )
+
+
+def _before_crossings(dash: Edges, near: I64, far: I64, width: F64, cuts: Edges, stop: F64) -> Bool:
+    """Return the mask of the k gaps before which the wheel stops because of a cut beyond, (k,).
+
+    ``dash``: the n dashes.
+    ``near``, ``far``, ``width`` (k,), (k,) and (k,) mm: the two ends of dashes between which each
+    gap lies, and the distance between them.
+    ``cuts``: the cuts, some of which cross dashes.
+    ``stop`` (n,) mm: distance from a cut at which the wheel stops on each dash.
+    """
+    crossing = _cut_crossings(dash, cuts)
+    # The crossing that is nearest to each end of a dash.
+    nearest = np.full(2 * len(dash), np.inf)
+    np.minimum.at(nearest, 2 * crossing.edge, crossing.position)
+    np.minimum.at(nearest, 2 * crossing.edge + 1, dash.curve[crossing.edge, 5] - crossing.position)
+    beyond = np.minimum(nearest[near], nearest[far])
+    return np.asarray(beyond + width <= stop[near // 2] + LIMIT_SLACK)
+
+
+def _are_alike(width: F64, run: I64, made: Bool) -> Bool:
+    """Return the mask of the k gaps that are as wide as the other gaps of their run, (k,).
+
+    ``width`` (k,) mm and ``run`` (k,) are the width of each gap and the number of its run, and
+    ``made`` (k,) is whether the wheel has worked in it.  The gaps that are made are compared with,
+    all gaps of a run if none is made.
+    """
+    count = int(run.max(initial=-1)) + 1
+    counts = made | (np.bincount(run[made], minlength=count) == 0)[run]
+    mean = np.bincount(run, width * counts, count) / np.maximum(np.bincount(run, counts, count), 1)
+    return np.asarray(np.abs(width - mean[run]) <= GAP_DIFFERENCE * mean[run] + JOIN_DISTANCE)
 
 
 def _gaps_made(dash: Edges, gaps: F64, wheel_paths: F64, limit: float) -> tuple[Bool, Bool]:

@@ -71,10 +71,8 @@ def _joined_pairs(edges: Edges) -> tuple[I64, I64, F64, Bool]:
     """Return the k pairs of ends of different edges that lie at one point, and where edges continue
     straight.
 
-    Returns
-    -------
-    The two ends of each pair, (k,) each; the angle by which a path turns there, (k,) degrees; and
-    the mask of the 2n ends at which another edge continues straight.
+    Returns the two ends of each pair, (k,) each; the angle by which a path turns there, (k,)
+    degrees; and the mask of the 2n ends at which another edge continues straight.
     """
     a, b = edges.near_ends(TOUCH_DISTANCE)
     keep = a // 2 != b // 2
@@ -177,6 +175,17 @@ def count_joined_ends(edges: Edges) -> I64:
     """
     joined = edges.compute_once("joined ends", lambda: _joined_pairs(edges))[0]
     return np.bincount(joined, minlength=len(edges.ends))
+
+
+def turns_at_ends(edges: Edges) -> F64:
+    """Return the angle by which a path turns at each of the 2n ends of n edges, (2n,) degrees.
+
+    It is 0 where not exactly two edges meet.
+    """
+    joined, _, turn, _ = edges.compute_once("joined ends", lambda: _joined_pairs(edges))
+    result: F64 = np.bincount(joined, turn, minlength=len(edges.ends)).astype(np.float64)
+    result[np.bincount(joined, minlength=len(edges.ends)) != 1] = 0.0
+    return result
 
 
 def continues_straight(edges: Edges) -> Bool:

@@ -39,7 +39,7 @@ from knifetip.verification.expectation.waste_ahead import waste_ahead
 from knifetip.verification.tools import OperationKind
 
 #: A wheel that would be pressed by this depth or less is not pressed (mm).
-_SHALLOWEST_PRESS: Final = 0.001
+_SHALLOWEST_PRESS: Final = 0.01
 #: Greatest difference in direction of grooves that continue each other (degrees).
 _COLLINEAR_ANGLE: Final = 0.005
 
@@ -133,6 +133,15 @@ def expected_creases(
         low[row] = high[row] = place
         pressed[row] = True
     return ExpectedCreases(edges, press_depth, low, high, pressed, refused)
+
+
+def stop_distance(edges: Edges, board: Board, wheel: CreaseWheel) -> F64:
+    """Return the distance from the free end of each of n straight creases at which the wheel stops,
+    (n,) mm: half of its contact length, and the board's end clearance.
+    """
+    depth = depth_towards(edges.chord, board)
+    contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
+    return np.asarray(contact + board.end_clearance)
 
 
 def _continued_ends(edges: Edges, all_creases: Edges) -> Bool:

@@ -195,14 +195,10 @@ def _trace_cycles(order: I64_1, node: I64_1, swept: F64_1) -> Any:
     The area is signed: positive for an anticlockwise cycle.  Half-edge 2i runs from the start to
     the end of edge i, and half-edge 2i + 1 runs back.
 
-    Parameters
-    ----------
-    order : (2n,)
-        Indices of the half-edges, sorted by start vertex and then anticlockwise about it.
-    node : (2n,)
-        Index of the start vertex of each half-edge, in the order of ``order``.
-    swept : (n,)
-        Twice the signed area between each edge and a common origin (mm²).
+    ``order`` (2n,): indices of the half-edges, sorted by start vertex and then anticlockwise about
+    it.
+    ``node`` (2n,): index of the start vertex of each half-edge, in the order of ``order``.
+    ``swept`` (n,): twice the signed area between each edge and a common origin (mm²).
     """
     count = len(order)
     rank = np.empty(count, np.int64)
@@ -232,14 +228,9 @@ def _trace_cycles(order: I64_1, node: I64_1, swept: F64_1) -> Any:
 def _nesting_depths(curve: F64, closing: Bool, component: I64) -> I64:
     """Return the number of other components that enclose each of c components of cuts, (c,).
 
-    Parameters
-    ----------
-    curve : (n, 6)
-        The n cuts: lines and arcs as rows of six numbers (see ``curves.curve``).
-    closing : (n,)
-        Mask of the cuts that form the outline of their component.
-    component : (n,)
-        Index of the connected component of each cut.
+    ``curve`` (n, 6): the n cuts: lines and arcs as rows of six numbers (see ``curves.curve``).
+    ``closing`` (n,): mask of the cuts that form the outline of their component.
+    ``component`` (n,): index of the connected component of each cut.
     """
     rows = np.flatnonzero(closing)
     rows = rows[np.argsort(component[rows], kind="stable")]
@@ -306,21 +297,13 @@ def _count_containing(
     A point is inside if a ray along +X crosses the outline an odd number of times.  Three rays are
     counted, and the median of the three numbers is returned.
 
-    Parameters
-    ----------
-    points : (n, 2) mm
-        The points.
-    outlines : (k, 6)
-        The k curves of all c outlines, outline by outline: lines and arcs as rows of six numbers
-        (see ``curves.curve``).
-    first : (c + 1,)
-        Index of the first curve of each outline, followed by k.
-    boxes : (c, 4) mm
-        Bounding box of each outline: least x, least y, greatest x, greatest y.
-    shifts : (3,) mm
-        Shift of each ray along Y.
-    own
-        If True, point i belongs to outline i, and this outline is not counted for it.
+    ``points`` (n, 2) mm: the points.
+    ``outlines`` (k, 6): the k curves of all c outlines, outline by outline: lines and arcs as rows
+    of six numbers (see ``curves.curve``).
+    ``first`` (c + 1,): index of the first curve of each outline, followed by k.
+    ``boxes`` (c, 4) mm: bounding box of each outline: least x, least y, greatest x, greatest y.
+    ``shifts`` (3,) mm: shift of each ray along Y.
+    ``own``: if True, point i belongs to outline i, and this outline is not counted for it.
     """
     depth = np.zeros(len(points), np.int64)
     low, width, begin, listed = _list_in_bands(boxes)
@@ -369,10 +352,8 @@ def _list_in_bands(boxes: F64_2) -> Any:
     many bands.  ``boxes`` are (c, 4); see ``_count_containing``.  A box without curves has its
     least y above its greatest y, and is in no band.
 
-    Returns
-    -------
-    Least y of the lowest band and width of a band (mm); index of the first box of each band,
-    followed by the number of all entries; and the boxes of the bands, band by band.
+    Returns least y of the lowest band and width of a band (mm); index of the first box of each
+    band, followed by the number of all entries; and the boxes of the bands, band by band.
     """
     low, high, heights = math.inf, -math.inf, 0.0
     for j in range(len(boxes)):

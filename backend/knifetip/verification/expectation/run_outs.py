@@ -109,17 +109,11 @@ def _distance_to_circle(curve: F64, end: F64, u: F64, aside: F64, straight: F64)
     If the board's edge is a line, this is ``straight``.  If it is an arc, this is the distance to
     the circle of the arc or ``straight``, whichever is less.
 
-    Parameters
-    ----------
-    curve : (n, 6)
-        Part of the board's edge that each groove must pass: lines and arcs as rows of six numbers
-        (see ``curves.curve``).
-    end, u : (n, 2)
-        End of each groove (mm) and the groove's unit direction there.
-    aside : (n, 2) mm
-        Vector from the groove's line to the side.
-    straight : (n,) mm
-        Distance to the tangent of the board's edge.
+    ``curve`` (n, 6): part of the board's edge that each groove must pass: lines and arcs as rows of
+    six numbers (see ``curves.curve``).
+    ``end``, ``u`` (n, 2): end of each groove (mm) and the groove's unit direction there.
+    ``aside`` (n, 2) mm: vector from the groove's line to the side.
+    ``straight`` (n,) mm: distance to the tangent of the board's edge.
     """
     bent = curve[:, 0] != 0.0
     to = end + aside - curve[:, 1:3]
@@ -136,15 +130,10 @@ def _convex_corners(bounds: CutOutlines, outer: I64, end: I64, edge: I64, count:
 
     The mask has ``count`` entries, one for each end of a groove.
 
-    Parameters
-    ----------
-    bounds, outer
-        Outlines of the cuts, and the indices of the cuts on outer contours.
-    end, edge : (k,)
-        k pairs of an end of a groove and a cut that this end touches: the index of the end, and the
-        index of the cut in ``outer``.
-    count
-        Number of ends of grooves.
+    ``bounds``, ``outer``: outlines of the cuts, and the indices of the cuts on outer contours.
+    ``end``, ``edge`` (k,): k pairs of an end of a groove and a cut that this end touches: the index
+    of the end, and the index of the cut in ``outer``.
+    ``count``: number of ends of grooves.
     """
     outward = np.zeros(count, np.bool_)
     order = np.argsort(end, kind="stable")

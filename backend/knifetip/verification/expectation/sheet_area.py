@@ -81,7 +81,7 @@ def place_sheet(sheet: Sheet, edges: Edges) -> SheetArea:
     form no outline, or an edge lies outside every outline and is not connected with any.
     """
     has_work = ~np.isin(edges.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
-    if not sheet.is_rectangle:
+    if sheet.size is None:
         bounds = find_outlines(edges.with_types(LineType.CUT))
         others = edges.curve[has_work & (edges.line_type != LineType.CUT)]
         sheet_edge = bounds.outer & (bounds.depth == 0)
@@ -94,8 +94,9 @@ def place_sheet(sheet: Sheet, edges: Edges) -> SheetArea:
     if len(points) == 0:
         return SheetArea(points, points)
     low = points.min(axis=0) - sheet.margin
-    size = np.array([sheet.width, sheet.height])
-    corners = low + size * np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
+    corners = low + np.array(sheet.size) * np.array(
+        [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+    )
     return SheetArea(corners, np.roll(corners, -1, axis=0))
 
 

@@ -176,18 +176,11 @@ def _parse_instructions(text: bytes, device: Device, faults: _Faults) -> _Instru
 def _parse_numbers(raw: U8, digit: Bool, head: Bool) -> tuple[I64, I64, I64]:
     """Return the k integers in the n bytes of a program.
 
-    Parameters
-    ----------
-    raw : (n,)
-        The bytes.
-    digit, head : (n,)
-        Mask of the bytes that are digits, and mask of the first bytes of numbers (a sign or a
-        digit).
-
-    Returns
-    -------
-    The integers (k,), the positions of their first bytes (k,), and the position of the first byte
-    of each number that has no digits or too many.
+    ``raw`` (n,): the bytes.
+    ``digit``, ``head`` (n,): mask of the bytes that are digits, and mask of the first bytes of
+    numbers (a sign or a digit).
+    Returns the integers (k,), the positions of their first bytes (k,), and the position of the
+    first byte of each number that has no digits or too many.
     """
     head_at = np.flatnonzero(head)
     if len(head_at) == 0:
@@ -212,14 +205,9 @@ def _value_in_force(values: I64, is_set: Bool, initial: int) -> I64:
 
     The value is set by the instruction itself, or by the last earlier instruction that sets it.
 
-    Parameters
-    ----------
-    values : (k,)
-        Value of each instruction, if the instruction sets it.
-    is_set : (k,)
-        Mask of the instructions that set the value.
-    initial
-        Value before the first instruction that sets it.
+    ``values`` (k,): value of each instruction, if the instruction sets it.
+    ``is_set`` (k,): mask of the instructions that set the value.
+    ``initial``: value before the first instruction that sets it.
     """
     if len(is_set) == 0:
         return np.zeros(0, np.int64)
@@ -458,11 +446,8 @@ def _check_corners(
     the limit is widened by this uncertainty.  Also appends a fault for each plunge without a move
     before the lift.
 
-    Parameters
-    ----------
-    heading, working, station : (n,)
-        Heading of each move (degrees), mask of the moves with the tool down, and index of the
-        station.
+    ``heading``, ``working``, ``station`` (n,): heading of each move (degrees), mask of the moves
+    with the tool down, and index of the station.
     """
     swivel = np.array(
         [*(expected_tool(mounted.tool).swivel for mounted in machine.stations), 360.0]

@@ -200,30 +200,19 @@ def _fill_columns(
 
     If a block has two words of a modal group or a letter, the first one counts.
 
-    Parameters
-    ----------
-    line, letter, value : (n,)
-        Program line of each word, its letter as an ASCII code, and its number.
-    count
-        Number of blocks.
-    group_of : (2, 1000)
-        Modal group of the codes of G words, and of those of M words; -1 for none.
-    axis, column : (256,)
-        For each letter its column in ``position``, and its row in ``numbers``; -1 for none.
-
-    Returns
-    -------
-    line_of : (count,)
-        Program line of each block.
-    groups : (g, count)
-        Code of the word of each modal group, -1 for none.
-    position, moves_axis : (count, a) and (count,)
-        Numbers of the words of the axes, NaN for none, and the mask of the blocks with such a word.
-    numbers : (c, count)
-        Numbers of the words of other letters, NaN for none.
-    wrong : (k, 3)
-        Kind of each fault (0 and 1 an unknown G or M word, 2 an unknown letter, 3 a line number
-        that is not the first word, 4 a repeated word), its block and its word.
+    ``line``, ``letter``, ``value`` (n,): program line of each word, its letter as an ASCII code,
+    and its number.
+    ``count``: number of blocks.
+    ``group_of`` (2, 1000): modal group of the codes of G words, and of those of M words; -1 for
+    none.
+    ``axis``, ``column`` (256,): for each letter its column in ``position``, and its row in
+    ``numbers``; -1 for none.
+    Returns ``line_of`` (count,): program line of each block; ``groups`` (g, count): code of the
+    word of each modal group, -1 for none; ``position, moves_axis`` (count, a) and (count,): numbers
+    of the words of the axes, NaN for none, and the mask of the blocks with such a word; ``numbers``
+    (c, count): numbers of the words of other letters, NaN for none; ``wrong`` (k, 3): kind of each
+    fault (0 and 1 an unknown G or M word, 2 an unknown letter, 3 a line number that is not the
+    first word, 4 a repeated word), its block and its word.
     """
     line_of = np.empty(count, np.int32)
     groups = np.full((_GROUPS, count), -1, np.int32)

@@ -94,16 +94,11 @@ def _trace_joints(position: F64_2, offset_of: I64_1, datum: F64_2, moving: I64_1
 
     An axis without a word keeps its position, which is NaN before its first word.
 
-    Parameters
-    ----------
-    position : (blocks, axes)
-        Programmed position of each axis in each block, NaN if it has no word of the axis.
-    offset_of : (blocks,)
-        Row in ``datum`` of the tool offset of each block; -1 for the last row.
-    datum : (stations + 1, axes)
-        Tool offsets.
-    moving : (n,)
-        Indices of the blocks that contain moves, ascending.
+    ``position`` (blocks, axes): programmed position of each axis in each block, NaN if it has no
+    word of the axis.
+    ``offset_of`` (blocks,): row in ``datum`` of the tool offset of each block; -1 for the last row.
+    ``datum`` (stations + 1, axes): tool offsets.
+    ``moving`` (n,): indices of the blocks that contain moves, ascending.
     """
     axes = position.shape[1]
     start, end = np.empty((len(moving), axes)), np.empty((len(moving), axes))
@@ -123,12 +118,9 @@ def _check_carriages(blocks: ProgramBlocks, moving: I64, own: I64) -> None:
     """Add a fault for each feed line that moves another carriage than that of its station, and for
     each arc of a carriage other than the first.
 
-    Parameters
-    ----------
-    moving : (n,)
-        Indices of the blocks that contain moves.
-    own : (n, 4)
-        Columns of the axes of the carriage of the selected station, for each of these moves.
+    ``moving`` (n,): indices of the blocks that contain moves.
+    ``own`` (n, 4): columns of the axes of the carriage of the selected station, for each of these
+    moves.
     """
     feeding = ~blocks.has_code(Group.MOTION, 0)[moving]
     foreign = blocks.axes[moving]
@@ -184,14 +176,10 @@ def _make_arcs(blocks: ProgramBlocks, rows: I64, code: U8, start: F64, end: F64)
     A sweep is positive for an anticlockwise arc.  A line has centre NaN and sweep 0.  An invalid
     arc also has centre NaN and sweep 0, and gives a fault.
 
-    Parameters
-    ----------
-    rows : (n,)
-        Indices of the blocks of the moves.
-    code : (n,)
-        Number of the G word of each move: 0 or 1 for a line, 2 or 3 for an arc.
-    start, end : (n, 4)
-        Positions of the joints X, Y, Z (mm) and C (degrees) at the start and the end of each move.
+    ``rows`` (n,): indices of the blocks of the moves.
+    ``code`` (n,): number of the G word of each move: 0 or 1 for a line, 2 or 3 for an arc.
+    ``start``, ``end`` (n, 4): positions of the joints X, Y, Z (mm) and C (degrees) at the start and
+    the end of each move.
     """
     centre, sweep = np.full((len(rows), 2), np.nan), np.zeros(len(rows))
     arc = np.flatnonzero(code >= 2)

@@ -97,24 +97,16 @@ def _follow_outputs(
 ) -> Any:
     """Follow the outputs and the selected station through the blocks of a program.
 
-    Parameters
-    ----------
-    group : (groups, count)
-        Code of the word of each modal group in each block, -1 for none.
-    p, t : (count,)
-        Numbers of the P and T words, NaN for none.
-    outputs
-        Stations and outputs of the machine.
-    uses_tool_table
-        Whether tool changes select the stations; if not, the output that was switched on last does.
-    on, extra, stated
-        Get the states of the outputs after each block; ``ModalState`` describes them.
-
-    Returns
-    -------
-    Four arrays with one entry per block: index of the station that the block lowers, index of the
-    selected station, number of the station of the last T word, and number of the station that the
-    last tool change selected.  An index is -1 and a number NaN for none.
+    ``group`` (groups, count): code of the word of each modal group in each block, -1 for none.
+    ``p``, ``t`` (count,): numbers of the P and T words, NaN for none.
+    ``outputs``: stations and outputs of the machine.
+    ``uses_tool_table``: whether tool changes select the stations; if not, the output that was
+    switched on last does.
+    ``on``, ``extra``, ``stated``: get the states of the outputs after each block; ``ModalState``
+    describes them.
+    Returns four arrays with one entry per block: index of the station that the block lowers, index
+    of the selected station, number of the station of the last T word, and number of the station
+    that the last tool change selected.  An index is -1 and a number NaN for none.
     """
     count, stations = len(p), len(outputs.station)
     lowers, selected = np.full(count, -1, np.int32), np.empty(count, np.int64)

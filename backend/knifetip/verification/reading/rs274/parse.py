@@ -161,10 +161,8 @@ def _scan_words(raw: U8_1, longest: int, greatest: float) -> Any:
     A line of more than ``longest`` bytes is a fault, and so is a number greater than ``greatest``.
     The valid words of a line with a fault are returned too.
 
-    Returns
-    -------
-    Five values: program line, letter and value of each word, (n,) each; program line, fault code (a
-    key of ``_FAULTS``) and wrong byte of each fault, (k, 3); and the number of lines of the
+    Returns five values: program line, letter and value of each word, (n,) each; program line, fault
+    code (a key of ``_FAULTS``) and wrong byte of each fault, (k, 3); and the number of lines of the
     program.
     """
     letters = 0

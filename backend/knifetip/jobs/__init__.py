@@ -1,1 +1,0 @@
-"""Stores drawings, jobs, profiles and events; moves jobs between states and compiles them."""

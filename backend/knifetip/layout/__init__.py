@@ -1,0 +1,1 @@
+"""Blanks as areas, for what is laid out, measured and priced by area."""

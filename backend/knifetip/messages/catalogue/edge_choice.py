@@ -1,0 +1,149 @@
+"""edge_choice: messages about options of a job that concern some edges of the drawing."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from knifetip.messages.entry import Entries, entry
+
+MESSAGES: Final[Entries] = {
+    "depth.not-set": entry(
+        "Passes or a depth were chosen for edge {edge}, but programs of {machine} do not set the "
+        "depth of the knife.",
+        "Remove the choice, and set the depth at the machine.",
+        edge="edge",
+        machine="text",
+    ),
+    "depth.of-cutter": entry(
+        "A depth was chosen for edge {edge}, but the cutter or laser of station {station} cuts "
+        "through the board at one depth.",
+        "Remove the depth; passes can be chosen for a cutter.",
+        edge="edge",
+        station="count",
+    ),
+    "depth.one-pass": entry(
+        "Passes were chosen for edge {edge}, but the tool of station {station} cuts in one pass.",
+        "Remove the choice, or choose another machine.",
+        edge="edge",
+        station="count",
+    ),
+    "depth.other-type": entry(
+        "Passes or a depth were chosen for edge {edge}, which has the line type {type}, but they "
+        "can be chosen for cuts and half-cuts only.",
+        "Remove the choice.",
+        edge="edge",
+        type="text",
+    ),
+    "depth.several": entry(
+        "The contour of edge {edge} and edge {other} is milled as a whole, but different passes "
+        "were chosen for its edges.",
+        "Choose the same passes for all edges of the contour.",
+        edge="edge",
+        other="edge",
+    ),
+    "depth.too-deep": entry(
+        "The depth chosen for edge {edge} is {depth:g} mm, but on this board and table the tool "
+        "may cut {most:g} mm deep.",
+        "Choose a smaller depth.",
+        edge="edge",
+        depth="number",
+        most="number",
+    ),
+    "depth.too-few-passes": entry(
+        "{passes:# pass was|# passes were} chosen for edge {edge}, but at {step:g} mm in one pass "
+        "the tool needs {least} for a depth of {depth:g} mm.",
+        "Choose more passes, or leave their number to the tool.",
+        edge="edge",
+        passes="count",
+        least="count",
+        depth="number",
+        step="number",
+    ),
+    "edge-choice.bad-syntax": entry(
+        "{text!r} is not a value of {option}.",
+        "Give numbers of edges and what is chosen for them as EDGES:NAME=VALUE,NAME=VALUE.",
+        text="text",
+        option="text",
+    ),
+    "edge-choice.joined": entry(
+        "Edge {edge} and edge {other} are made as one edge, but different options were chosen for "
+        "them.",
+        "Choose the same for both.",
+        edge="edge",
+        other="edge",
+    ),
+    "edge-choice.no-edge": entry(
+        "An option was chosen for edge {row}, but the drawing has {count:# edge|# edges}, "
+        "numbered from 0.",
+        "Choose an edge of this drawing.",
+        row="count",
+        count="count",
+    ),
+    "start.at-corner": entry(
+        "The start chosen on edge {edge} is {distance:.2f} mm from an end of the edge, but the "
+        "cutter needs {least:.2f} mm to enter beside it.",
+        "Choose a point farther from both ends of the edge, or another edge of the contour.",
+        edge="edge",
+        distance="number",
+        least="number",
+    ),
+    "start.bridged": entry(
+        "A start or a direction was chosen for edge {edge}, but its contour has bridges, which "
+        "divide it into several cuts.",
+        "Remove the choice, or choose a board without bridges.",
+        edge="edge",
+    ),
+    "start.conflict": entry(
+        "Two starts or two directions were chosen for the contour of edge {edge} and edge {other}.",
+        "Remove one of the two choices.",
+        edge="edge",
+        other="edge",
+    ),
+    "start.fixed-direction": entry(
+        "Edge {edge} cannot be cut in the chosen direction: the tool of station {station} must "
+        "have the waste on its left.",
+        "Choose the other direction, or leave the direction free.",
+        edge="edge",
+        station="count",
+    ),
+    "start.not-last": entry(
+        "The cut cannot begin on edge {edge}, because it also ends there, and an edge that is cut "
+        "later must release the part.",
+        "Choose an edge of the contour at which the part touches only waste.",
+        edge="edge",
+    ),
+    "start.open": entry(
+        "A start or a direction was chosen for edge {edge}, but this edge belongs to no closed cut "
+        "or half-cut.",
+        "Remove the choice, or choose an edge of a closed contour.",
+        edge="edge",
+    ),
+    "verify.no-closed-cut": entry(
+        "A direction was chosen for the closed cut with edge {edge}, but the program does not cut "
+        "this contour in one run.",
+        "Compile the job again.",
+        edge="edge",
+    ),
+    "verify.other-direction": entry(
+        "The program cuts edge {edge} against the chosen direction.",
+        "Compile the job again.",
+        edge="edge",
+    ),
+    "verify.other-passes": entry(
+        "Edge {edge} must be cut in {passes:# pass|# passes} down to {depth:g} mm below the top "
+        "face, but the program cuts it at these depths (mm): {found:, }.",
+        "Compile the job again.",
+        edge="edge",
+        passes="count",
+        depth="number",
+        found="texts",
+    ),
+    "verify.other-start": entry(
+        "The closed cut with edge {edge} must begin at X {x:.3f} mm, Y {y:.3f} mm on this edge, "
+        "but the program begins it elsewhere.",
+        "Choose a start with more room for the tool, or compile the job again.",
+        edge="edge",
+        x="x",
+        y="y",
+    ),
+}

@@ -1,0 +1,110 @@
+"""edge_choice: German texts of the messages of ``catalogue.edge_choice``."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from knifetip.messages.language import Text, Texts
+
+TEXTS: Final[Texts] = {
+    "depth.not-set": Text(
+        "Für Kante {edge} wurden Durchgänge oder eine Tiefe gewählt, aber Programme für {machine} "
+        "stellen die Tiefe des Messers nicht ein.",
+        "Die Angabe entfernen und die Tiefe an der Maschine einstellen.",
+    ),
+    "depth.of-cutter": Text(
+        "Für Kante {edge} wurde eine Tiefe gewählt, aber der Fräser oder Laser von Station "
+        "{station} schneidet den Karton immer ganz durch.",
+        "Die Tiefe entfernen; für einen Fräser können Durchgänge gewählt werden.",
+    ),
+    "depth.one-pass": Text(
+        "Für Kante {edge} wurden Durchgänge gewählt, aber das Werkzeug von Station {station} "
+        "schneidet in einem Durchgang.",
+        "Die Angabe entfernen oder eine andere Maschine wählen.",
+    ),
+    "depth.other-type": Text(
+        "Für Kante {edge} wurden Durchgänge oder eine Tiefe gewählt. Sie hat die Linienart {type}, "
+        "aber das geht nur für Schnitte und Ritzungen.",
+        "Die Angabe entfernen.",
+    ),
+    "depth.several": Text(
+        "Die Kontur von Kante {edge} und Kante {other} wird als Ganzes gefräst, aber für ihre "
+        "Kanten wurden verschiedene Durchgänge gewählt.",
+        "Für alle Kanten der Kontur dieselben Durchgänge wählen.",
+    ),
+    "depth.too-deep": Text(
+        "Die Tiefe für Kante {edge} ist {depth:g} mm, aber bei diesem Karton und Tisch darf das "
+        "Werkzeug {most:g} mm tief schneiden.",
+        "Eine kleinere Tiefe wählen.",
+    ),
+    "depth.too-few-passes": Text(
+        "Für Kante {edge} {passes:wurde # Durchgang|wurden # Durchgänge} gewählt, aber bei "
+        "{step:g} mm je Durchgang braucht das Werkzeug {least} für eine Tiefe von {depth:g} mm.",
+        "Mehr Durchgänge wählen oder ihre Zahl dem Werkzeug überlassen.",
+    ),
+    "edge-choice.bad-syntax": Text(
+        "„{text}“ ist kein Wert von {option}.",
+        "Nummern von Kanten und was für sie gewählt ist angeben, als KANTEN:NAME=WERT,NAME=WERT.",
+    ),
+    "edge-choice.joined": Text(
+        "Kante {edge} und Kante {other} werden als eine Kante bearbeitet, aber für sie wurden "
+        "verschiedene Optionen gewählt.",
+        "Für beide dasselbe wählen.",
+    ),
+    "edge-choice.no-edge": Text(
+        "Für Kante {row} wurde eine Option gewählt, aber die Zeichnung hat "
+        "{count:# Kante|# Kanten}, von 0 an gezählt.",
+        "Eine Kante dieser Zeichnung wählen.",
+    ),
+    "start.at-corner": Text(
+        "Der Anfang auf Kante {edge} ist {distance:.2f} mm von einem Ende der Kante entfernt, aber "
+        "der Fräser braucht {least:.2f} mm, um daneben einzutauchen.",
+        "Einen Punkt weiter weg von beiden Enden der Kante wählen oder eine andere Kante der "
+        "Kontur.",
+    ),
+    "start.bridged": Text(
+        "Für Kante {edge} wurde ein Anfang oder eine Richtung gewählt, aber ihre Kontur hat "
+        "Haltestege, die sie in mehrere Schnitte teilen.",
+        "Die Angabe entfernen oder einen Karton ohne Haltestege wählen.",
+    ),
+    "start.conflict": Text(
+        "Für die Kontur von Kante {edge} und Kante {other} wurden zwei Anfänge oder zwei "
+        "Richtungen gewählt.",
+        "Eine der beiden Angaben entfernen.",
+    ),
+    "start.fixed-direction": Text(
+        "Kante {edge} kann nicht in der gewählten Richtung geschnitten werden: Das Werkzeug von "
+        "Station {station} muss den Abfall links haben.",
+        "Die andere Richtung wählen oder die Richtung frei lassen.",
+    ),
+    "start.not-last": Text(
+        "Der Schnitt kann nicht auf Kante {edge} beginnen, denn er endet auch dort, und eine "
+        "später geschnittene Kante muss das Teil lösen.",
+        "Eine Kante der Kontur wählen, an der das Teil nur Abfall berührt.",
+    ),
+    "start.open": Text(
+        "Für Kante {edge} wurde ein Anfang oder eine Richtung gewählt, aber sie gehört zu keinem "
+        "geschlossenen Schnitt und zu keiner geschlossenen Ritzung.",
+        "Die Angabe entfernen oder eine Kante einer geschlossenen Kontur wählen.",
+    ),
+    "verify.no-closed-cut": Text(
+        "Für den geschlossenen Schnitt mit Kante {edge} wurde eine Richtung gewählt, aber das "
+        "Programm schneidet diese Kontur nicht in einem Zug.",
+        "Den Auftrag neu berechnen.",
+    ),
+    "verify.other-direction": Text(
+        "Das Programm schneidet Kante {edge} gegen die gewählte Richtung.",
+        "Den Auftrag neu berechnen.",
+    ),
+    "verify.other-passes": Text(
+        "Kante {edge} muss in {passes:# Durchgang|# Durchgängen} bis {depth:g} mm unter die "
+        "Oberseite geschnitten werden, aber das Programm schneidet sie in diesen Tiefen (mm): "
+        "{found:, }.",
+        "Den Auftrag neu berechnen.",
+    ),
+    "verify.other-start": Text(
+        "Der geschlossene Schnitt mit Kante {edge} muss bei X {x:.3f} mm, Y {y:.3f} mm auf dieser "
+        "Kante beginnen, aber das Programm beginnt ihn woanders.",
+        "Einen Anfang mit mehr Platz für das Werkzeug wählen oder den Auftrag neu berechnen.",
+    ),
+}

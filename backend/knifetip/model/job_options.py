@@ -1,0 +1,114 @@
+"""Options of a job: what a user may choose besides the drawing, the machine and the board.
+
+Each option is declared once, as a field with its type, limits, default and description.  From the
+field come the fields of the REST API, the stored column, the command-line option and the field of
+the page (see the how-to page "Add an option of an order").
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from knifetip.fields import LISTED, Table
+from knifetip.model.corners import Corners
+from knifetip.model.edge_choice import EdgeChoice, LineTypeChoice
+from knifetip.model.sheet import Sheet
+
+
+class ContourStart(EdgeChoice):
+    """Where the closed cuts with some edges begin, and in which direction they run."""
+
+    types = ("cut", "half-cut")
+
+    at: float | None = Field(
+        default=None,
+        ge=0.0,
+        le=1.0,
+        title="Cut begins here",
+        description="Point of the edge at which its closed cut begins, as a fraction of the length "
+        "of the edge: 0 for its start as drawn, 1 for its end; null for the planner's choice",
+        json_schema_extra={"unit": "fraction"},
+    )
+    direction: Annotated[Literal["free", "forward", "reverse"], LISTED] = Field(
+        default="free",
+        title="Direction",
+        description="Direction of the closed cut along the edge. forward: from the start of the "
+        "edge as drawn to its end. reverse: from its end to its start. free: the planner's choice",
+        json_schema_extra={"unit": "direction"},
+    )
+
+
+class CutDepth(LineTypeChoice):
+    """In how many passes some cuts and half-cuts are made, and how deep."""
+
+    types = ("cut", "half-cut")
+    passes: int | None = Field(
+        default=None,
+        ge=1,
+        le=10,
+        title="Passes",
+        description="Number of passes, all of the same increment; null for as many as the tool "
+        "needs",
+    )
+    depth: float | None = Field(
+        default=None,
+        gt=0.0,
+        le=100.0,
+        title="Depth",
+        description="Depth of the last pass below the top face of the board (mm), up to the depth "
+        "of a cut into the underlay. A cut that is not deeper than the board is thick is a "
+        "half-cut, and parts are not separated there; null for the depth of the line type",
+        json_schema_extra={"unit": "mm"},
+    )
+
+
+class VerifiedOptions(Table):
+    """The options that determine what the verifier expects of a program."""
+
+    sheet: Sheet | None = Field(
+        default=None,
+        description="Sheet that was cut to size before the job; the operator must load this "
+        "sheet. Null if the sheet may be larger than the drawing",
+    )
+    feed_factor: float = Field(
+        default=1.0,
+        ge=0.1,
+        le=1.0,
+        title="Feed factor",
+        description="Factor of the feeds of all tools in the board, 0.1 to 1: less than 1 for "
+        "board that tears or for a worn tool. A laser at a lower feed cuts deeper",
+    )
+    contour_starts: tuple[ContourStart, ...] = Field(
+        default=(),
+        strict=False,  # JSON has lists
+        max_length=1000,
+        title="Start and direction",
+        description="Starts and directions of closed cuts; empty for the planner's choice. Of "
+        "several for one edge the last counts",
+    )
+    cut_depths: tuple[CutDepth, ...] = Field(
+        default=(),
+        strict=False,  # JSON has lists
+        max_length=1000,
+        title="Passes and depth",
+        description="Passes and depths of cuts and half-cuts; empty for those of tool and board. "
+        "Of several for one edge the last counts, and one for the edge before one for its line "
+        "type",
+    )
+
+
+class JobOptions(VerifiedOptions):
+    """All options of a job."""
+
+    corners: Corners | None = Field(
+        default=None,
+        description="Corner types, for routers and lasers only; null for the fastest types",
+    )
+    lift: Annotated[Literal["clearance", "least"], LISTED] = Field(
+        default="clearance",
+        description="Height of the tool above the board in turns. clearance: the clearance of the "
+        "machine. least: the `turn_clearance` of the machine where that is faster; only for board "
+        "that lies flat",
+    )

@@ -1,0 +1,75 @@
+"""chosen_depths: refuse passes and depths that tool, table or controller cannot make."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from knifetip.errors import PlanError
+from knifetip.languages.registry import find_language
+from knifetip.model.board import Board
+from knifetip.model.chosen_work import ChosenWork
+from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.job_options import CutDepth
+from knifetip.model.machine import Machine
+from knifetip.model.tool import Cutter, DiscTool, Knife
+from knifetip.planning.setup import Setup
+
+
+def check_depths(work: ChosenWork, dieline: Dieline, machine: Machine, board: Board) -> None:
+    """Raise ``PlanError`` if a machine cannot make chosen passes or a chosen depth.
+
+    Parameters
+    ----------
+    work
+        What is chosen for the edges.
+    dieline
+        The edges, with the line types that follow from their depths.
+    """
+    if CutDepth not in work:
+        return
+    chosen = work[CutDepth]
+    sets_depth = find_language(machine.dialect).sets_pose
+    for number in range(len(chosen.choices)):
+        rows = np.flatnonzero(chosen.index == number)
+        for line_type in np.unique(dieline.line_type[rows]):
+            own = rows[dieline.line_type[rows] == line_type]
+            edge = int(own[0])
+            passes = int(chosen.numbers("passes", 0.0)[edge])
+            depth = float(chosen.numbers("depth", math.nan)[edge])
+            kind = LineType(line_type)
+            if kind not in (LineType.CUT, LineType.HALF_CUT):
+                raise PlanError("depth.other-type", edge=edge, type=kind.word, at_edges=own)
+            if not sets_depth:
+                raise PlanError("depth.not-set", edge=edge, machine=machine.title, at_edges=own)
+            station = machine.station_for(LineType.CUT, board.caliper)
+            if station is None:
+                continue
+            setup = Setup(machine, board, station)
+            if math.isfinite(depth) and isinstance(station.tool, DiscTool):
+                raise PlanError("depth.of-cutter", edge=edge, station=station.number, at_edges=own)
+            if math.isfinite(depth) and depth > setup.through_depth:
+                raise PlanError(
+                    "depth.too-deep",
+                    edge=edge,
+                    depth=depth,
+                    most=setup.through_depth,
+                    at_edges=own,
+                )
+            if not isinstance(station.tool, Knife | Cutter):
+                raise PlanError("depth.one-pass", edge=edge, station=station.number, at_edges=own)
+            usual = setup.through_depth if kind == LineType.CUT else board.half_cut_depth
+            final = depth if math.isfinite(depth) else usual
+            step = station.tool.step
+            least = 1 if step == 0.0 else math.ceil(final / step - 1e-9)
+            if 0 < passes < least:
+                raise PlanError(
+                    "depth.too-few-passes",
+                    edge=edge,
+                    passes=passes,
+                    least=least,
+                    depth=final,
+                    step=step,
+                    at_edges=own,
+                )

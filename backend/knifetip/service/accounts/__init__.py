@@ -1,0 +1,1 @@
+"""Users, API keys, sign-in, rules of access and the audit log."""

@@ -1,0 +1,1 @@
+"""Compile jobs: the queue, the service that compiles, and the stored results."""

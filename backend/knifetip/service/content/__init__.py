@@ -1,0 +1,1 @@
+"""Large values of drawings and jobs, in the database or beside it."""

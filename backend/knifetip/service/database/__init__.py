@@ -1,0 +1,1 @@
+"""The database: its connection, tables and migrations, and whose changes it records."""

@@ -1,0 +1,1 @@
+"""Large answers, which are made once by a worker process and stored."""

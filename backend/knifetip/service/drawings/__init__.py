@@ -1,0 +1,1 @@
+"""Drawings: upload, answers, stored interpretations and their documents."""

@@ -1,0 +1,1 @@
+"""Changes of jobs, drawings, stations and the library as server-sent events."""

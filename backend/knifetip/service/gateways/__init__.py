@@ -1,0 +1,1 @@
+"""Gateways: claims, heartbeats, reports and leases."""

@@ -1,0 +1,1 @@
+"""Ended jobs: lists, statistics, export and deletion."""

@@ -1,0 +1,1 @@
+"""Common parts of routes: scopes, parameters, conditional requests, problems."""

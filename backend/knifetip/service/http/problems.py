@@ -1,0 +1,105 @@
+"""Error responses in the format application/problem+json (RFC 9457)."""
+
+from __future__ import annotations
+
+import http
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from fastapi import Response
+from starlette.datastructures import Headers
+from starlette.types import Receive, Scope, Send
+
+from knifetip import tracing
+from knifetip.messages import Message, printable, with_text
+from knifetip.messages.english import ENGLISH
+from knifetip.messages.languages import accepted_languages, choose_language
+from knifetip.service.http.models import Problem
+
+PROBLEM = "application/problem+json"
+#: URIs of the types of errors: that of the class of an error, or none beyond its HTTP status.
+TYPE_PREFIX = "urn:knifetip:problem:"
+TYPE_PATTERN = f"^(about:blank|{TYPE_PREFIX}[a-z]+(-[a-z]+)*)$"
+
+
+def problem(
+    status: int,
+    message: Message,
+    *,
+    kind: str = "about:blank",
+    title: str = "",
+    source: Sequence[str] = (),
+    edges: Sequence[int] = (),
+    questions: Sequence[dict[str, Any]] = (),
+    revision: int | None = None,
+    headers: Mapping[str, str] | None = None,
+) -> Response:
+    """Return an error response in the format of RFC 9457.
+
+    Parameters
+    ----------
+    status
+        HTTP status.
+    message
+        The error message, which the response contains with its text and hint.
+    kind
+        URI of the error type.
+    title
+        Title of the error type; "" for the reason phrase of the status.
+    source
+        Handles of entities, or names of fields, that the error concerns.
+    edges
+        Rows of the edges of the drawing that the error concerns.
+    questions
+        Questions that the user must answer, as JSON data; empty if they are not the cause of the
+        error.
+    revision
+        Newest revision of the drawing if the request named another one; None for other errors.
+    headers
+        Additional HTTP headers; None for none.
+    """
+    body = Problem.model_validate(
+        {
+            **message.as_json(),
+            "type": kind,
+            "title": title or http.HTTPStatus(status).phrase,
+            "status": status,
+            "source": [printable(place) for place in source],
+            "edges": edges,
+            "questions": questions,
+            "revision": revision,
+        }
+    )
+    return _Problem(message, body, headers)
+
+
+class _Problem(Response):
+    """An error response; the span of its request gets its code when it is sent.
+
+    Its text and hint are in the language that the request accepts, and else in English.
+    """
+
+    def __init__(
+        self, message: Message, problem: Problem, headers: Mapping[str, str] | None
+    ) -> None:
+        content = problem.model_dump_json()
+        super().__init__(content, problem.status, headers=dict(headers or {}), media_type=PROBLEM)
+        self.headers.add_vary_header("Accept-Language")
+        self._message = message
+        self._problem = problem
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        tracing.current().set(error=self._message.code)
+        accepted = Headers(scope=scope).get("accept-language", "")
+        language = choose_language(accepted_languages(accepted))
+        self.headers["Content-Language"] = language
+        if language != ENGLISH.tag:
+            self.body = self.render(self._in_language(language).model_dump_json())
+            self.headers["Content-Length"] = str(len(self.body))
+        await super().__call__(scope, receive, send)
+
+    def _in_language(self, language: str) -> Problem:
+        """Return the problem with its text and hint in a language."""
+        found = with_text(self._message, language)
+        texts = dict.fromkeys(Problem.text_fields, found["text"])
+        return self._problem.model_copy(update={**texts, "hint": found["hint"]})

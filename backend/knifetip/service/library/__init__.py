@@ -1,0 +1,1 @@
+"""Import formats, machines, boards and tools, also those that users make."""

@@ -1,0 +1,1 @@
+"""Transitions of jobs, their events, and the queues and runs that they change."""

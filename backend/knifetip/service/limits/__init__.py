@@ -1,0 +1,1 @@
+"""What a server accepts at a time: sizes, connections, requests and waiting tasks."""

@@ -1,0 +1,1 @@
+"""Stations of machines, operations of persons at them, and why jobs wait."""

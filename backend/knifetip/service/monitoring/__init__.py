@@ -1,0 +1,1 @@
+"""Readiness, metrics, logs and traces of a server."""

@@ -1,0 +1,1 @@
+"""Orders and their jobs: creation, commands, confirmation and verdicts."""

@@ -1,0 +1,242 @@
+"""Create the job of an order; used by all routes that accept orders."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import partial
+
+from fastapi import Response
+
+from knifetip.errors import OpenQuestions
+from knifetip.library.definition import Definition, Shelf, machine_of
+from knifetip.model.acceptance import Exceptions
+from knifetip.model.dieline import LineType
+from knifetip.model.interpretation import Interpretation
+from knifetip.model.job_options import JobOptions
+from knifetip.model.verdict import Acceptance
+from knifetip.planning.tool_steps import lacks_tool
+from knifetip.service.compiling.key import digest_of
+from knifetip.service.components import Service
+from knifetip.service.database.acting import credited
+from knifetip.service.database.request_key import RequestKey, fingerprint
+from knifetip.service.database.tables import Drawing, Job
+from knifetip.service.drawings.customer_profiles import customer_rules
+from knifetip.service.drawings.interpretations import interpretation_of
+from knifetip.service.drawings.overrides import merge_overrides
+from knifetip.service.http.principal import Principal, demand
+from knifetip.service.http.revisions import check_revision
+from knifetip.service.http.scopes import AccessScope
+from knifetip.service.limits.work_queue import Client
+from knifetip.service.order_details.models import details_columns
+from knifetip.service.orders.exceptions import chosen_shortfalls
+from knifetip.service.orders.job_answers import job_out
+from knifetip.service.orders.models import JobOut
+from knifetip.service.orders.order_models import ExceptionsIn, JobIn
+from knifetip.service.orders.store import JobOrder
+from knifetip.service.processes import tasks
+from knifetip.service.processes.readings import StoredDrawing
+
+
+@dataclass(frozen=True, slots=True)
+class PreparedOrder:
+    """An order with what it names: the drawing, the machine and the board."""
+
+    order: JobIn
+    drawing: Drawing  #: with its overrides
+    interpretation: Interpretation
+    machine: Definition
+    board: Definition
+
+    @property
+    def questions_key(self) -> str:
+        """Hash of everything on which the open questions depend."""
+        # A version of a drawing or a machine never changes.
+        drawing, machine = self.drawing, self.machine
+        versions = drawing.id, drawing.version, machine.name, machine.version
+        return digest_of((versions, self.interpretation))
+
+
+async def create_job(
+    service: Service,
+    principal: Principal,
+    client: Client,
+    response: Response,
+    order: JobIn,
+    key: str | None,
+) -> JobOut:
+    """Create the job of an order, or find the one that was created under the same key.
+
+    It needs a place in the queue for the worker processes only if it is not
+    known yet whether questions about the drawing are open.
+
+    Parameters
+    ----------
+    service, principal, client
+        The server, and the sender of the request.
+    response
+        Gets the header ``Location``.
+    order
+        The order.
+    key
+        Idempotency-Key of the request, None if it has none.
+    """
+    if order.release:
+        demand(principal, AccessScope.OPERATOR, AccessScope.ORDER)
+    request = RequestKey(key, fingerprint(order.model_dump_json())) if key else None
+    found = await create_stored(service, client, order, request)
+    response.headers["Location"] = f"/api/jobs/{found.id}"
+    return found
+
+
+async def create_stored(
+    service: Service, client: Client, order: JobIn, key: RequestKey | None
+) -> JobOut:
+    """Create the job of an order of a stored drawing, or find the one with the same key.
+
+    Raises
+    ------
+    ServerBusy
+        Too many orders wait, or too many requests wait for a worker process.
+    OpenQuestions
+        The user must first answer questions about the drawing.
+    KnifetipError
+        The drawing, the machine or the board is unknown, or the order is not permitted.
+    """
+    found = await service.orders.run(partial(_create_answered, service, order, key), client)
+    while isinstance(found, str):
+        async with service.answered.lock_of(found):
+            if found not in service.answered:
+                await service.work.run(partial(_answer, service, order), client)
+        # The drawing may have been changed meanwhile.
+        found = await service.orders.run(partial(_create_answered, service, order, key), client)
+    return found
+
+
+def _create_answered(service: Service, order: JobIn, key: RequestKey | None) -> JobOut | str:
+    """Create the job of an order, or return the key of questions that may be open."""
+    row = service.store.jobs.find(key) if key else None
+    if row is None:
+        prepared = _prepare(service, order)
+        questions = prepared.questions_key
+        if questions not in service.answered:
+            if not _is_answered_by_reading(prepared):
+                return questions
+            service.answered.add(questions)
+        row = _store(service, prepared, key)
+    return job_out(service.store, row)
+
+
+def _is_answered_by_reading(prepared: PreparedOrder) -> bool:
+    """Return whether the stored result of the reading shows that no question is open.
+
+    This is the case if the order has the interpretation of the drawing, and no choices that the
+    machine must permit.
+    """
+    drawing, options = prepared.drawing, prepared.interpretation.options
+    read_as = interpretation_of(drawing, drawing.overrides)
+    if replace(prepared.interpretation, options=read_as.options) != read_as:
+        return False
+    if options.corners is not None or options.lift != read_as.options.lift:
+        return False
+    summary = drawing.summary
+    if summary.get("questions") or "counts" not in summary:
+        return False
+    target = machine_of(prepared.machine)
+    return not any(
+        lacks_tool(target, LineType.from_word(count["type"])) for count in summary["counts"]
+    )
+
+
+def place_order(service: Service, order: JobIn, key: RequestKey | None) -> Job:
+    """Store a job for an order and return it; called by requests in the ``WorkQueue``.
+
+    Raises
+    ------
+    OpenQuestions
+        The user must first answer questions about the drawing.
+    KnifetipError
+        The drawing, the machine or the board is unknown, or the order is not permitted.
+    """
+    return _store(service, _answer(service, order), key)
+
+
+def _prepare(service: Service, order: JobIn, *columns: str) -> PreparedOrder:
+    """Return an order with what it names; the large ``columns`` of the drawing are loaded too."""
+    machine = service.store.library.definition(Shelf.MACHINES, order.machine)
+    board = service.store.library.definition(Shelf.BOARDS, order.board)
+    # Questions, the stored job and the compile all use this one revision.
+    needed = {"overrides", *columns, *(("edges",) if order.overrides else ())}
+    drawing = service.store.drawings.get_with(order.drawing, *sorted(needed))
+    check_revision(order.revision, drawing)
+    return PreparedOrder(order, drawing, _interpretation(service, order, drawing), machine, board)
+
+
+def _answer(service: Service, order: JobIn) -> PreparedOrder:
+    """Return an order about whose drawing no question is open, or raise ``OpenQuestions``."""
+    prepared = _prepare(service, order)
+    if prepared.questions_key in service.answered:
+        return prepared
+    prepared = _prepare(service, order, "content", "edges")
+    drawing = prepared.drawing
+    questions = service.run(
+        tasks.open_questions,
+        StoredDrawing(
+            drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
+        ),
+        prepared.interpretation,
+        prepared.machine,
+    )
+    if questions:
+        raise OpenQuestions(questions)
+    service.answered.add(prepared.questions_key)
+    return prepared
+
+
+def _store(service: Service, prepared: PreparedOrder, key: RequestKey | None) -> Job:
+    """Store the job of an order about whose drawing no question is open."""
+    order = prepared.order
+    ordered = JobOrder(
+        machine=order.machine,
+        board=order.board,
+        interpretation=prepared.interpretation,
+        copies=order.copies,
+        priority=order.priority,
+        release=order.release,
+        exceptions=_exceptions(service, order.exceptions),
+        machine_version=prepared.machine.version,
+        board_version=prepared.board.version,
+        details=details_columns(order),
+    )
+    return service.store.jobs.add(prepared.drawing, ordered, key)
+
+
+def _exceptions(service: Service, ordered: ExceptionsIn | None) -> Exceptions | None:
+    """Return the exceptions that an order contains, None for none; they are accepted now."""
+    if ordered is None:
+        return None
+    chosen = tuple(sorted(chosen_shortfalls(ordered)))
+    return Exceptions(
+        chosen, Acceptance(credited(ordered.by), ordered.reason, service.store.database.clock())
+    )
+
+
+def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpretation:
+    """Return the interpretation of a drawing that applies to a new job.
+
+    It is the stored interpretation (unit, profile, line types of edges), with the changes that the
+    request contains.
+
+    ``service``: the server.
+    ``order``: the request; it can contain a profile, line types of edges, and the choices for the
+    job.
+    ``drawing``: the stored drawing.
+    """
+    interpretation = interpretation_of(drawing, drawing.overrides)
+    if order.profile is not None:
+        rules = customer_rules(service, order.profile)
+        interpretation = replace(interpretation, profile=order.profile, rules=rules)
+    if order.overrides:
+        overrides = merge_overrides(drawing.edges, drawing.overrides, order.overrides)
+        interpretation = replace(interpretation, overrides=overrides)
+    options = JobOptions(**{name: getattr(order, name) for name in JobOptions.model_fields})
+    return replace(interpretation, options=options)

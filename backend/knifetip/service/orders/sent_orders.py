@@ -1,0 +1,74 @@
+"""Place an order as it was sent: its file is stored as a drawing, and its job is created."""
+
+from __future__ import annotations
+
+import hashlib
+
+from knifetip.errors import RequestError
+from knifetip.service.components import Service
+from knifetip.service.database.request_key import RequestKey, fingerprint
+from knifetip.service.database.tables import Drawing, Job
+from knifetip.service.drawings.requests import Upload, drawing_name, store_upload
+from knifetip.service.limits.work_queue import RequestIdentity
+from knifetip.service.order_details.models import details_columns
+from knifetip.service.orders.creation import place_order
+from knifetip.service.orders.order_models import JobIn
+from knifetip.service.orders.orders_with_files import OrderIn
+
+
+class SentOrder:
+    """An order as it was sent: its fields, and its file if it has one."""
+
+    def __init__(self, order: OrderIn, name: str = "", content: bytes | None = None) -> None:
+        self.order = order
+        if order.file is not None:
+            if content is not None:
+                raise RequestError("request.one-drawing")
+            name, content = order.file.name, order.file.decoded()
+        if (content is None) == (order.drawing is None):
+            raise RequestError("request.one-drawing")
+        self.name = drawing_name(name)
+        self.content = content
+
+    def key(self, text: str | None) -> RequestKey | None:
+        """Return the key of the order with a hash of its content, None without a key."""
+        if text is None:
+            return None
+        return RequestKey(text, self._fingerprint())
+
+    def identity(self, text: str | None) -> RequestIdentity:
+        """Return what the order has in common with its repetitions."""
+        return RequestIdentity.of("order", text, self._fingerprint().encode())
+
+    def _fingerprint(self) -> str:
+        digest = hashlib.sha256(self.content or b"").hexdigest()
+        fields = self.order.model_dump_json(exclude={"file"})
+        return fingerprint("order", self.name, digest, fields)
+
+
+def store_drawing(service: Service, sent: SentOrder, key: str | None) -> Drawing:
+    """Return the drawing of an order; its file is stored with the details of the order."""
+    order = sent.order
+    if sent.content is None:
+        return service.store.drawings.get(order.drawing or "")
+    details = details_columns(order)
+    profile = order.profile or "default"
+    upload = Upload(sent.name, sent.content, order.unit or "", profile, details=details)
+    return store_upload(service, upload, key)
+
+
+def create_sent_job(
+    service: Service, sent: SentOrder, drawing: Drawing, key: RequestKey | None
+) -> Job:
+    """Return the job of an order; a repeated order returns that of the first."""
+    earlier = service.store.jobs.find(key) if key else None
+    if earlier is not None:
+        return earlier
+    return place_order(service, job_order(sent.order, drawing.id), key)
+
+
+def job_order(order: OrderIn, drawing: str) -> JobIn:
+    """Return the order of a job that an order contains, for a stored drawing."""
+    choices = order.model_copy(update={"drawing": drawing})
+    fields = {name: getattr(choices, name) for name in JobIn.model_fields if name != "revision"}
+    return JobIn.model_construct(**fields)

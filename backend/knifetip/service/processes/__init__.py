@@ -1,0 +1,1 @@
+"""Worker processes: the pool, the tasks they execute, and the kernels they compile."""

@@ -1,0 +1,1 @@
+"""Classification profiles of the library and of customers."""

@@ -1,0 +1,1 @@
+"""The queues of machines, as users see and change them."""

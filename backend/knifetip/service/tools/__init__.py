@@ -1,0 +1,1 @@
+"""Tools of machines: their worked length, life and changes, and their check."""

@@ -1,0 +1,1 @@
+"""Orders in XJDF and messages in XJMF."""

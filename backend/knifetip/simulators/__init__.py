@@ -1,0 +1,1 @@
+"""Simulated controllers, which listen like real ones and move a simulated machine."""

@@ -1,0 +1,1 @@
+"""A simulated table with the firmware of grbl or grblHAL."""

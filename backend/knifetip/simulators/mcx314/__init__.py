@@ -1,0 +1,1 @@
+"""A simulated board with an MCX314: its link, its queue, its interlocks and the chip."""

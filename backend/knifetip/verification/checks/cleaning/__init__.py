@@ -1,0 +1,1 @@
+"""Checks of the cleaned edges against the drawn ones."""

@@ -1,0 +1,1 @@
+"""What several checks use: their context and base, passes, bridges and stray work."""

@@ -1,0 +1,141 @@
+"""The record of inputs and results that all checks use, and the tolerances of the checks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+
+from knifetip.model.board import Board
+from knifetip.model.chosen_work import ChosenWork
+from knifetip.model.job_options import CutDepth
+from knifetip.model.machine import Machine
+from knifetip.model.verdict import Unreached
+from knifetip.verification.checks.common.stretch_figures import record_greatest
+from knifetip.verification.columns import F64, I32
+from knifetip.verification.expectation.edges import Edges
+from knifetip.verification.expectation.sheet_area import SheetArea
+from knifetip.verification.findings import Findings
+from knifetip.verification.trailing_blade import Swivels
+
+#: A depth that differs from the planned depth by more than this is wrong (mm): one unit of the last
+#: digit of a program.
+DEPTH_TOLERANCE: Final = 1e-4
+#: The same for a crease along a curve, whose planned depth changes with its direction (mm).
+CURVED_DEPTH_TOLERANCE: Final = 0.005
+#: A tip path farther than this from every edge is stray; a nearer one is a deviation (mm).
+NEAR_EDGE: Final = 2.0
+#: Smallest tolerance for a length that is computed from printed numbers (mm).
+MIN_SLACK: Final = 5e-4
+#: Rounding both ends of a move to the last digit turns it by up to this / length (mm).
+PRINT_TURN: Final = 1.5e-4
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class EdgeFigures:
+    """Lengths measured on each edge for the verdict, such as its deviation and overcut, in mm.
+
+    Each figure is one column; the columns have one row for each edge of the dieline.
+    """
+
+    deviation: F64  #: greatest sum of the three parts below
+    path_deviation: F64  #: distance of the tip path from the edge
+    blending: F64  #: distance by which the controller may round the tip path
+    fit_error: F64  #: distance of the edge from the curve of the file
+    overcut: F64
+    uncut: F64
+    setback: F64
+    width: F64
+    web: F64
+    flank: F64
+    unreached: F64
+    bottom_uncut: F64
+    top_overcut: F64
+    unreached_distance: F64
+    slit_length: F64
+
+    def record_deviation(self, rows: I32, distance: F64, blend: F64, fit_error: F64) -> F64:
+        """Record the three parts of the deviation of k stretches of edges; return the sums, (k,).
+
+        An infinite ``blend``, which is a fault of the program, is recorded as 0.
+
+        Parameters
+        ----------
+        rows : (k,)
+            Row in the dieline of the edge of each stretch.
+        distance : (k,) mm
+            Greatest distance of the tip path from the edge.
+        blend : (k,) mm
+            Distance by which the controller may round the tip path.
+        fit_error : (k,) mm
+            Distance of the edge from the curve of the file.
+        """
+        blend = np.where(np.isfinite(blend), blend, 0.0)
+        total: F64 = distance + blend + fit_error
+        record_greatest(rows, total, self.deviation)
+        record_greatest(rows, distance, self.path_deviation)
+        record_greatest(rows, blend, self.blending)
+        record_greatest(rows, fit_error, self.fit_error)
+        return total
+
+    def copy_rows(self, source: I32, target: I32) -> None:
+        """Copy the figures of k edges to k other edges, in place.
+
+        ``source`` and ``target`` are the row indices of these edges in the dieline, (k,) each.
+        """
+        for column in (getattr(self, name) for name in self.__slots__):
+            column[target] = column[source]
+
+    def columns(self) -> dict[str, F64]:
+        """Return the figures as columns of a verdict, by name."""
+        return {name: getattr(self, name) for name in self.__slots__}
+
+    @classmethod
+    def zeros(cls, count: int) -> EdgeFigures:
+        """Return figures that are all 0, with ``count`` rows, one for each edge of the dieline."""
+        return cls(*(np.zeros(count) for _ in cls.__slots__))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class CheckContext:
+    """Inputs and results of all checks of one program.
+
+    The inputs are the edges, the machine, the board and the tolerance.  The checks add their
+    findings and the measured figures of the edges to this record.
+    """
+
+    edges: Edges  #: all edges on the sheet
+    machine: Machine
+    board: Board
+    tolerance: float  #: mm, including the rounding of printed points
+    figures: EdgeFigures
+    findings: Findings
+    fit_error: F64  #: (n,) mm, distance of each edge of the dieline from the curve of the file
+    programmed: str = "XYZC"  #: the axes that the program moves
+    resolution: float = 0.0  #: greatest shift of a printed point by rounding (mm)
+    height_resolution: float = 0.0  #: greatest shift of a printed height by rounding (mm)
+    sheet: SheetArea | None = None  #: the sheet if it was cut to size
+    #: program lines of earlier programs for the same sheet, which have the lowest numbers
+    lines_before: int = 0
+    #: what the user has chosen for the edges of the dieline
+    chosen: ChosenWork = field(default_factory=dict)
+    #: places at which free blades turn about their tips
+    swivels: Swivels = field(default_factory=Swivels.none)
+    #: rows of the dieline, positions (fraction of the edge), distances to the left of it (mm)
+    samples: list[tuple[I32, F64, F64]] = field(default_factory=list)
+    unreached: list[Unreached] = field(
+        default_factory=list
+    )  #: areas of each cutter, in sheet coordinates
+
+    @property
+    def has_passes(self) -> bool:
+        """Whether the user has chosen several passes for an edge."""
+        if CutDepth not in self.chosen:
+            return False
+        return bool((self.chosen[CutDepth].numbers("passes", 0.0) > 1.0).any())
+
+    @property
+    def depth_tolerance(self) -> float:
+        """Greatest error of a depth (mm), including the rounding of printed heights."""
+        return DEPTH_TOLERANCE + self.height_resolution

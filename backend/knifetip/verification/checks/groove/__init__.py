@@ -1,0 +1,1 @@
+"""Checks of V-grooves and their flanks."""

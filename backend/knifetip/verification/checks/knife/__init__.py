@@ -1,0 +1,1 @@
+"""Checks of cuts, half-cuts and perforations by knives."""

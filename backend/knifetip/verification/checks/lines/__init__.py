@@ -1,0 +1,1 @@
+"""Checks of drawn lines that are near to each other or replaced."""

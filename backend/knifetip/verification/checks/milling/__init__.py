@@ -1,0 +1,1 @@
+"""Checks of cuts by router bits and lasers."""

@@ -1,0 +1,1 @@
+"""Checks of moves: feeds, outputs, travel, rapids, zones and carriages."""

@@ -1,0 +1,89 @@
+"""options: writes which options of a job the page shows as fields without a form of their own.
+
+knifetip.model.job_options -> src/api/options.gen.ts          options.py
+
+Options whose value is a number, a choice or a switch are fields of the order form; choices for some
+edges (``EdgeChoice``) are fields of the selected edges.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any, get_args
+
+from knifetip.model.edge_choice import EdgeChoice, LineTypeChoice
+from knifetip.model.job_options import JobOptions
+
+TARGET = Path(__file__).resolve().parent / "src" / "api" / "options.gen.ts"
+HEADER = "/** Options of a job with plain values, and options of edges. Written by frontend/options.py: do not edit. */\n"
+
+
+def _field(schema: dict[str, Any]) -> dict[str, Any] | None:
+    """Return kind, limits and default of an option; None if its value is not plain."""
+    default = {"default": schema.get("default")}
+    if "enum" in schema:
+        return {"kind": "choice", "choices": schema["enum"], **default}
+    if schema.get("type") == "boolean":
+        return {"kind": "switch", **default}
+    if schema.get("type") in ("number", "integer"):
+        return {
+            "kind": "number",
+            "min": schema.get("minimum", schema.get("exclusiveMinimum")),
+            "max": schema["maximum"],
+            **default,
+        }
+    return None
+
+
+def _plain() -> dict[str, Any]:
+    """Return the options with a plain value, by name."""
+    properties = JobOptions.model_json_schema()["properties"]
+    fields = {name: _field(schema) for name, schema in properties.items()}
+    return {name: field for name, field in fields.items() if field is not None}
+
+
+def _of_edges() -> dict[str, Any]:
+    """Return the line types and the fields of each option of edges, by name."""
+    result = {}
+    for name, option in JobOptions.model_fields.items():
+        for kind in get_args(option.annotation):
+            if isinstance(kind, type) and issubclass(kind, EdgeChoice):
+                properties = kind.model_json_schema()["properties"]
+                result[name] = {
+                    "types": kind.types,
+                    "byType": issubclass(kind, LineTypeChoice),
+                    "fields": {
+                        key: _field_of_edges(schema)
+                        for key, schema in properties.items()
+                        if key not in LineTypeChoice.model_fields
+                    },
+                }
+    return result
+
+
+def _given(schema: dict[str, Any]) -> dict[str, Any]:
+    """Return the schema of a field that may be null, if it is given."""
+    return next((one for one in schema.get("anyOf", ()) if one.get("type") != "null"), {})
+
+
+def _field_of_edges(schema: dict[str, Any]) -> dict[str, Any]:
+    """Return kind, limits, default and unit of a field of an option of edges."""
+    given = _given(schema)
+    field = _field({**given, **schema})
+    assert field is not None, schema
+    whole = {"whole": given.get("type") == "integer"} if field["kind"] == "number" else {}
+    return {**field, **whole, "unit": schema.get("unit", "")}
+
+
+def options() -> str:
+    """Return the TypeScript source of the options."""
+    plain, of_edges = (json.dumps(found, indent=2) for found in (_plain(), _of_edges()))
+    return (
+        f"{HEADER}\nexport const OPTIONS = {plain} as const;\n"
+        f"\nexport const EDGE_OPTIONS = {of_edges} as const;\n"
+    )
+
+
+if __name__ == "__main__":
+    TARGET.write_text(options(), encoding="utf-8")

@@ -1,0 +1,73 @@
+/** Options of a job with plain values, and options of edges. Written by frontend/options.py: do not edit. */
+
+export const OPTIONS = {
+  "feed_factor": {
+    "kind": "number",
+    "min": 0.1,
+    "max": 1.0,
+    "default": 1.0
+  },
+  "lift": {
+    "kind": "choice",
+    "choices": [
+      "clearance",
+      "least"
+    ],
+    "default": "clearance"
+  }
+} as const;
+
+export const EDGE_OPTIONS = {
+  "contour_starts": {
+    "types": [
+      "cut",
+      "half-cut"
+    ],
+    "byType": false,
+    "fields": {
+      "at": {
+        "kind": "number",
+        "min": 0.0,
+        "max": 1.0,
+        "default": null,
+        "whole": false,
+        "unit": "fraction"
+      },
+      "direction": {
+        "kind": "choice",
+        "choices": [
+          "free",
+          "forward",
+          "reverse"
+        ],
+        "default": "free",
+        "unit": "direction"
+      }
+    }
+  },
+  "cut_depths": {
+    "types": [
+      "cut",
+      "half-cut"
+    ],
+    "byType": true,
+    "fields": {
+      "passes": {
+        "kind": "number",
+        "min": 1,
+        "max": 10,
+        "default": null,
+        "whole": true,
+        "unit": ""
+      },
+      "depth": {
+        "kind": "number",
+        "min": 0.0,
+        "max": 100.0,
+        "default": null,
+        "whole": false,
+        "unit": "mm"
+      }
+    }
+  }
+} as const;

@@ -1,0 +1,411 @@
+/** Account of the person who uses the page; for administrators also users, keys and audit log. */
+
+import {
+  ActionIcon,
+  Button,
+  Indicator,
+  Modal,
+  MultiSelect,
+  PasswordInput,
+  Select,
+  Tabs,
+  TextInput,
+  Tooltip,
+} from "@mantine/core";
+import { IconShieldLock } from "@tabler/icons-react";
+import { type ReactNode, useState } from "react";
+import { type AccessScope, accounts, type Me, type User, type UserRole } from "../../api/accounts";
+import { translate } from "../../language/translate";
+import { translateRich } from "../../language/translateRich";
+import { errorText } from "../../messages/translateMessage";
+import {
+  createFirstAdmin,
+  ROLE_TITLES,
+  ROLES,
+  refreshKeys,
+  refreshUsers,
+  roleOf,
+  roleTitle,
+  signOut,
+  useAudit,
+  useKeys,
+  useMe,
+  useUsers,
+} from "../../state/accounts/accounts";
+import { useMachines } from "../../state/queries";
+import { dateTimeText } from "../../state/times";
+import css from "./account.module.css";
+
+const ROLE_OPTIONS = ROLES.map((role) => ({ value: role, label: ROLE_TITLES[role] }));
+const SCOPES: readonly AccessScope[] = [
+  ...(["read", "order", "webhooks", "station", "gateway"] as const),
+  ...ROLES,
+];
+const PERMITS: Readonly<Record<UserRole, string>> = {
+  viewer: translate("accountDialog.youCanViewDrawingsJobs"),
+  designer: translate("accountDialog.youCanUploadAndChange"),
+  operator: translate("accountDialog.youCanOrderReleaseAnd"),
+  admin: translate("accountDialog.youCanDoEverythingAnd"),
+};
+
+/** Opens the dialog; a mark shows that there is no administrator. */
+export function AccountButton() {
+  const me = useMe();
+  const [opened, setOpened] = useState(false);
+  if (me === undefined) return null;
+  const label =
+    me.kind === "local"
+      ? translate("accountDialog.accountSignInIsNot")
+      : translate("accountDialog.account", { name: me.name });
+  return (
+    <>
+      <Tooltip label={label}>
+        <Indicator disabled={me.has_admin} color="orange" size={9} offset={9} withBorder>
+          <ActionIcon
+            variant="subtle"
+            color="gray"
+            size="lg"
+            aria-label={label}
+            onClick={() => setOpened(true)}
+            data-testid="account"
+          >
+            <IconShieldLock size={18} stroke={1.6} />
+          </ActionIcon>
+        </Indicator>
+      </Tooltip>
+      <Modal
+        opened={opened}
+        onClose={() => setOpened(false)}
+        title={translate("accountDialog.account2")}
+        size="xl"
+        centered
+      >
+        <Account me={me} />
+      </Modal>
+    </>
+  );
+}
+
+function Account({ me }: { me: Me }) {
+  if (!me.scopes.includes("admin")) return <Own me={me} />;
+  return (
+    <Tabs defaultValue="own" keepMounted={false}>
+      <Tabs.List>
+        <Tabs.Tab value="own">{translate("accountDialog.myAccount")}</Tabs.Tab>
+        <Tabs.Tab value="users">{translate("accountDialog.users")}</Tabs.Tab>
+        <Tabs.Tab value="keys">{translate("accountDialog.apiKeys")}</Tabs.Tab>
+        <Tabs.Tab value="audit">{translate("accountDialog.auditLog")}</Tabs.Tab>
+      </Tabs.List>
+      <Tabs.Panel value="own">
+        <Own me={me} />
+      </Tabs.Panel>
+      <Tabs.Panel value="users">
+        <Users />
+      </Tabs.Panel>
+      <Tabs.Panel value="keys">
+        <Keys />
+      </Tabs.Panel>
+      <Tabs.Panel value="audit">
+        <Audit />
+      </Tabs.Panel>
+    </Tabs>
+  );
+}
+
+function Own({ me }: { me: Me }) {
+  const role = roleOf(me.scopes);
+  if (me.kind === "local") return me.has_admin ? null : <FirstAdmin />;
+  if (me.kind === "device") return <PairedDevice me={me} />;
+  return (
+    <section className={css.section}>
+      <p data-testid="account-name">
+        {translateRich("accountDialog.signedInAs", {
+          name: me.name,
+          role: roleTitle(me.scopes),
+          strong: (children) => <strong>{children}</strong>,
+        })}
+        {role !== null && ` ${PERMITS[role]}`}
+      </p>
+      <Button variant="default" onClick={() => void signOut()} data-testid="sign-out">
+        {translate("accountDialog.signOut")}
+      </Button>
+      {me.sign_in === "password" && <OwnPassword />}
+      {me.sign_in === "oidc" && <p>{translate("accountDialog.yourPasswordAndYourRole")}</p>}
+    </section>
+  );
+}
+
+function PairedDevice({ me }: { me: Me }) {
+  return (
+    <section className={css.section}>
+      <p data-testid="account-name">
+        {translateRich("accountDialog.thisDeviceIsPairedWith", {
+          name: me.name,
+          machines: me.machines.join(", "),
+          strong: (children) => <strong>{children}</strong>,
+        })}
+      </p>
+      <Button variant="default" onClick={() => void signOut()} data-testid="unpair">
+        {translate("accountDialog.unpairThisDevice")}
+      </Button>
+    </section>
+  );
+}
+
+/** A form that shows the result of its request: a confirmation or the error. */
+function RequestForm({
+  send,
+  label,
+  children,
+}: {
+  readonly send: (form: FormData) => Promise<string>;
+  readonly label: string;
+  readonly children: ReactNode;
+}) {
+  const [note, setNote] = useState({ text: "", failed: false });
+  const action = async (form: FormData) => {
+    try {
+      setNote({ text: await send(form), failed: false });
+    } catch (error) {
+      setNote({ text: errorText(error as Error), failed: true });
+    }
+  };
+  return (
+    <form className={css.form} action={action} aria-label={label}>
+      {children}
+      <Button type="submit">{label}</Button>
+      {note.text !== "" && (
+        <p className={css.note} role={note.failed ? "alert" : "status"} data-failed={note.failed}>
+          {note.text}
+        </p>
+      )}
+    </form>
+  );
+}
+
+const textOf = (form: FormData, name: string): string => String(form.get(name) ?? "");
+
+function FirstAdmin() {
+  const send = async (form: FormData) => {
+    await createFirstAdmin(textOf(form, "name"), textOf(form, "password"));
+    return "";
+  };
+  return (
+    <section className={css.section} data-testid="first-admin">
+      <p>{translate("accountDialog.noAdministratorExistsYetEvery")}</p>
+      <pre className={css.command}>knifetip user add NAME --role admin</pre>
+      <RequestForm send={send} label={translate("accountDialog.createTheAdministrator")}>
+        <TextInput
+          label={translate("accountDialog.name")}
+          name="name"
+          required
+          maxLength={64}
+          autoComplete="username"
+        />
+        <NewPassword />
+      </RequestForm>
+    </section>
+  );
+}
+
+function NewPassword({ name = "password", label = translate("accountDialog.password") }) {
+  return (
+    <PasswordInput
+      label={label}
+      description={translate("accountDialog.atLeastTenCharacters")}
+      name={name}
+      required
+      minLength={10}
+      autoComplete="new-password"
+    />
+  );
+}
+
+function OwnPassword() {
+  const send = async (form: FormData) => {
+    await accounts.changePassword(textOf(form, "current"), textOf(form, "new"));
+    return translate("accountDialog.passwordChangedYourOtherSessions");
+  };
+  return (
+    <RequestForm send={send} label={translate("accountDialog.changeThePassword")}>
+      <PasswordInput
+        label={translate("accountDialog.currentPassword")}
+        name="current"
+        required
+        autoComplete="current-password"
+      />
+      <NewPassword name="new" label={translate("accountDialog.newPassword")} />
+    </RequestForm>
+  );
+}
+
+function Users() {
+  const { data: users = [] } = useUsers();
+  const send = async (form: FormData) => {
+    const name = textOf(form, "name");
+    await accounts.createUser(name, textOf(form, "password"), textOf(form, "role") as UserRole);
+    await refreshUsers();
+    return translate("accountDialog.userCreated", { name });
+  };
+  return (
+    <section className={css.section} data-testid="users">
+      <ul className={css.list}>
+        {users.map((user) => (
+          <UserRow key={user.name} user={user} />
+        ))}
+      </ul>
+      <RequestForm send={send} label={translate("accountDialog.createAUser")}>
+        <TextInput
+          label={translate("accountDialog.name")}
+          name="name"
+          required
+          maxLength={64}
+          autoComplete="off"
+        />
+        <Select
+          label={translate("accountDialog.role")}
+          name="role"
+          data={ROLE_OPTIONS}
+          defaultValue="designer"
+        />
+        <NewPassword />
+      </RequestForm>
+    </section>
+  );
+}
+
+function UserRow({ user }: { user: User }) {
+  const [fault, setFault] = useState("");
+  const change = async (body: { role?: UserRole; active?: boolean }) => {
+    try {
+      await accounts.changeUser(user.name, body);
+      setFault("");
+    } catch (error) {
+      setFault(errorText(error as Error));
+    }
+    await refreshUsers();
+  };
+  const last =
+    user.signed_in === null
+      ? translate("accountDialog.neverSignedIn")
+      : dateTimeText(user.signed_in);
+  return (
+    <li className={css.row}>
+      <span className={css.main}>
+        <strong>{user.name}</strong>
+        <small>{user.active ? last : translate("accountDialog.disabled")}</small>
+      </span>
+      <Select
+        aria-label={translate("accountDialog.roleOf", { name: user.name })}
+        data={ROLE_OPTIONS}
+        value={user.role}
+        allowDeselect={false}
+        onChange={(role) => void change({ role: role as UserRole })}
+      />
+      <Button variant="default" onClick={() => void change({ active: !user.active })}>
+        {user.active ? translate("accountDialog.disable") : translate("accountDialog.enable")}
+      </Button>
+      {fault !== "" && (
+        <p className={css.note} role="alert" data-failed>
+          {fault}
+        </p>
+      )}
+    </li>
+  );
+}
+
+function Keys() {
+  const { data: keys = [] } = useKeys();
+  const [scopes, setScopes] = useState<AccessScope[]>(["order"]);
+  const [machines, setMachines] = useState<string[]>([]);
+  const { data: known = [] } = useMachines();
+  const [secret, setSecret] = useState("");
+  const send = async (form: FormData) => {
+    const day = textOf(form, "expires");
+    const expires = day === "" ? null : new Date(day).toISOString();
+    const title = textOf(form, "title");
+    const customer = textOf(form, "customer");
+    setSecret(await accounts.createKey({ title, scopes, expires, customer, machines }));
+    await refreshKeys();
+    return translate("accountDialog.copyTheKeyNowIt");
+  };
+  const revoke = async (id: string) => {
+    await accounts.revokeKey(id);
+    await refreshKeys();
+  };
+  return (
+    <section className={css.section} data-testid="keys">
+      <ul className={css.list}>
+        {keys.map((key) => (
+          <li key={key.id} className={css.row}>
+            <span className={css.main}>
+              <strong>{key.title}</strong>
+              <small>{`${key.scopes.join(", ")} · ${key.used === null ? translate("accountDialog.neverUsed") : translate("accountDialog.used", { used: dateTimeText(key.used) })}${key.customer !== "" ? ` · ${translate("accountDialog.customer", { customer: key.customer })}` : ""}${key.machines.length > 0 ? ` · ${key.machines.join(", ")}` : ""}${key.scopes.includes("gateway") && key.any_machine ? ` · ${translate("accountDialog.anyMachine")}` : ""}${key.expires !== null ? ` · ${translate("accountDialog.expires", { expires: dateTimeText(key.expires) })}` : ""}`}</small>
+            </span>
+            {key.revoked === null ? (
+              <Button variant="default" onClick={() => void revoke(key.id)}>
+                {translate("accountDialog.revoke")}
+              </Button>
+            ) : (
+              <small>{translate("accountDialog.revoked")}</small>
+            )}
+          </li>
+        ))}
+      </ul>
+      <RequestForm send={send} label={translate("accountDialog.createAKey")}>
+        <TextInput
+          label={translate("accountDialog.usedBy")}
+          description={translate("accountDialog.programThatUsesTheKey")}
+          name="title"
+          required
+          maxLength={100}
+        />
+        <MultiSelect
+          label={translate("accountDialog.scopes")}
+          description={translate("accountDialog.noRoleLetsAKey")}
+          data={[...SCOPES]}
+          value={scopes}
+          onChange={(chosen) => setScopes(chosen as AccessScope[])}
+        />
+        <TextInput
+          label={translate("accountDialog.customerOptional")}
+          description={translate("accountDialog.theKeySeesAndOrders")}
+          name="customer"
+          maxLength={200}
+        />
+        <MultiSelect
+          label={translate("accountDialog.machinesOptional")}
+          description={translate("accountDialog.theKeyIsForThese")}
+          data={known.map((machine) => machine.name)}
+          value={machines}
+          onChange={setMachines}
+        />
+        <TextInput label={translate("accountDialog.expiresOptional")} name="expires" type="date" />
+      </RequestForm>
+      {secret !== "" && (
+        <pre className={css.command} data-testid="key-secret">
+          {secret}
+        </pre>
+      )}
+    </section>
+  );
+}
+
+function Audit() {
+  const { data: entries = [] } = useAudit();
+  return (
+    <section className={css.section} data-testid="audit">
+      <ul className={css.list}>
+        {entries.map((entry) => (
+          <li key={entry.id} className={css.row} data-failed={entry.outcome !== "done"}>
+            <small>{dateTimeText(entry.at)}</small>
+            <span className={css.main}>
+              {`${entry.principal || translate("accountDialog.unknown")}: ${entry.action.replaceAll("_", " ")} ${entry.subject}`}
+            </span>
+            <small>{`${entry.outcome} · ${entry.peer}`}</small>
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}

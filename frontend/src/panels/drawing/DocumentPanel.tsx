@@ -1,0 +1,185 @@
+/** The open drawing: name, size, import summary and line-type profile. */
+
+import { ActionIcon, Select, Tooltip } from "@mantine/core";
+import { IconAdjustments, IconArrowLeft } from "@tabler/icons-react";
+import type { Drawing, Profile } from "../../api/client";
+import { formatNumber } from "../../language/numbers";
+import { translate } from "../../language/translate";
+import { messageHint, messageText } from "../../messages/translateMessage";
+import { useRefusal } from "../../state/accounts/accounts";
+import { patchDrawing } from "../../state/actions";
+import { importWarnings, summarizeReport } from "../../state/drawing/importReport";
+import { formatInches } from "../../state/drawing/sizes";
+import { formatSize, formatUnitless } from "../../state/format";
+import { useDrawing, useProfiles } from "../../state/queries";
+import { showDrawing } from "../../state/routes";
+import { useUiStore } from "../../state/store";
+import { Refusal } from "../accounts/Permitted";
+import { CustomerField } from "../order/CustomerField";
+import { TO_ALL_DRAWINGS } from "../shared/labels";
+import css from "../shared/panels.module.css";
+import { REPORT } from "./ImportPanel";
+import { ShareControl } from "./ShareControl";
+
+const EDIT_PROFILE = translate("documentPanel.editTheRulesOfThis");
+
+export function DocumentPanel() {
+  const { data: drawing } = useDrawing();
+  const { data: profiles } = useProfiles();
+  if (drawing === undefined) return null;
+  return (
+    <section className={css.section} style={{ padding: "12px 16px 16px" }}>
+      <div style={{ display: "flex", alignItems: "center", gap: 8, marginLeft: -6 }}>
+        <Tooltip label={TO_ALL_DRAWINGS}>
+          <ActionIcon
+            variant="subtle"
+            color="gray"
+            aria-label={TO_ALL_DRAWINGS}
+            data-testid="close-drawing"
+            onClick={() => showDrawing(null)}
+          >
+            <IconArrowLeft size={17} />
+          </ActionIcon>
+        </Tooltip>
+        <h1 className={css.docName} style={{ margin: 0 }} title={drawing.name}>
+          {drawing.name}
+        </h1>
+      </div>
+      <dl className={css.facts}>
+        <dt>{translate("documentPanel.drawingSize")}</dt>
+        <dd data-testid="drawing-size">
+          {drawing.unit === null
+            ? translate("documentPanel.unitUnknown", {
+                width: formatUnitless(drawing.width),
+                height: formatUnitless(drawing.height),
+              })
+            : formatSize(drawing.width, drawing.height)}
+        </dd>
+        {drawing.unit !== null && (
+          <>
+            <dt>{translate("documentPanel.sizeInInches")}</dt>
+            <dd data-testid="drawing-inches">{formatInches(drawing.width, drawing.height)}</dd>
+          </>
+        )}
+        <dt>{translate("documentPanel.numberOfEdges")}</dt>
+        <dd>
+          {drawing.overrides > 0
+            ? translate("documentPanel.withALineTypeSet", {
+                segments: drawing.segments,
+                overrides: drawing.overrides,
+              })
+            : formatNumber(drawing.segments)}
+        </dd>
+        {drawing.report && (
+          <>
+            <dt>{translate("documentPanel.importReport")}</dt>
+            <dd>
+              <button
+                type="button"
+                className={css.link}
+                style={{ margin: 0 }}
+                onClick={scrollToReport}
+              >
+                {summarizeReport(drawing.report)}
+              </button>
+            </dd>
+          </>
+        )}
+      </dl>
+      {importWarnings(drawing).map((warning) => (
+        <p
+          key={warning.text}
+          className={css.warning}
+          style={{ margin: "8px 0 0" }}
+          data-testid="import-warning"
+        >
+          {messageText(warning)} {messageHint(warning)}
+        </p>
+      ))}
+      {profiles && <ProfileChoice drawing={drawing} profiles={profiles} />}
+      <CustomerField drawing={drawing} />
+      <ShareControl drawing={drawing} />
+    </section>
+  );
+}
+
+const scrollToReport = () =>
+  document.getElementById(REPORT)?.scrollIntoView({ behavior: "smooth", block: "start" });
+
+/** Choice of the profile; customer profiles are listed before built-in ones. */
+function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: readonly Profile[] }) {
+  const busy = useUiStore((ui) => ui.busy);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}");
+  const editing = useRefusal("PUT /api/v1/profiles/{name}");
+  const set = useUiStore((ui) => ui.set);
+  const option = ({ name, title }: Profile) => ({ value: name, label: title || name });
+  const own = profiles.filter(({ shipped }) => !shipped);
+  const shipped = profiles.filter((profile) => profile.shipped);
+  const isDeleted = !profiles.some(({ name }) => name === drawing.profile);
+  return (
+    <div style={{ marginTop: 12 }}>
+      <div style={{ display: "flex", alignItems: "end", gap: 6 }}>
+        <Select
+          size="xs"
+          style={{ flex: 1 }}
+          label={translate("documentPanel.profileRulesForLineTypes")}
+          data={[
+            ...(isDeleted
+              ? [
+                  {
+                    group: translate("documentPanel.deletedProfile"),
+                    items: [{ value: drawing.profile, label: drawing.profile }],
+                  },
+                ]
+              : []),
+            ...(own.length > 0
+              ? [{ group: translate("documentPanel.customerProfiles"), items: own.map(option) }]
+              : []),
+            { group: translate("documentPanel.builtInProfiles"), items: shipped.map(option) },
+          ]}
+          value={drawing.profile}
+          allowDeselect={false}
+          disabled={busy || refusal !== null}
+          data-testid="profile-select"
+          onChange={(profile) => {
+            if (profile !== null && profile !== drawing.profile) void patchDrawing({ profile });
+          }}
+        />
+        <Tooltip
+          label={isDeleted ? translate("documentPanel.thisProfileWasDeleted") : EDIT_PROFILE}
+        >
+          <ActionIcon
+            variant="default"
+            size={30}
+            disabled={isDeleted || editing !== null}
+            title={editing ?? undefined}
+            aria-label={EDIT_PROFILE}
+            data-testid="edit-profile"
+            onClick={() => set({ editedProfile: drawing.profile })}
+          >
+            <IconAdjustments size={16} />
+          </ActionIcon>
+        </Tooltip>
+      </div>
+      <Refusal reason={refusal} />
+      {drawing.profile_state !== "current" && (
+        <p className={css.warning} style={{ margin: "8px 0 0" }} data-testid="profile-state">
+          {drawing.profile_state === "changed"
+            ? translate("documentPanel.theProfileHasChangedSince")
+            : translate("documentPanel.thisProfileWasDeletedThe")}{" "}
+          {drawing.profile_state === "changed" && (
+            <button
+              type="button"
+              className={css.link}
+              disabled={busy || refusal !== null}
+              data-testid="apply-again"
+              onClick={() => void patchDrawing({ profile: drawing.profile })}
+            >
+              {translate("documentPanel.applyTheChangedProfileTo")}
+            </button>
+          )}
+        </p>
+      )}
+    </div>
+  );
+}

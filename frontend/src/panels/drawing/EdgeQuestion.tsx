@@ -1,0 +1,120 @@
+/** Question for the line type of some edges; the most likely answer first. */
+
+import { useMemo } from "react";
+import type { Question } from "../../api/client";
+import { translate } from "../../language/translate";
+import { messageText } from "../../messages/translateMessage";
+import { useRefusal } from "../../state/accounts/accounts";
+import { retype } from "../../state/actions";
+import { indexColour } from "../../state/drawing/colours";
+import { summarizeEdges } from "../../state/drawing/inspect";
+import { LINE_STYLES } from "../../state/drawing/palette";
+import {
+  edgeQuestionFacts,
+  edgeQuestionText,
+  edgeQuestionTitle,
+  isLineType,
+  questionKey,
+} from "../../state/drawing/questions";
+import { rowsOfLayer } from "../../state/drawing/rows";
+import { useFormatLength, useFormatLineWidth } from "../../state/drawing/useFormatLength";
+import { useEdges } from "../../state/queries";
+import { useUiStore } from "../../state/store";
+import { SHOW_EDGES } from "../shared/labels";
+import css from "../shared/panels.module.css";
+import { Swatch } from "../shared/Swatch";
+import { FollowingEdges } from "./FollowingEdges";
+import { answerHandlers } from "./previewHandlers";
+import questionCss from "./questions.module.css";
+
+interface Props {
+  question: Question;
+  /** Called after an answer by keyboard, to move the focus to the next question. */
+  onAnswered: () => void;
+}
+
+export function EdgeQuestion({ question, onAnswered }: Props) {
+  const { data: edges } = useEdges();
+  const busy = useUiStore((ui) => ui.busy);
+  const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
+  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
+  const length = useFormatLength();
+  const lineWidth = useFormatLineWidth();
+  const rows = useMemo(
+    () =>
+      question.edges.length > 0 || edges === undefined
+        ? question.edges
+        : rowsOfLayer(edges, question.layer, question.colour),
+    [question, edges],
+  );
+  const choices = question.choices.filter(isLineType);
+  const { text, percent } = edgeQuestionText(question);
+  const facts = useMemo(
+    () => (edges === undefined ? null : summarizeEdges(edges, rows)),
+    [edges, rows],
+  );
+  return (
+    <article
+      className={questionCss.question}
+      data-testid="question"
+      {...answerHandlers(rows, "unclassified", question.follows)}
+    >
+      <button
+        type="button"
+        className={questionCss.questionShow}
+        title={SHOW_EDGES}
+        onClick={() => zoomToEdges(rows)}
+      >
+        <span className={questionCss.questionHead}>
+          <span className={css.dot} style={{ background: indexColour(question.colour) }} />
+          <span className={questionCss.questionTitle}>{edgeQuestionTitle(question)}</span>
+          <span
+            className={css.rowFigure}
+          >{`${translate("edgeQuestion.edges", { rows: rows.length })}${facts !== null ? ` · ${length(facts.length)}` : ""}`}</span>
+        </span>
+        <span className={questionCss.questionFacts} title={messageText(question)}>
+          {edgeQuestionFacts(
+            question,
+            facts?.linetypes ?? [],
+            facts?.lineWidths.map(lineWidth) ?? [],
+          )}
+        </span>
+      </button>
+      <p className={questionCss.questionText}>
+        {text || translate("edgeQuestion.nothingInTheFileSuggests")}
+      </p>
+      {question.follows?.map((following) => (
+        <FollowingEdges key={questionKey(following)} following={following} />
+      ))}
+      <div className={questionCss.choices}>
+        {choices.map((type, at) => {
+          const likely = at === 0 && percent !== null;
+          return (
+            <button
+              key={type}
+              type="button"
+              className={`${questionCss.choice} ${likely ? questionCss.choiceWide : ""}`}
+              disabled={busy || refusal !== null}
+              title={refusal ?? undefined}
+              data-answer={type}
+              data-testid={`answer-${type}`}
+              data-likely={likely}
+              onClick={(event) => {
+                const byKey = event.detail === 0;
+                void retype(rows, type).then(() => byKey && onAnswered());
+              }}
+            >
+              <Swatch type={type} />
+              {LINE_STYLES[type].title}
+              {likely && (
+                <span className={questionCss.choiceFigure}>
+                  {translate("edgeQuestion.mostLikely", { percent })}
+                </span>
+              )}
+            </button>
+          );
+        })}
+      </div>
+    </article>
+  );
+}

@@ -1,0 +1,41 @@
+/** The rules that a profile takes over from the one it extends; collapsed at first. */
+
+import { useState } from "react";
+import type { Preview } from "../../api/client";
+import { translate } from "../../language/translate";
+import panels from "../shared/panels.module.css";
+import css from "./profile.module.css";
+import { RuleSummary } from "./RuleSummary";
+
+interface Props {
+  title: string;
+  /** null until the server has counted their edges */
+  rules: Preview["rules"] | null;
+}
+
+export function InheritedRules({ title, rules }: Props) {
+  const [open, setOpen] = useState(false);
+  const edges = rules?.reduce((sum, rule) => sum + rule.edges, 0) ?? 0;
+  return (
+    <div className={css.inherited}>
+      <button
+        type="button"
+        className={css.inheritedHead}
+        aria-expanded={open}
+        onClick={() => setOpen(!open)}
+      >
+        <span>{translate("inheritedRules.rulesTakenFromTheProfile", { title })}</span>
+        <span className={panels.rowFigure}>
+          {rules === null
+            ? "…"
+            : translate("inheritedRules.rulesEdges", { rules: rules.length, edges })}
+        </span>
+      </button>
+      {open &&
+        rules?.map((rule, at) => (
+          // biome-ignore lint/suspicious/noArrayIndexKey: a profile may have two rules alike
+          <RuleSummary key={`${at} ${rule.conditions.text}`} rule={rule} />
+        ))}
+    </div>
+  );
+}

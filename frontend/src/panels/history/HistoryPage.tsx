@@ -1,0 +1,190 @@
+/** Ended jobs, statistics of the machines, and the life of their tools. */
+
+import { returnToDrawing, showDrawing } from "../../state/routes";
+import "../../messages/load";
+import { Button, SegmentedControl, Select, TextInput } from "@mantine/core";
+import { IconSearch } from "@tabler/icons-react";
+import { useState } from "react";
+import type { EndedState, HistoryFilter, Job } from "../../api/client";
+import { translate } from "../../language/translate";
+import { errorText } from "../../messages/translateMessage";
+import { formatDuration } from "../../state/format";
+import { useBoards, useBoardTitle, useHistory, useMachines } from "../../state/queries";
+import { dateTimeText } from "../../state/times";
+import { StateBadge } from "../job/StateBadge";
+import { OrderLine } from "../order/OrderDetails";
+import { DrawingPicture } from "../shared/DrawingPicture";
+import { ShowMore } from "../shared/ShowMore";
+import css from "./history.module.css";
+import { StatisticsView } from "./StatisticsView";
+import { ToolsView } from "./ToolsView";
+
+const VIEWS = [
+  { value: "jobs", label: translate("historyPage.endedJobs") },
+  { value: "statistics", label: translate("historyPage.statistics") },
+  { value: "tools", label: translate("historyPage.tools") },
+] as const;
+type View = (typeof VIEWS)[number]["value"];
+
+const STATES: readonly { value: EndedState; label: string }[] = [
+  { value: "done", label: translate("historyPage.finished") },
+  { value: "cancelled", label: translate("historyPage.cancelled") },
+  { value: "scrapped", label: translate("historyPage.boardScrapped") },
+  { value: "interrupted", label: translate("historyPage.interrupted") },
+  { value: "continued", label: translate("historyPage.continuedByAnotherJob") },
+  { value: "refused", label: translate("historyPage.refused") },
+];
+
+const TEXT_FILTERS = [
+  { field: "drawing", label: translate("historyPage.drawingName"), testid: "history-drawing" },
+  { field: "external_id", label: translate("historyPage.orderNumber"), testid: "history-order" },
+  { field: "customer", label: translate("historyPage.customer"), testid: "history-customer" },
+] as const;
+
+/** Periods that end now, by their length in days. */
+const PERIODS = [
+  { value: "", label: translate("historyPage.allTimes") },
+  { value: "1", label: translate("historyPage.last24Hours") },
+  { value: "7", label: translate("historyPage.last7Days") },
+  { value: "31", label: translate("historyPage.last31Days") },
+  { value: "366", label: translate("historyPage.lastYear") },
+];
+
+export function HistoryPage() {
+  const [view, setView] = useState<View>("jobs");
+  const [machine, setMachine] = useState("");
+  const { data: machines } = useMachines();
+  return (
+    <div className={css.page} data-testid="history">
+      <header className={css.head}>
+        <h1>{translate("historyPage.history")}</h1>
+        <SegmentedControl
+          value={view}
+          onChange={(value) => setView(value as View)}
+          data={[...VIEWS]}
+          aria-label={translate("historyPage.whatToShow")}
+        />
+        <Select
+          className={css.machine ?? ""}
+          aria-label={translate("historyPage.machine")}
+          placeholder={translate("historyPage.allMachines")}
+          clearable
+          value={machine || null}
+          onChange={(value) => setMachine(value ?? "")}
+          data={(machines ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
+        />
+        <Button variant="default" onClick={returnToDrawing} data-testid="close-history">
+          {translate("historyPage.backToTheDrawing")}
+        </Button>
+      </header>
+      {view === "jobs" && <EndedJobs machine={machine} />}
+      {view === "statistics" && <StatisticsView machine={machine} />}
+      {view === "tools" && <ToolsView machine={machine} />}
+    </div>
+  );
+}
+
+function EndedJobs({ machine }: { machine: string }) {
+  const { data: boards } = useBoards();
+  const [filter, setFilter] = useState<Omit<HistoryFilter, "machine">>({});
+  const [days, setDays] = useState("");
+  const change = (part: Partial<HistoryFilter>) => setFilter({ ...filter, ...part });
+  const list = useHistory({ ...filter, machine });
+  const jobs = list.data ?? [];
+  return (
+    <>
+      <div className={css.filters}>
+        {TEXT_FILTERS.map(({ field, label, testid }) => (
+          <TextInput
+            key={field}
+            aria-label={label}
+            placeholder={label}
+            leftSection={field === "drawing" && <IconSearch size={15} aria-hidden />}
+            value={filter[field] ?? ""}
+            onChange={(event) => change({ [field]: event.currentTarget.value })}
+            data-testid={testid}
+          />
+        ))}
+        <Select
+          aria-label={translate("historyPage.board")}
+          placeholder={translate("historyPage.allBoards")}
+          clearable
+          value={filter.board || null}
+          onChange={(value) => change({ board: value ?? "" })}
+          data={(boards ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
+        />
+        <Select
+          aria-label={translate("historyPage.state")}
+          placeholder={translate("historyPage.allStates")}
+          clearable
+          value={filter.state ?? null}
+          onChange={(value) => change({ state: (value as EndedState | null) ?? undefined })}
+          data={[...STATES]}
+        />
+        <Select
+          aria-label={translate("historyPage.period")}
+          value={days}
+          allowDeselect={false}
+          onChange={(value) => {
+            setDays(value ?? "");
+            // Rounded, so that the same period is the same request.
+            const since = Math.floor(Date.now() / 3.6e6) * 3600 - Number(value) * 86_400;
+            change({ since: value ? since : undefined });
+          }}
+          data={PERIODS}
+        />
+      </div>
+      {list.error && <p className={css.note}>{errorText(list.error)}</p>}
+      {list.isSuccess && jobs.length === 0 && (
+        <p className={css.note}>{translate("historyPage.noJobMeetsTheseConditions")}</p>
+      )}
+      <ul className={css.jobs}>
+        {jobs.map((job) => (
+          <EndedJob key={job.id} job={job} />
+        ))}
+      </ul>
+      {list.hasNextPage && (
+        <ShowMore busy={list.isFetchingNextPage} act={() => void list.fetchNextPage()} />
+      )}
+    </>
+  );
+}
+
+function EndedJob({ job }: { job: Job }) {
+  const board = useBoardTitle(job.board);
+  const { data: machines } = useMachines();
+  return (
+    <li>
+      <button
+        type="button"
+        className={css.job}
+        onClick={() => showDrawing(job.drawing, job.id)}
+        data-testid="history-row"
+      >
+        <DrawingPicture
+          className={css.picture}
+          src={`/api/v1/drawings/${encodeURIComponent(job.drawing)}/picture`}
+        />
+        <span className={css.name}>
+          {job.drawing_name}
+          <OrderLine job={job} />
+        </span>
+        <span>{board}</span>
+        <span>{machines?.find(({ name }) => name === job.machine)?.title || job.machine}</span>
+        <span className={css.figure}>
+          {job.copies_done === job.copies
+            ? translate("historyPage.copies", { copies: job.copies })
+            : translate("historyPage.ofCopies", {
+                copiesDone: job.copies_done,
+                copies: job.copies,
+              })}
+        </span>
+        <span className={css.figure}>{formatDuration(job.seconds * job.copies)}</span>
+        <time className={css.figure} dateTime={job.ended ?? ""}>
+          {job.ended == null ? "" : dateTimeText(job.ended)}
+        </time>
+        <StateBadge job={job} />
+      </button>
+    </li>
+  );
+}

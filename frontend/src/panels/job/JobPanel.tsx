@@ -1,0 +1,347 @@
+/** The open job: state, progress, operator commands and verdict. */
+
+import { Button, Progress } from "@mantine/core";
+import {
+  IconCheck,
+  IconCircleCheckFilled,
+  IconDownload,
+  IconPlayerPauseFilled,
+  IconPlayerStopFilled,
+  IconRefresh,
+  IconSend2,
+  IconTrash,
+} from "@tabler/icons-react";
+import { type ReactNode, useState } from "react";
+import { type Job, service } from "../../api/client";
+import { translate } from "../../language/translate";
+import { translateRich } from "../../language/translateRich";
+import { messageHint, messageText } from "../../messages/translateMessage";
+import { useRefusal } from "../../state/accounts/accounts";
+import { command } from "../../state/actions";
+import { concernedRows } from "../../state/drawing/rows";
+import { formatDuration } from "../../state/format";
+import {
+  commandsOf,
+  confirmationBefore,
+  hasProgram,
+  isCompiling,
+  isOnTable,
+  needsOperator,
+  type OfficeCommand,
+  STATE_STYLES,
+  waitsAtMachine,
+} from "../../state/job/jobs";
+import { canContinue } from "../../state/job/rest";
+import { SHOWN_STAGES, stageProgress } from "../../state/job/stages";
+import { useBoardTitle, useEdges, useJob } from "../../state/queries";
+import { useUiStore } from "../../state/store";
+import { Permitted } from "../accounts/Permitted";
+import { OrderCard } from "../order/OrderDetails";
+import { ConfirmDialog } from "../shared/ConfirmDialog";
+import css from "../shared/panels.module.css";
+import { Section } from "../shared/Section";
+import jobCss from "./job.module.css";
+import { RestPanel } from "./RestPanel";
+import { StateBadge } from "./StateBadge";
+import { VerdictCard } from "./VerdictCard";
+import verdictCss from "./verdict.module.css";
+import { WaitsAtMachine } from "./WaitsAtMachine";
+
+export function JobPanel() {
+  const { data: job } = useJob();
+  if (job === undefined) return null;
+  return (
+    <Section
+      title={translate("jobPanel.openJob")}
+      aside={<StateBadge job={job} testId="job-state" />}
+    >
+      <div style={{ display: "grid", gridTemplateColumns: "minmax(0, 1fr)", gap: 12 }}>
+        <JobBoard job={job} />
+        <OrderCard job={job} />
+        {isCompiling(job) && <Compiling job={job} />}
+        {waitsAtMachine(job) && <WaitsAtMachine job={job} />}
+        {job.state === "queued" && !needsOperator(job) && <Waiting job={job} />}
+        {isOnTable(job) && <Running job={job} />}
+        <Outcome job={job} />
+        <Controls job={job} />
+        {canContinue(job) && <Rest key={job.id} job={job} />}
+        <VerdictCard job={job} />
+        {hasProgram(job) && (
+          <Button
+            component="a"
+            href={service.programUrl(job.id)}
+            download
+            size="xs"
+            variant="subtle"
+            color="gray"
+            leftSection={<IconDownload size={15} aria-hidden />}
+            data-testid="program"
+          >
+            {job.state === "refused"
+              ? translate("jobPanel.downloadRefusedProgramLines", { lines: job.lines })
+              : translate("jobPanel.downloadMachineProgramLines", { lines: job.lines })}
+          </Button>
+        )}
+      </div>
+    </Section>
+  );
+}
+
+/** The board and the machine for which the program was made. */
+function JobBoard({ job }: { job: Job }) {
+  const title = useBoardTitle(job.board);
+  return (
+    <p className={css.note} style={{ margin: 0 }} data-testid="job-board">
+      {translateRich("jobPanel.board", {
+        title,
+        machine: job.machine,
+        b: (children) => <b>{children}</b>,
+      })}
+    </p>
+  );
+}
+
+/** Where another job continues; open at once where a sheet lies half cut on the table. */
+function Rest({ job }: { job: Job }) {
+  const [open, setOpen] = useState(job.state === "interrupted" || job.remaining_copies > 0);
+  return (
+    <details open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary className={jobCss.summary} data-testid="rest-open">
+        {translate("jobPanel.restOfTheSheetOr")}
+      </summary>
+      {open && (
+        <Permitted request="POST /api/v1/jobs/{id}/rest">
+          <RestPanel job={job} />
+        </Permitted>
+      )}
+    </details>
+  );
+}
+
+function Compiling({ job }: { job: Job }) {
+  const { title, index } = stageProgress(job.stage);
+  return (
+    <div role="status" data-testid="stage">
+      <ol className={jobCss.stages} aria-hidden="true">
+        {SHOWN_STAGES.map((stage, at) => (
+          <li key={stage} data-state={at < index ? "done" : at === index ? "now" : "open"} />
+        ))}
+      </ol>
+      <div className={css.runFigures} style={{ marginTop: 0 }}>
+        <span>{title}</span>
+        <span>{Math.round(job.progress * 100)} %</span>
+      </div>
+    </div>
+  );
+}
+
+function Waiting({ job }: { job: Job }) {
+  return (
+    <div className={jobCss.callout} data-tone="grey" role="status" data-testid="waiting">
+      {job.message === null
+        ? translate("jobPanel.theJobWaitsForThe", { machine: job.machine })
+        : messageText(job.message)}
+      <Hint message={job.message} />
+    </div>
+  );
+}
+
+/** The hint of a message, if it has one. */
+function Hint({ message }: { message: Job["message"] }) {
+  const hint = message === null ? "" : messageHint(message);
+  return hint === "" ? null : <div className={css.hint}>{hint}</div>;
+}
+
+function Running({ job }: { job: Job }) {
+  const held = job.state === "held";
+  const left = job.seconds_left;
+  return (
+    <div data-testid="run" data-on-table>
+      <Progress
+        value={job.progress * 100}
+        size="lg"
+        color={held ? "yellow" : "blue"}
+        striped={held}
+        transitionDuration={200}
+        aria-label={translate("jobPanel.progressOfTheJobOn")}
+        data-testid="run-progress"
+      />
+      <div className={css.runFigures}>
+        <span>{`${translate("jobPanel.done", { progress: Math.round(job.progress * 100) })}${job.copies > 1 ? ` · ${translate("jobPanel.copyOf", { copiesDone: Math.min(job.copies_done + 1, job.copies), copies: job.copies })}` : ""}`}</span>
+        <span>{translate("jobPanel.programLineOf", { line: job.line, lines: job.lines })}</span>
+        <span data-testid="time-left">
+          {left === null ? "" : translate("jobPanel.left", { left: formatDuration(left) })}
+        </span>
+      </div>
+    </div>
+  );
+}
+
+function Outcome({ job }: { job: Job }) {
+  const { data: edges } = useEdges();
+  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
+  if (job.state === "done") {
+    return (
+      <div className={jobCss.callout} data-tone="green" data-testid="done" role="status">
+        <div className={verdictCss.verdictHead}>
+          <IconCircleCheckFilled size={20} color="var(--good)" aria-hidden />
+          <span className={verdictCss.verdictTitle}>
+            {translate("jobPanel.copiesFinished", { copies: job.copies })}
+          </span>
+        </div>
+        <div className={css.hint}>{translate("jobPanel.theTableIsFreeFor")}</div>
+      </div>
+    );
+  }
+  // WaitsAtMachine shows what the job waits for, and VerdictCard the shortfalls of its program.
+  if (job.waiting_for !== "" || waitsAtMachine(job) || job.actions.includes("accept")) return null;
+  const fallback = job.state === "cancelled" ? translate("jobPanel.theJobWasCancelled") : "";
+  const text = job.message === null ? fallback : messageText(job.message);
+  if (text === "") return null;
+  const { tone } = STATE_STYLES[job.state];
+  const rows = edges === undefined ? [] : concernedRows(edges, job);
+  return (
+    <div
+      className={jobCss.callout}
+      data-tone={tone === "red" || tone === "amber" ? tone : "grey"}
+      data-testid="reason"
+      role={tone === "red" ? "alert" : "status"}
+    >
+      {text}
+      <Hint message={job.message} />
+      {rows.length > 0 && (
+        <Button mt={8} size="compact-xs" variant="default" onClick={() => zoomToEdges(rows)}>
+          {translate("jobPanel.showEdgesInTheDrawing", { rows: rows.length })}
+        </Button>
+      )}
+    </div>
+  );
+}
+
+const LOOKS: Readonly<
+  Record<
+    OfficeCommand,
+    { title: string; icon: ReactNode; colour: string; variant: string; testId: string }
+  >
+> = {
+  release: {
+    title: translate("jobPanel.sendJobToMachine"),
+    icon: <IconSend2 size={17} />,
+    colour: "blue",
+    variant: "filled",
+    testId: "send",
+  },
+  recompile: {
+    title: translate("jobPanel.compileJobAgain"),
+    icon: <IconRefresh size={16} />,
+    colour: "blue",
+    variant: "filled",
+    testId: "recompile",
+  },
+  hold: {
+    title: translate("jobPanel.pauseJob"),
+    icon: <IconPlayerPauseFilled size={16} />,
+    colour: "yellow",
+    variant: "light",
+    testId: "hold",
+  },
+  cancel: {
+    title: translate("jobPanel.cancelJob"),
+    icon: <IconPlayerStopFilled size={16} />,
+    colour: "red",
+    variant: "subtle",
+    testId: "cancel",
+  },
+  finish: {
+    title: translate("jobPanel.markJobAsFinished"),
+    icon: <IconCheck size={16} />,
+    colour: "green",
+    variant: "light",
+    testId: "finish",
+  },
+  recheck: {
+    title: translate("jobPanel.letTheMachineTryAgain"),
+    icon: <IconRefresh size={16} />,
+    colour: "blue",
+    variant: "light",
+    testId: "recheck",
+  },
+  requeue: {
+    title: translate("jobPanel.queueJobAgain"),
+    icon: <IconRefresh size={16} />,
+    colour: "blue",
+    variant: "filled",
+    testId: "requeue",
+  },
+  scrap: {
+    title: translate("jobPanel.endJobBoardIsScrap"),
+    icon: <IconTrash size={16} />,
+    colour: "red",
+    variant: "subtle",
+    testId: "scrap",
+  },
+};
+
+/** What a designer may ask for, too, before a job is queued. */
+const OF_DESIGNERS: readonly OfficeCommand[] = ["recompile", "cancel"];
+
+const isBeforeQueue = ({ state }: Job): boolean =>
+  ["received", "compiling", "ready", "refused"].includes(state);
+
+function Controls({ job }: { job: Job }) {
+  const reasons = {
+    designer: useRefusal("POST /api/v1/jobs/{id}/cancel"),
+    operator: useRefusal("POST /api/v1/jobs/{id}/release"),
+  };
+  const reasonAgainst = (word: OfficeCommand) =>
+    // A queued job is the operator's.
+    OF_DESIGNERS.includes(word) && isBeforeQueue(job) ? reasons.designer : reasons.operator;
+  const busy = useUiStore((ui) => ui.busy);
+  const [asking, setAsking] = useState<OfficeCommand | null>(null);
+  const words = commandsOf(job);
+  // The job may change while the dialog is open: close it when the command is no longer possible.
+  const open = asking !== null && words.includes(asking) ? confirmationBefore(job, asking) : null;
+  if (words.length === 0) return null;
+  const refused = words.find((word) => reasonAgainst(word) !== null);
+  const send = (word: OfficeCommand) => {
+    if (confirmationBefore(job, word) === null) void command(job.id, word);
+    else setAsking(word);
+  };
+  return (
+    <div style={{ display: "flex", flexWrap: "wrap", gap: 8 }}>
+      <ConfirmDialog
+        confirmation={open}
+        onYes={() => {
+          setAsking(null);
+          if (asking !== null) void command(job.id, asking);
+        }}
+        onNo={() => setAsking(null)}
+      />
+      {words.map((word, at) => {
+        const { icon, colour, variant, testId, title } = LOOKS[word];
+        return (
+          <Button
+            key={word}
+            style={at === 0 && words.length > 1 ? { flex: "1 0 auto" } : {}}
+            leftSection={icon}
+            color={colour}
+            variant={variant}
+            disabled={busy || reasonAgainst(word) !== null}
+            title={reasonAgainst(word) ?? undefined}
+            // Requested, but not executed by the machine yet.
+            loading={job.requested_action === word}
+            onClick={() => send(word)}
+            data-testid={testId}
+          >
+            {title}
+          </Button>
+        );
+      })}
+      {refused !== undefined && (
+        <p className={css.note} style={{ flexBasis: "100%", margin: 0 }} data-testid="role-reason">
+          {`${LOOKS[refused].title}: ${reasonAgainst(refused)}`}
+        </p>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,311 @@
+/** The queue of one machine in the order in which its jobs run; rows are dragged to reorder it. */
+
+import { ActionIcon, Menu, NumberInput, Progress } from "@mantine/core";
+import {
+  IconArrowDown,
+  IconArrowUp,
+  IconCheck,
+  IconDots,
+  IconGripVertical,
+  IconPlayerPause,
+  IconPlayerPlay,
+} from "@tabler/icons-react";
+import { type DragEvent, type ReactNode, useState } from "react";
+import type { Machine, QueueEntry } from "../../api/client";
+import { translate } from "../../language/translate";
+import { useRefusal } from "../../state/accounts/accounts";
+import { changeJob, moveJob, transferJob } from "../../state/actions";
+import { formatDuration } from "../../state/format";
+import { isOnTable, waitsAtMachine } from "../../state/job/jobs";
+import {
+  indexBeside,
+  neighboursAt,
+  PRIORITIES,
+  priorityTitle,
+  startText,
+  waitingIds,
+} from "../../state/job/queue";
+import { useBoardTitle, useMachines, useQueue } from "../../state/queries";
+import { showDrawing } from "../../state/routes";
+import { useUiStore } from "../../state/store";
+import { OrderLine } from "../order/OrderDetails";
+import { DrawingPicture } from "../shared/DrawingPicture";
+import { Section } from "../shared/Section";
+import jobCss from "./job.module.css";
+import css from "./queue.module.css";
+import { StateBadge } from "./StateBadge";
+import { WaitsAtMachine } from "./WaitsAtMachine";
+
+/** The row over which a job is dragged, and whether the job would be below it. */
+interface Target {
+  readonly id: string;
+  readonly below: boolean;
+}
+
+export function MachineQueue({ machine, title }: { machine: string; title: string }) {
+  const { data: queue } = useQueue(machine);
+  const [dragged, setDragged] = useState<string | null>(null);
+  const [target, setTarget] = useState<Target | null>(null);
+  const reason = useRefusal("POST /api/v1/jobs/{id}/move");
+  const current = useUiStore((ui) => ui.job);
+  const entries = queue?.entries ?? [];
+  const ids = waitingIds(entries);
+
+  const moveTo = (id: string, index: number) => {
+    const neighbours = neighboursAt(ids, id, index);
+    if (neighbours !== null) void moveJob(id, machine, neighbours);
+  };
+  const drop = () => {
+    if (dragged !== null && target !== null) {
+      moveTo(dragged, indexBeside(ids, dragged, target.id, target.below));
+    }
+    setDragged(null);
+    setTarget(null);
+  };
+  const dragOver = (event: DragEvent, id: string) => {
+    if (dragged === null) return;
+    event.preventDefault();
+    const { top, height } = event.currentTarget.getBoundingClientRect();
+    setTarget({ id, below: event.clientY > top + height / 2 });
+  };
+
+  return (
+    <Section
+      title={translate("machineQueue.queueOf", { title })}
+      flush
+      aside={
+        <span className={css.count}>
+          {ids.length > 0 ? translate("machineQueue.waiting", { ids: ids.length }) : ""}
+        </span>
+      }
+    >
+      {entries.length > 0 && reason !== null && (
+        <p className={css.empty} data-testid="role-reason">
+          {reason}
+        </p>
+      )}
+      {entries.length === 0 && (
+        <p className={css.empty}>{translate("machineQueue.noJobWaitsForThis")}</p>
+      )}
+      <ol className={css.queue} data-testid={`queue-of-${machine}`}>
+        {entries.map((entry) => {
+          const { job, place } = entry;
+          return (
+            <li
+              key={job.id}
+              draggable={place > 0 && reason === null}
+              className={css.entry}
+              data-place={place}
+              data-hold={job.on_hold}
+              data-dragged={dragged === job.id}
+              data-target={target?.id === job.id ? (target.below ? "below" : "above") : undefined}
+              onDragStart={(event) => {
+                event.dataTransfer.effectAllowed = "move";
+                event.dataTransfer.setData("text/plain", job.id);
+                setDragged(job.id);
+              }}
+              onDragOver={(event) => place > 0 && dragOver(event, job.id)}
+              onDrop={(event) => {
+                event.preventDefault();
+                drop();
+              }}
+              onDragEnd={() => {
+                setDragged(null);
+                setTarget(null);
+              }}
+            >
+              <Row entry={entry} />
+              {place > 0 && reason === null && (
+                <Actions
+                  entry={entry}
+                  last={place === ids.length}
+                  move={(step) => moveTo(job.id, place - 1 + step)}
+                  toTop={() => moveTo(job.id, 0)}
+                />
+              )}
+              {waitsAtMachine(job) && job.id !== current && (
+                <div className={jobCss.inRow}>
+                  <WaitsAtMachine job={job} />
+                </div>
+              )}
+            </li>
+          );
+        })}
+      </ol>
+    </Section>
+  );
+}
+
+function Row({ entry }: { entry: QueueEntry }) {
+  const { job, place } = entry;
+  const current = useUiStore((ui) => ui.job === job.id);
+  const board = useBoardTitle(job.board);
+  return (
+    <button
+      type="button"
+      className={css.row}
+      aria-current={current}
+      onClick={() => showDrawing(job.drawing, job.id)}
+      data-testid="queue-row"
+    >
+      <span className={css.place}>
+        {place > 0 ? place : "▶"}
+        {place > 0 && <IconGripVertical size={14} className={css.grip} aria-hidden />}
+      </span>
+      <DrawingPicture className={css.picture} src={entry.picture} />
+      <span className={css.text}>
+        <span className={css.name}>{job.drawing_name}</span>
+        <small>{`${board} · ${job.copies_done > 0 ? translate("machineQueue.copiesDone", { copies: job.copies, copiesDone: job.copies_done }) : translate("machineQueue.copies", { copies: job.copies })}`}</small>
+        <small>
+          {[entry.seconds > 0 ? formatDuration(entry.seconds) : "", startText(entry)]
+            .filter((text) => text !== "")
+            .join(" · ")}
+        </small>
+        <small data-testid="queue-id">{job.id}</small>
+        <OrderLine job={job} />
+      </span>
+      <span className={css.state}>
+        {place === 0 && <StateBadge job={job} />}
+        {place > 0 && job.priority !== 0 && (
+          <span className={css.priority} data-priority={priorityTitle(job.priority)}>
+            {priorityTitle(job.priority)}
+          </span>
+        )}
+      </span>
+      {isOnTable(job) && (
+        <Progress
+          className={css.bar ?? ""}
+          value={job.progress * 100}
+          size={3}
+          color={job.state === "held" ? "yellow" : "blue"}
+          aria-label={translate("machineQueue.progressOf", { drawingName: job.drawing_name })}
+        />
+      )}
+    </button>
+  );
+}
+
+interface ActionsProps {
+  entry: QueueEntry;
+  last: boolean;
+  /** Move the job by some places: -1 is one place earlier. */
+  move: (step: number) => void;
+  toTop: () => void;
+}
+
+function Actions({ entry: { job, place }, last, move, toTop }: ActionsProps) {
+  const { data: machines } = useMachines();
+  // What is being typed, also when it is empty; null: nothing is typed.
+  const [copies, setCopies] = useState<number | string | null>(null);
+  const name = job.drawing_name;
+  return (
+    <div className={css.actions}>
+      <Icon
+        label={translate("machineQueue.moveUp", { name })}
+        off={place === 1}
+        act={() => move(-1)}
+        testId="move-up"
+      >
+        <IconArrowUp size={17} />
+      </Icon>
+      <Icon
+        label={translate("machineQueue.moveDown", { name })}
+        off={last}
+        act={() => move(1)}
+        testId="move-down"
+      >
+        <IconArrowDown size={17} />
+      </Icon>
+      <Icon
+        label={
+          job.on_hold
+            ? translate("machineQueue.endTheHoldOf", { name })
+            : translate("machineQueue.holdInTheQueue", { name })
+        }
+        act={() => void changeJob(job.id, { on_hold: !job.on_hold })}
+        testId="queue-hold"
+      >
+        {job.on_hold ? <IconPlayerPlay size={17} /> : <IconPlayerPause size={17} />}
+      </Icon>
+      <NumberInput
+        className={css.copies ?? ""}
+        aria-label={translate("machineQueue.copiesOf", { name })}
+        size="xs"
+        min={job.copies_done + 1}
+        max={1000}
+        allowDecimal={false}
+        suffix="×"
+        value={copies ?? job.copies}
+        onChange={setCopies}
+        onBlur={() => {
+          if (typeof copies === "number" && copies !== job.copies)
+            void changeJob(job.id, { copies });
+          setCopies(null);
+        }}
+        onKeyDown={(event) => event.key === "Enter" && event.currentTarget.blur()}
+        data-testid="queue-copies"
+      />
+      <Menu position="bottom-end" shadow="md" withinPortal>
+        <Menu.Target>
+          <ActionIcon
+            className={css.action ?? ""}
+            variant="subtle"
+            color="gray"
+            aria-label={translate("machineQueue.priorityAndMachineOf", { name })}
+            data-testid="queue-more"
+          >
+            <IconDots size={17} />
+          </ActionIcon>
+        </Menu.Target>
+        <Menu.Dropdown>
+          <Menu.Item disabled={place === 1} onClick={toTop}>
+            {translate("machineQueue.moveToTheTop")}
+          </Menu.Item>
+          <Menu.Label>{translate("machineQueue.priority")}</Menu.Label>
+          {PRIORITIES.map(({ value, title }) => (
+            <Menu.Item
+              key={value}
+              rightSection={priorityTitle(job.priority) === title && <IconCheck size={14} />}
+              onClick={() => void changeJob(job.id, { priority: value })}
+            >
+              {title}
+            </Menu.Item>
+          ))}
+          <Menu.Label>{translate("machineQueue.moveToMachine")}</Menu.Label>
+          {(machines ?? [])
+            .filter((machine) => machine.name !== job.machine)
+            .map((machine: Machine) => (
+              <Menu.Item key={machine.name} onClick={() => void transferJob(job.id, machine.name)}>
+                {machine.title || machine.name}
+              </Menu.Item>
+            ))}
+        </Menu.Dropdown>
+      </Menu>
+    </div>
+  );
+}
+
+interface IconProps {
+  label: string;
+  act: () => void;
+  off?: boolean;
+  testId: string;
+  children: ReactNode;
+}
+
+function Icon({ label, act, off = false, testId, children }: IconProps) {
+  return (
+    <ActionIcon
+      className={css.action ?? ""}
+      variant="subtle"
+      color="gray"
+      aria-label={label}
+      title={label}
+      disabled={off}
+      onClick={act}
+      data-testid={testId}
+    >
+      {children}
+    </ActionIcon>
+  );
+}

@@ -1,0 +1,35 @@
+/** Orders the copies of a stopped batch that no job makes. */
+
+import { Button } from "@mantine/core";
+import { IconCopy } from "@tabler/icons-react";
+import type { Job } from "../../api/client";
+import { translate } from "../../language/translate";
+import { continueJob } from "../../state/actions";
+import { REMAINING_COPIES, remainingText } from "../../state/job/rest";
+import { useUiStore } from "../../state/store";
+import css from "./rest.module.css";
+
+/** Nothing is shown if no copies remain. */
+export function RemainingCopies({ job }: { job: Job }) {
+  const busy = useUiStore((ui) => ui.busy);
+  if (job.remaining_copies === 0) return null;
+  return (
+    <div className={css.remaining} data-testid="remaining-copies">
+      <div className={css.remainingText}>{remainingText(job)}</div>
+      {job.state !== "interrupted" && (
+        <Button
+          size="md"
+          className={css.remainingButton}
+          leftSection={<IconCopy size={16} aria-hidden />}
+          disabled={busy}
+          onClick={() => void continueJob(job.id, REMAINING_COPIES)}
+          data-testid="order-remaining"
+        >
+          {translate("remainingCopies.queueTheRemainingCopies", {
+            remainingCopies: job.remaining_copies,
+          })}
+        </Button>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,47 @@
+/** Shown if another user has saved a version meanwhile: the differences, and two choices. */
+
+import { Button } from "@mantine/core";
+import type { Definition } from "../../api/client";
+import { translate } from "../../language/translate";
+import { differences, type Fields } from "../../state/library/definitions";
+import { DifferenceTable } from "./DifferenceTable";
+import css from "./library.module.css";
+
+interface Props {
+  /** The version that the other user has saved. */
+  readonly theirs: Definition;
+  /** Name of this user; empty if it is not known. */
+  readonly by: string;
+  readonly mine: Fields;
+  readonly onTakeTheirs: () => void;
+  readonly onKeepMine: () => void;
+}
+
+export function ConflictCard({ theirs, by, mine, onTakeTheirs, onKeepMine }: Props) {
+  const changes = differences(theirs.fields, mine);
+  return (
+    <div className={css.conflict} role="alert" data-testid="conflict">
+      <b>
+        {translate("conflictCard.hasSavedVersionSinceYou", {
+          by: by || translate("conflictCard.anotherUser"),
+          version: theirs.version,
+        })}
+      </b>
+      {changes.length > 0 && (
+        <DifferenceTable
+          changes={changes}
+          before={translate("conflictCard.version", { version: theirs.version })}
+          after={translate("conflictCard.yours")}
+        />
+      )}
+      <div className={css.add}>
+        <Button onClick={onTakeTheirs} data-testid="take-theirs">
+          {translate("conflictCard.discardMyChangesAndLoad", { version: theirs.version })}
+        </Button>
+        <Button variant="default" onClick={onKeepMine} data-testid="keep-mine">
+          {translate("conflictCard.saveMyChangesAsVersion", { version: theirs.version + 1 })}
+        </Button>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,194 @@
+/** How a router goes round corners: one type for all, and exceptions for single corners. */
+
+import { Button, CloseButton, SegmentedControl, Slider } from "@mantine/core";
+import { IconHandClick } from "@tabler/icons-react";
+import { useId } from "react";
+import type { CornerAt } from "../../api/client";
+import { formatFixed } from "../../language/numbers";
+import { translate } from "../../language/translate";
+import {
+  CORNER_TYPES,
+  type CornerType,
+  setCornerK,
+  setCornerType,
+} from "../../state/order/corners";
+import { useUiStore } from "../../state/store";
+import css from "../shared/panels.module.css";
+import cornerCss from "./corners.module.css";
+
+const TITLES: Readonly<Record<CornerType, string>> = {
+  auto: translate("cornersForm.automatic"),
+  B: translate("cornersForm.arcB"),
+  C: translate("cornersForm.straightWithStopC"),
+  D: translate("cornersForm.blendD"),
+};
+
+const DESCRIPTIONS: Readonly<Record<CornerType, string>> = {
+  auto: translate("cornersForm.forEachCornerKnifetipChooses"),
+  B: translate("cornersForm.theCentreOfTheTool"),
+  C: translate("cornersForm.theCentreOfTheTool2"),
+  D: translate("cornersForm.theCentreOfTheTool3"),
+};
+
+/** Label of the slider for the parameter k. */
+const K_LABEL = translate("cornersForm.parameterKOfTheTool");
+
+/** Path of the tool centre past a corner at (34, 26), with a tool radius of 14. */
+const PATHS: Readonly<Record<Exclude<CornerType, "auto">, string>> = {
+  B: "M2 12H34A14 14 0 0 1 48 26V42",
+  C: "M2 12H48V42",
+  D: "M2 12H41A7 7 0 0 1 48 19V42",
+};
+
+export function CornersForm() {
+  const corners = useUiStore((ui) => ui.corners);
+  const pickingCorners = useUiStore((ui) => ui.pickingCorners);
+  const set = useUiStore((ui) => ui.set);
+  const fit = useId();
+  const hasSize = corners.type === "D" || corners.type === "auto";
+  return (
+    <fieldset className={cornerCss.corners} data-testid="corners">
+      <legend>{translate("cornersForm.toolPathAtOuterCorners")}</legend>
+      <div className={cornerCss.cornerTypes}>
+        {CORNER_TYPES.map((type) => (
+          <button
+            key={type}
+            type="button"
+            className={cornerCss.cornerType}
+            aria-pressed={corners.type === type}
+            title={DESCRIPTIONS[type]}
+            onClick={() => set({ corners: { ...corners, type } })}
+            data-testid={`corner-${type}`}
+          >
+            <CornerPicture type={type} />
+            {TITLES[type]}
+          </button>
+        ))}
+      </div>
+      <p className={css.note}>{DESCRIPTIONS[corners.type]}</p>
+      {hasSize && (
+        <SizeSlider
+          label={K_LABEL}
+          value={corners.k}
+          onChange={(k) => set({ corners: { ...corners, k } })}
+        />
+      )}
+      <div className={cornerCss.cornerFit}>
+        <span id={fit}>{translate("cornersForm.whereTheToolIsToo")}</span>
+        <SegmentedControl
+          size="xs"
+          fullWidth
+          orientation="vertical"
+          aria-labelledby={fit}
+          data={[
+            { value: "trim", label: translate("cornersForm.leaveThisPartUncut") },
+            { value: "refuse", label: translate("cornersForm.doNotCreateAProgram") },
+          ]}
+          value={corners.interference}
+          onChange={(choice) =>
+            set({ corners: { ...corners, interference: choice === "refuse" ? "refuse" : "trim" } })
+          }
+          data-testid="interference"
+        />
+      </div>
+      <SingleCorners />
+      {pickingCorners && <p className={css.note}>{translate("cornersForm.inTheDrawingClickA")}</p>}
+      <Button
+        size="xs"
+        variant={pickingCorners ? "light" : "default"}
+        leftSection={<IconHandClick size={15} aria-hidden />}
+        aria-pressed={pickingCorners}
+        onClick={() => set({ pickingCorners: !pickingCorners })}
+        data-testid="pick-corner"
+      >
+        {pickingCorners
+          ? translate("cornersForm.finishChoosingCorners")
+          : translate("cornersForm.chooseThePathForIndividual")}
+      </Button>
+    </fieldset>
+  );
+}
+
+const positionText = ({ x, y }: CornerAt): string =>
+  translate("cornersForm.position", { x: formatFixed(x, 1), y: formatFixed(y, 1) });
+
+/** The corners with a type of their own, one per row. */
+function SingleCorners() {
+  const corners = useUiStore((ui) => ui.corners);
+  const set = useUiStore((ui) => ui.set);
+  if (corners.at.length === 0) return null;
+  return (
+    <ul className={cornerCss.cornerList} data-testid="single-corners">
+      {corners.at.map((one, which) => (
+        <li key={`${one.x} ${one.y}`}>
+          <div className={cornerCss.cornerRow}>
+            <span className={css.figure}>{positionText(one)}</span>
+            <SegmentedControl
+              size="xs"
+              data={CORNER_TYPES.map((type) => ({
+                value: type,
+                label: type === "auto" ? TITLES.auto : type,
+              }))}
+              value={one.type}
+              onChange={(choice) => {
+                const type = CORNER_TYPES.find((known) => known === choice);
+                if (type !== undefined) set({ corners: setCornerType(corners, which, type) });
+              }}
+              aria-label={translate("cornersForm.toolPathAtTheCorner", { one: positionText(one) })}
+            />
+            <CloseButton
+              size="sm"
+              aria-label={translate("cornersForm.resetTheToolPathAt", { one: positionText(one) })}
+              onClick={() => set({ corners: setCornerType(corners, which, null) })}
+            />
+          </div>
+          {one.type === "D" && (
+            <SizeSlider
+              label={K_LABEL}
+              value={one.k ?? corners.k}
+              onChange={(k) => set({ corners: setCornerK(corners, which, k) })}
+            />
+          )}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+interface SizeSliderProps {
+  label: string;
+  value: number;
+  onChange: (k: number) => void;
+}
+
+function SizeSlider({ label, value, onChange }: SizeSliderProps) {
+  return (
+    <div className={cornerCss.cornerSize}>
+      <span>{label}</span>
+      <Slider
+        size="sm"
+        min={0.05}
+        max={0.95}
+        step={0.05}
+        value={value}
+        label={null}
+        thumbLabel={label}
+        onChange={(k) => onChange(Number(k.toFixed(2)))}
+      />
+      <span className={css.figure}>{formatFixed(value, 2)}</span>
+    </div>
+  );
+}
+
+function CornerPicture({ type }: { type: CornerType }) {
+  const all = type === "auto";
+  return (
+    <svg viewBox="0 0 56 44" width="56" height="44" aria-hidden="true">
+      <path d="M2 26H34V44H2Z" className={cornerCss.cornerPart} />
+      <circle cx="20" cy="12" r="10" className={cornerCss.cornerDisc} />
+      {(all ? (["B", "C", "D"] as const) : [type]).map((shown) => (
+        <path key={shown} d={PATHS[shown]} className={cornerCss.cornerPath} data-faint={all} />
+      ))}
+    </svg>
+  );
+}

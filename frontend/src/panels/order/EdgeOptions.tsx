@@ -1,0 +1,260 @@
+/** Options of the next job for the selected edges, and the list of all such choices. */
+
+import { Checkbox, CloseButton, NumberInput, SegmentedControl, Slider } from "@mantine/core";
+import { useState } from "react";
+import type { Edges } from "../../geometry/records";
+import { formatNumber } from "../../language/numbers";
+import { translate } from "../../language/translate";
+import { LINE_STYLES } from "../../state/drawing/palette";
+import {
+  arrowAlong,
+  type ChoiceField,
+  chosenValues,
+  commonType,
+  EDGE_OPTION_NAMES,
+  type EdgeChoice,
+  type EdgeField,
+  type EdgeOptionName,
+  edgeFields,
+  type FieldValue,
+  isByType,
+  type NumberField,
+  optionsForEdges,
+  type Target,
+  withoutTarget,
+  withValue,
+} from "../../state/order/edgeOptions";
+import { withEdgeChoices } from "../../state/order/options";
+import { useUiStore } from "../../state/store";
+import css from "../shared/panels.module.css";
+import edgeCss from "./edgeOptions.module.css";
+import {
+  choiceSummary,
+  choiceText,
+  fieldText,
+  optionTitle,
+  targetOf,
+  targetText,
+  valueText,
+} from "./edgeOptionTexts";
+
+interface SelectionProps {
+  edges: Edges;
+  rows: readonly number[];
+}
+
+/** The fields of all options for the selected edges. */
+export function EdgeOptions({ edges, rows }: SelectionProps) {
+  const names = optionsForEdges(edges, rows);
+  if (names.length === 0) return null;
+  return (
+    <div className={edgeCss.options} data-testid="edge-options">
+      <p className={css.note}>{translate("edgeOption.forTheNextJob")}</p>
+      {names.map((name) => (
+        <OptionForm key={name} name={name} edges={edges} rows={rows} />
+      ))}
+    </div>
+  );
+}
+
+function OptionForm({ name, edges, rows }: SelectionProps & { name: EdgeOptionName }) {
+  const options = useUiStore((ui) => ui.options);
+  const set = useUiStore((ui) => ui.set);
+  const [forType, setForType] = useState(false);
+  const type = commonType(edges, rows);
+  const hasTypes = type !== null && isByType(name);
+  const target: Target = hasTypes && forType ? type : rows;
+  const first = typeof target === "string" ? target : (target[0] ?? -1);
+  const fields = edgeFields(name);
+  const choices: readonly EdgeChoice[] = options[name];
+  const values = chosenValues(fields, choices, first);
+  // What an edge without a choice of its own has from its line type.
+  const ofType = type === null ? {} : chosenValues(fields, choices, type);
+  const change = (key: string, value: FieldValue) =>
+    set({
+      options: withEdgeChoices(options, name, withValue(fields, choices, target, key, value)),
+    });
+  return (
+    <fieldset className={edgeCss.option} data-testid={`edge-option-${name}`}>
+      <legend>{optionTitle(name)}</legend>
+      {hasTypes && (
+        <SegmentedControl
+          size="xs"
+          fullWidth
+          data={[
+            { value: "edges", label: translate("edgeOption.selectedEdges", { n: rows.length }) },
+            {
+              value: "type",
+              label: translate("edgeOption.allOfType", { type: LINE_STYLES[type].title }),
+            },
+          ]}
+          value={forType ? "type" : "edges"}
+          onChange={(scope) => setForType(scope === "type")}
+          data-testid={`edge-scope-${name}`}
+        />
+      )}
+      {Object.entries(fields).map(([key, field]) => (
+        <Field
+          key={key}
+          name={name}
+          id={key}
+          field={field}
+          value={values[key] ?? null}
+          usual={typeof target === "string" ? null : (ofType[key] ?? null)}
+          edge={
+            typeof target !== "string" && rows.length === 1 ? { edges, row: rows[0] ?? 0 } : null
+          }
+          onChange={(value) => change(key, value)}
+        />
+      ))}
+    </fieldset>
+  );
+}
+
+interface FieldProps<Kind extends EdgeField> {
+  name: EdgeOptionName;
+  id: string;
+  field: Kind;
+  value: FieldValue;
+  /** Value that is chosen for the line type of the edges; null for none. */
+  usual: FieldValue;
+  /** The edge if a single one is selected. */
+  edge: { edges: Edges; row: number } | null;
+  onChange: (value: FieldValue) => void;
+}
+
+function Field({ field, ...rest }: FieldProps<EdgeField>) {
+  if (field.kind === "choice") return <ChoiceControl field={field} {...rest} />;
+  if (field.unit === "fraction") return <PlaceControl field={field} {...rest} />;
+  return <NumberControl field={field} {...rest} />;
+}
+
+function ChoiceControl({ name, id, field, value, edge, onChange }: FieldProps<ChoiceField>) {
+  const isDirection = field.unit === "direction" && edge !== null;
+  return (
+    <div className={edgeCss.field}>
+      <span>{fieldText(name, id)}</span>
+      <SegmentedControl
+        size="xs"
+        fullWidth
+        aria-label={fieldText(name, id)}
+        data={field.choices.map((choice) => ({
+          value: choice,
+          label:
+            isDirection && choice !== field.default
+              ? `${arrowAlong(edge.edges, edge.row, choice === "reverse")} ${choiceText(name, id, choice)}`
+              : choiceText(name, id, choice),
+        }))}
+        value={String(value ?? field.default)}
+        onChange={onChange}
+        data-testid={`edge-${name}-${id}`}
+      />
+    </div>
+  );
+}
+
+/** A place on the edge: nowhere, or a part of its length. */
+function PlaceControl({ name, id, field, value, edge, onChange }: FieldProps<NumberField>) {
+  const share = typeof value === "number" ? value : null;
+  const length = edge?.edges.length[edge.row];
+  const label = fieldText(name, id);
+  return (
+    <div className={edgeCss.field}>
+      <Checkbox
+        size="xs"
+        label={label}
+        checked={share !== null}
+        onChange={({ currentTarget }) => onChange(currentTarget.checked ? 0.5 : null)}
+        data-testid={`edge-${name}-${id}`}
+      />
+      {share !== null && (
+        <div className={edgeCss.place}>
+          <Slider
+            size="sm"
+            min={field.min}
+            max={field.max}
+            step={0.01}
+            value={share}
+            label={null}
+            thumbLabel={label}
+            onChange={(at) => onChange(Number(at.toFixed(2)))}
+          />
+          <span className={css.figure}>
+            {length === undefined
+              ? valueText(name, id, share)
+              : translate("edgeOption.fromStart", {
+                  share: valueText(name, id, share),
+                  length: formatNumber(share * length, { maximumFractionDigits: 1 }),
+                })}
+          </span>
+        </div>
+      )}
+    </div>
+  );
+}
+
+function NumberControl({ name, id, field, value, usual, onChange }: FieldProps<NumberField>) {
+  return (
+    <NumberInput
+      size="xs"
+      className={edgeCss.number}
+      label={fieldText(name, id)}
+      placeholder={valueText(name, id, usual)}
+      suffix={field.unit === "" ? "" : ` ${field.unit}`}
+      min={field.min}
+      max={field.max}
+      step={field.whole ? 1 : 0.1}
+      decimalScale={field.whole ? 0 : 3}
+      allowDecimal={!field.whole}
+      value={value ?? ""}
+      onChange={(typed) =>
+        onChange(typed === "" || !(Number(typed) > 0) ? field.default : Number(typed))
+      }
+      data-testid={`edge-${name}-${id}`}
+    />
+  );
+}
+
+/** All choices for edges of the next job, each with a button that removes it. */
+export function EdgeChoiceList() {
+  const options = useUiStore((ui) => ui.options);
+  const set = useUiStore((ui) => ui.set);
+  const selectEdges = useUiStore((ui) => ui.selectEdges);
+  const chosen = EDGE_OPTION_NAMES.flatMap((name) =>
+    (options[name] as readonly EdgeChoice[]).map((choice) => ({ name, choice })),
+  );
+  if (chosen.length === 0) return null;
+  return (
+    <div className={edgeCss.list} data-testid="edge-choices">
+      <span>{translate("edgeOption.choicesForEdges")}</span>
+      <ul>
+        {chosen.map(({ name, choice }) => {
+          const target = targetOf(choice);
+          const subject = targetText(target);
+          return (
+            <li key={`${name} ${JSON.stringify(choice)}`}>
+              <button
+                type="button"
+                className={edgeCss.choice}
+                disabled={typeof target === "string"}
+                onClick={() => typeof target !== "string" && selectEdges(target)}
+              >
+                <b>{subject}</b>
+                <span>{choiceSummary(name, choice)}</span>
+              </button>
+              <CloseButton
+                size="sm"
+                aria-label={translate("edgeOption.remove", { subject })}
+                onClick={() =>
+                  set({
+                    options: withEdgeChoices(options, name, withoutTarget(options[name], target)),
+                  })
+                }
+              />
+            </li>
+          );
+        })}
+      </ul>
+    </div>
+  );
+}

@@ -1,0 +1,47 @@
+/** The feed of the program that runs: slower, as programmed, faster. */
+
+import type { Job, Machine, Station } from "../../api/client";
+import { translate } from "../../language/translate";
+import { translateRich } from "../../language/translateRich";
+import { operate } from "../../state/station/operations";
+import { overrideSteps } from "../../state/station/station";
+import css from "./station.module.css";
+
+interface Props {
+  readonly machine: Machine;
+  readonly station: Station | undefined;
+  readonly job: Job;
+  readonly reached: boolean;
+}
+
+export function FeedOverride({ machine, station, job, reached }: Props) {
+  const steps = overrideSteps(machine, station, job);
+  if (steps === null) return null;
+  return (
+    <fieldset className={css.feedOverride} data-testid="feed-override">
+      <legend>
+        {translateRich("feedOverride.feedOfTheProgram", {
+          percent: station?.override ?? "",
+          b: (children) => <b data-testid="feed-override-value">{children}</b>,
+        })}
+      </legend>
+      {steps.map(({ name, label, percent, enabled }) => (
+        <button
+          key={name}
+          type="button"
+          className={css.output}
+          disabled={!reached || !enabled}
+          onClick={() =>
+            void operate(machine.name, translate("feedOverride.feed2", { percent }), {
+              operation: "feed_override",
+              percent,
+            })
+          }
+          data-testid={`feed-${name}`}
+        >
+          {label}
+        </button>
+      ))}
+    </fieldset>
+  );
+}

@@ -1,0 +1,89 @@
+/** Head of the station page: the machine, its state in large type, and the connections. */
+
+import { IconPlugConnected, IconPlugConnectedX } from "@tabler/icons-react";
+import type { Job, Machine, Station } from "../../api/client";
+import { formatFixed, withMinusSign } from "../../language/numbers";
+import { translate } from "../../language/translate";
+import { AXES, ageText, titleOf, turnsTools } from "../../state/station/station";
+import { OperatorButton } from "../accounts/OperatorForm";
+import { LanguageMenu } from "../shared/LanguageMenu";
+import css from "./station.module.css";
+
+interface Props {
+  readonly machine: Machine;
+  readonly station: Station | undefined;
+  readonly job: Job | undefined;
+  readonly reached: boolean;
+}
+
+export function StationHeader({ machine, station, job, reached }: Props) {
+  const { title, tone } = reached
+    ? titleOf(station, job)
+    : { title: translate("stationHeader.noConnection"), tone: "red" as const };
+  const connected = reached && station?.connected === true;
+  return (
+    <header className={css.header}>
+      <div className={css.names}>
+        <h1 className={css.machine}>{machine.title || machine.name}</h1>
+        <div className={css.state} data-tone={tone} role="status" data-testid="station-state">
+          {title}
+        </div>
+        {reached && ageText(station) !== "" && (
+          <small className={css.age} data-testid="station-age">
+            {translate("stationHeader.reported", { station: ageText(station) })}
+          </small>
+        )}
+      </div>
+      <Position machine={machine} station={reached ? station : undefined} />
+      <div className={css.links}>
+        <span
+          className={css.chip}
+          data-tone={connected ? "green" : "red"}
+          data-testid="station-connection"
+        >
+          {connected ? <IconPlugConnected aria-hidden /> : <IconPlugConnectedX aria-hidden />}
+          {!reached
+            ? translate("stationHeader.noServer")
+            : connected
+              ? translate("stationHeader.connected")
+              : translate("stationHeader.noController")}
+        </span>
+        <div className={css.operatorAndWay}>
+          <OperatorButton />
+          <LanguageMenu />
+          <a className={css.leave} href="#/">
+            {translate("stationHeader.allDrawings")}
+          </a>
+        </div>
+      </div>
+    </header>
+  );
+}
+
+interface PositionProps {
+  readonly machine: Machine;
+  readonly station: Station | undefined;
+}
+
+/** Position of the axes in the coordinates of programs; C only if an axis turns the tools. */
+function Position({ machine, station }: PositionProps) {
+  const position = station?.position ?? null;
+  const axes = AXES.filter((axis) => axis !== "C" || turnsTools(machine));
+  return (
+    <dl
+      className={css.position}
+      aria-label={translate("stationHeader.positionOfTheAxes")}
+      data-testid="station-position"
+    >
+      {axes.map((axis, at) => (
+        <div key={axis}>
+          <dt>{axis}</dt>
+          <dd>
+            {position === null ? "–" : withMinusSign(formatFixed(position[at] ?? 0, 1))}
+            {axis === "C" && position !== null ? "°" : ""}
+          </dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

@@ -1,0 +1,284 @@
+/** The job of the machine: what to check before it starts, its progress, and how it ended. */
+
+import { useState } from "react";
+import type { Job, JobCommand, Machine, Station } from "../../api/client";
+import { translate } from "../../language/translate";
+import { translateRich } from "../../language/translateRich";
+import { messageHint, messageText } from "../../messages/translateMessage";
+import { formatDuration } from "../../state/format";
+import {
+  type Confirmation,
+  confirmationBefore,
+  isOnTable,
+  needsOperator,
+} from "../../state/job/jobs";
+import { canContinue, tracksLeft } from "../../state/job/rest";
+import { useBoardTitle, useTracks } from "../../state/queries";
+import type { Check } from "../../state/station/checks";
+import type { HandsClear } from "../../state/station/handsClear";
+import { commandJob } from "../../state/station/operations";
+import { recompileNote } from "../../state/station/toolCheck";
+import type { WornToolsState } from "../../state/station/wornTools";
+import { RemainingCopies } from "../job/RemainingCopies";
+import { RestPanel } from "../job/RestPanel";
+import { StateBadge } from "../job/StateBadge";
+import { OrderCard } from "../order/OrderDetails";
+import { AskOnce } from "./AskOnce";
+import { DryRunPanel } from "./DryRunPanel";
+import { FeedOverride } from "./FeedOverride";
+import { HandsClearButton } from "./HandsClearButton";
+import { StationChecks } from "./StationChecks";
+import css from "./station.module.css";
+import { ToolCheckPanel } from "./ToolCheckPanel";
+import { WornTools } from "./WornTools";
+
+interface Props {
+  readonly job: Job;
+  readonly machine: Machine;
+  readonly station: Station | undefined;
+  /** null: not known yet. */
+  readonly checks: readonly Check[] | null;
+  readonly ticked: ReadonlySet<string>;
+  readonly wornTools: WornToolsState;
+  readonly reached: boolean;
+  readonly hands: HandsClear;
+  onTick(keys: readonly string[]): void;
+}
+
+export function StationJob(props: Props) {
+  const { job, machine, station, checks, ticked, wornTools, reached, hands, onTick } = props;
+  const board = useBoardTitle(job.board);
+  return (
+    <section
+      className={css.job}
+      aria-label={translate("stationJob.job")}
+      data-testid="station-job"
+      data-state={job.state}
+    >
+      <div className={css.jobHead}>
+        <h2>{job.drawing_name}</h2>
+        <StateBadge job={job} testId="station-job-state" />
+      </div>
+      {/* Large: on another board than its own, a job cuts at wrong depths. */}
+      <p className={css.boardName} data-testid="station-board">
+        {board}
+      </p>
+      <p
+        className={css.jobFacts}
+      >{`${translate("stationJob.copies", { copies: job.copies })}${job.seconds > 0 ? ` · ${translate("stationJob.each", { seconds: formatDuration(job.seconds) })}` : ""}`}</p>
+      <OrderCard job={job} />
+      {isOnTable(job) && <Run job={job} />}
+      <FeedOverride machine={machine} station={station} job={job} reached={reached} />
+      {job.actions.includes("resume") && <HandsClearButton hands={hands} reached={reached} />}
+      <Reason job={job} />
+      {needsOperator(job) && checks !== null && (
+        <>
+          <WornTools tools={wornTools} />
+          <StationChecks
+            machine={machine}
+            checks={checks}
+            ticked={ticked}
+            hands={hands}
+            onTick={onTick}
+          />
+        </>
+      )}
+      {job.waiting_for === "confirmation" && job.state === "queued" && (
+        <>
+          <DryRunPanel
+            job={job}
+            machine={machine}
+            station={station}
+            reached={reached}
+            hands={hands}
+          />
+          {checks !== null && <ToolCheckPanel {...props} checks={checks} />}
+        </>
+      )}
+      {job.actions.includes("recheck") && (
+        <div className={css.way}>
+          <button
+            type="button"
+            className={css.button}
+            disabled={!reached}
+            onClick={() => void commandJob(job.id, translate("stationJob.tryAgain"), "recheck")}
+            data-testid="station-recheck"
+          >
+            {translate("stationJob.tryAgain")}
+          </button>
+          <small>{translate("stationJob.theMachineChecksTheProgram")}</small>
+        </div>
+      )}
+      {job.waiting_for === "compile" && (
+        <div className={css.way}>
+          <button
+            type="button"
+            className={css.button}
+            disabled={!reached || !job.actions.includes("recompile")}
+            onClick={() =>
+              void commandJob(job.id, translate("stationJob.compileAgain"), "recompile")
+            }
+            data-testid="station-recompile"
+          >
+            {translate("stationJob.compileTheJobAgain")}
+          </button>
+          <small>{recompileNote(machine)}</small>
+        </div>
+      )}
+      {(job.state === "interrupted" || job.state === "cancelled") && (
+        <AfterInterruption job={job} reached={reached} />
+      )}
+      {job.state === "done" && <RemainingCopies job={job} />}
+    </section>
+  );
+}
+
+function Run({ job }: { job: Job }) {
+  const percent = Math.round(job.progress * 100);
+  return (
+    <div data-testid="station-run">
+      <div className={css.figures}>
+        <div>
+          <b>{percent}</b> %
+        </div>
+        {job.seconds_left !== null && (
+          <div data-testid="station-left">
+            {translateRich("stationJob.left", {
+              secondsLeft: formatDuration(job.seconds_left),
+              b: (children) => <b>{children}</b>,
+            })}
+          </div>
+        )}
+        {job.copies > 1 && (
+          <div data-testid="station-copy">
+            {translateRich("stationJob.copyOf", {
+              copiesDone: Math.min(job.copies_done + 1, job.copies),
+              copies: job.copies,
+              b: (children) => <b>{children}</b>,
+            })}
+          </div>
+        )}
+      </div>
+      <progress
+        className={css.bar}
+        value={job.progress}
+        max={1}
+        aria-label={translate("stationJob.progressOfTheJobOn")}
+      />
+    </div>
+  );
+}
+
+/** Why the job waits or how it ended, with what to do. */
+function Reason({ job }: { job: Job }) {
+  // The list of checks contains the same items.
+  if (job.message?.code === "waiting.for-start") return null;
+  if (job.state === "done") {
+    return (
+      <p className={css.message} data-tone="green" role="status" data-testid="station-done">
+        {translate("stationJob.copiesFinishedTheTableIs", { copies: job.copies })}
+      </p>
+    );
+  }
+  const text = job.message === null ? "" : messageText(job.message);
+  if (text === "") {
+    return job.state === "cancelled" ? (
+      <p className={css.message}>{translate("stationJob.theJobWasCancelled")}</p>
+    ) : null;
+  }
+  const hint = job.message === null ? "" : messageHint(job.message);
+  const tone = job.state === "interrupted" || needsOperator(job) ? "amber" : "grey";
+  return (
+    <div className={css.message} data-tone={tone} role="status" data-testid="station-reason">
+      <div>{text}</div>
+      {hint !== "" && <div className={css.todo}>{hint}</div>}
+    </div>
+  );
+}
+
+type Ending = Extract<JobCommand, "requeue" | "finish" | "scrap">;
+
+const ENDINGS: Readonly<Record<Ending, { title: string; note: string }>> = {
+  requeue: {
+    title: translate("stationJob.queueAgainFromTheStart"),
+    note: translate("stationJob.needsANewSheetThe"),
+  },
+  finish: {
+    title: translate("stationJob.itIsFinished"),
+    note: translate("stationJob.onlyIfAllSheetsAre"),
+  },
+  scrap: {
+    title: translate("stationJob.boardIsScrap"),
+    note: translate("stationJob.endsTheJobRemoveThe"),
+  },
+};
+
+const AGAIN: Confirmation = {
+  title: translate("stationJob.queueTheJobAgainFrom"),
+  text: translate("stationJob.theSheetOnTheTable"),
+  yes: translate("stationJob.queueAgain"),
+  no: translate("stationJob.doNotQueue"),
+};
+
+/** Where the machine stopped is drawn in the picture; here is what can be done about it. */
+function AfterInterruption({ job, reached }: { job: Job; reached: boolean }) {
+  const [asking, setAsking] = useState<Ending | null>(null);
+  const words = job.actions.filter((word): word is Ending => word in ENDINGS);
+  if (asking !== null && words.includes(asking)) {
+    return (
+      <AskOnce
+        {...(confirmationBefore(job, asking) ?? AGAIN)}
+        disabled={!reached}
+        onNo={() => setAsking(null)}
+        onYes={() => {
+          setAsking(null);
+          void commandJob(job.id, ENDINGS[asking].title, asking);
+        }}
+      />
+    );
+  }
+  return (
+    <div className={css.ways} data-testid="after-interruption">
+      {job.stopped_at !== null && <p>{stopText(job, job.stopped_at)}</p>}
+      {canContinue(job) && (
+        <fieldset className={css.rest} disabled={!reached}>
+          <RestLegend job={job} />
+          <RestPanel job={job} />
+        </fieldset>
+      )}
+      {words.map((word) => (
+        <div key={word} className={css.way}>
+          <button
+            type="button"
+            className={css.button}
+            disabled={!reached}
+            onClick={() => setAsking(word)}
+            data-testid={`station-${word}`}
+          >
+            {ENDINGS[word].title}
+          </button>
+          <small>{ENDINGS[word].note}</small>
+        </div>
+      ))}
+    </div>
+  );
+}
+
+/** The best way after an interruption, with what it makes. */
+function RestLegend({ job }: { job: Job }) {
+  const { data: tracks } = useTracks(job);
+  return (
+    <legend data-testid="rest-title">
+      {tracks === undefined
+        ? translate("stationJob.continueThisSheet")
+        : translate("stationJob.continueThisSheetLeft", { tracks: tracksLeft(tracks) })}
+    </legend>
+  );
+}
+
+function stopText({ lines, tools }: Job, stop: NonNullable<Job["stopped_at"]>): string {
+  const tool = tools.find(({ station }) => station === stop.station);
+  return tool === undefined
+    ? translate("stationJob.thePictureShowsWhereThe", { line: stop.line, lines })
+    : translate("stationJob.thePictureShowsWhereThe2", { line: stop.line, lines, name: tool.name });
+}

@@ -1,0 +1,51 @@
+/** Options of a job that need no form of their own. */
+
+import type { Job } from "../../api/client";
+import { OPTIONS } from "../../api/options.gen";
+import { EDGE_OPTION_NAMES, type EdgeChoice, type EdgeOptionName } from "./edgeOptions";
+
+/** The least lift is a part of the form, because only some machines have it. */
+const OWN_FORM = ["lift"] as const;
+
+export type OptionName = Exclude<keyof typeof OPTIONS, (typeof OWN_FORM)[number]>;
+export type Options = Pick<Job, OptionName | EdgeOptionName>;
+
+export const OPTION_NAMES = (Object.keys(OPTIONS) as (keyof typeof OPTIONS)[]).filter(
+  (name): name is OptionName => !OWN_FORM.some((own) => own === name),
+);
+
+const valuesOf = (
+  plain: (name: OptionName) => unknown,
+  ofEdges: (name: EdgeOptionName) => unknown,
+): Options =>
+  Object.fromEntries([
+    ...OPTION_NAMES.map((name) => [name, plain(name)]),
+    ...EDGE_OPTION_NAMES.map((name) => [name, ofEdges(name)]),
+  ]) as Options;
+
+export const DEFAULT_OPTIONS = valuesOf(
+  (name) => OPTIONS[name].default,
+  () => [],
+);
+
+/** The options of a job, to order it again. */
+export const optionsOf = (job: Job): Options =>
+  valuesOf(
+    (name) => job[name],
+    (name) => job[name],
+  );
+
+/** The plain options of a job that are not the default. */
+export const changedOptions = (job: Job): OptionName[] =>
+  OPTION_NAMES.filter((name) => job[name] !== OPTIONS[name].default);
+
+/** The options of a job that concern some edges, if any edge is chosen. */
+export const changedEdgeOptions = (job: Job): EdgeOptionName[] =>
+  EDGE_OPTION_NAMES.filter((name) => job[name].length > 0);
+
+/** The options with other choices for edges; their fields come from the description of the option. */
+export const withEdgeChoices = (
+  options: Options,
+  name: EdgeOptionName,
+  choices: readonly EdgeChoice[],
+): Options => ({ ...options, [name]: choices }) as Options;

@@ -1,0 +1,67 @@
+"""Options of edges in orders: starts and directions of closed cuts, passes and depths."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import httpx
+import pytest
+
+from tests.support.serving.server import order_job, square, upload_drawing, wait_for_state
+
+pytestmark = pytest.mark.xdist_group("server")
+
+STARTS = [{"edges": [1], "at": 0.25, "direction": "reverse"}]
+DEPTHS = [{"edges": [], "line_type": "cut", "passes": 2, "depth": None}]
+
+
+def made(client: httpx.Client, **options: object) -> tuple[dict[str, Any], bytes]:
+    """Return a job for a square with some options, when it is compiled, and its program."""
+    ordered = order_job(client, upload_drawing(client, square())["id"], **options)
+    job = wait_for_state(client, ordered["id"], "ready", "refused")
+    program = client.get(f"/api/jobs/{job['id']}/program")
+    return job, program.content if job["state"] == "ready" else b""
+
+
+def test_options_of_edges_are_kept_with_the_job_and_change_its_program(
+    client: httpx.Client,
+) -> None:
+    plain, program = made(client)
+    assert (plain["contour_starts"], plain["cut_depths"]) == ([], [])
+    job, chosen = made(client, contour_starts=STARTS, cut_depths=DEPTHS)
+    assert (job["state"], job["contour_starts"], job["cut_depths"]) == ("ready", STARTS, DEPTHS)
+    assert job["program_sha256"] != plain["program_sha256"]
+    # E-flute is 1.6 mm thick, and cuts are 1.9 mm deep: the first of two passes ends at 0.65 mm.
+    assert b"Z0.6500" in chosen
+    assert b"Z0.6500" not in program
+
+
+def test_orders_with_the_same_options_have_the_same_program(client: httpx.Client) -> None:
+    one, other = (made(client, contour_starts=STARTS)[0] for _ in range(2))
+    assert one["program_sha256"] == other["program_sha256"]
+
+
+def test_a_start_on_an_edge_that_is_not_drawn_refuses_the_job(client: httpx.Client) -> None:
+    job, _ = made(client, contour_starts=[{"edges": [4], "at": 0.5}])
+    assert job["state"] == "refused"
+    assert job["message"]["code"] == "edge-choice.no-edge"
+
+
+@pytest.mark.parametrize(
+    ("fields", "path"),
+    [
+        ({"contour_starts": [{"edges": [0], "at": 1.5}]}, "contour_starts"),
+        ({"contour_starts": [{"edges": [], "at": 0.5}]}, "contour_starts"),
+        ({"contour_starts": [{"edges": [0], "direction": "left"}]}, "contour_starts"),
+        ({"cut_depths": [{"edges": [0], "passes": 11}]}, "cut_depths"),
+        ({"cut_depths": [{"edges": [0], "line_type": "cut", "passes": 2}]}, "cut_depths"),
+        ({"cut_depths": [{"edges": [0], "depth": -1.0}]}, "cut_depths"),
+    ],
+)
+def test_invalid_options_of_edges_are_refused_on_order(
+    client: httpx.Client, fields: dict[str, Any], path: str
+) -> None:
+    drawing = upload_drawing(client, square())["id"]
+    answer = client.post("/api/jobs", json={"drawing": drawing, "board": "e-flute", **fields})
+    assert answer.status_code == 422
+    assert path in answer.text
