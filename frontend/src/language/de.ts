@@ -163,11 +163,11 @@ export const de = {
   "accountDialog.revoke": "Sperren",
   "accountDialog.revoked": "gesperrt",
   "accountDialog.createAKey": "Schlüssel anlegen",
-  "accountDialog.usedBy": "Benutzt von",
+  "accountDialog.usedBy": "Titel des Schlüssels",
   "accountDialog.programThatUsesTheKey": "Programm, das den Schlüssel benutzt",
   "accountDialog.scopes": "Berechtigungen",
   "accountDialog.noRoleLetsAKey":
-    "Keine Rolle erlaubt einem Schlüssel, eine Maschine zu starten oder zu bewegen: Das ist station",
+    "Um eine Maschine zu starten oder zu bewegen, braucht ein Schlüssel die Berechtigung station: keine andere enthält sie",
   "accountDialog.customerOptional": "Kunde (optional)",
   "accountDialog.theKeySeesAndOrders":
     "Der Schlüssel sieht und bestellt nur Aufträge dieses Kunden",
@@ -183,7 +183,7 @@ export const de = {
   "operatorForm.noName": "Kein Name",
   "operatorForm.cancel": "Abbrechen",
   "operatorForm.recordedWithWhatYouConfirm":
-    "Wird mit Bestätigungen und Änderungen gespeichert und auf diesem Gerät gemerkt.",
+    "Der Name wird mit Bestätigungen und Änderungen gespeichert und auf diesem Gerät gemerkt.",
   "operatorForm.operator": "Bediener",
   "operatorForm.changeTheNameOfThe": "Namen des Bedieners ändern",
   // panels/accounts/PairedDevices.tsx
@@ -394,7 +394,7 @@ export const de = {
     "Für jede Zeile eine Linienart wählen und alle auf einmal setzen.",
   "questionTable.layerAndEdges": "Layer und Kanten",
   "questionTable.lineType": "Linienart",
-  "questionTable.oneUndoTakesAllOf": "Einmal „Rückgängig“ nimmt alle zurück",
+  "questionTable.oneUndoTakesAllOf": "Einmal „Rückgängig“ nimmt alle diese Antworten zurück",
   "questionTable.ofRows":
     "{answers, number} von {questions, plural, one {# Zeile} other {# Zeilen}}",
   "questionTable.setTheChosenLineTypes": "Gewählte Linienarten setzen",
@@ -405,9 +405,10 @@ export const de = {
   // panels/drawing/QuestionsPanel.tsx
   "questionsPanel.openQuestions":
     "{questions, plural, one {# offene Frage} other {# offene Fragen}}",
-  "questionsPanel.oneUndoTakesAllOf": "Einmal „Rückgängig“ nimmt alle zurück",
+  "questionsPanel.oneUndoTakesAllOf": "Einmal „Rückgängig“ nimmt alle diese Antworten zurück",
   "questionsPanel.questions": "{suggested, plural, one {# Frage} other {# Fragen}}",
-  "questionsPanel.acceptAllMostLikelyLine": "Alle wahrscheinlichsten Linienarten annehmen",
+  "questionsPanel.acceptAllMostLikelyLine":
+    "Bei allen Fragen die wahrscheinlichste Linienart annehmen",
   "questionsPanel.theEdgesStayVisibleIn":
     "Die Kanten bleiben in der Zeichnung sichtbar, werden aber weder geschnitten noch gerillt",
   "questionsPanel.edges": "{undecided, plural, one {# Kante} other {# Kanten}}",
@@ -446,19 +447,21 @@ export const de = {
   "selectionBar.key0": "{useprofiletype} (Taste 0)",
   "selectionBar.clearTheSelectionOfEdges": "Auswahl der Kanten aufheben",
   // panels/drawing/ShareControl.tsx
-  "shareControl.itsOwnerOrAnOperator": "Der Besitzer oder ein Bediener kann sie freigeben.",
+  "shareControl.itsOwnerOrAnOperator":
+    "Der Besitzer der Zeichnung oder ein Bediener kann sie freigeben.",
   "shareControl.allDesignersMayChangeThis": "Alle Gestalter dürfen diese Zeichnung ändern",
   // panels/drawing/TaughtPanel.tsx
-  "taughtPanel.decidedFromAnswers": "Aus Antworten entschieden",
+  "taughtPanel.decidedFromAnswers": "Aus früheren Antworten entschieden",
   "taughtPanel.moreEdgesWithTheLook":
-    "<b>{rows, plural, one {# weitere Kante} other {# weitere Kanten}}</b> mit dem Aussehen der beantworteten",
+    "<b>{rows, plural, one {# weitere Kante} other {# weitere Kanten}}</b> mit Layer, Farbe und Strichart von Kanten, die Sie beantwortet haben",
   "taughtPanel.edges": "{edges, plural, one {# Kante} other {# Kanten}}",
   "taughtPanel.learnedFromOf": "{look}. Gelernt aus {drawings} von {customer}.",
   "taughtPanel.askAboutSuchEdgesIn":
     "Nach solchen Kanten fragen, in dieser Zeichnung und in den nächsten",
-  "taughtPanel.takeBackFor": "Für {customer} zurücknehmen",
-  "taughtPanel.useAgain": "Wieder verwenden",
-  "taughtPanel.noLongerDecidedAs": "{look} ({look2}): nicht mehr als {title} entschieden.",
+  "taughtPanel.takeBackFor": "Antwort für {customer} nicht mehr verwenden",
+  "taughtPanel.useAgain": "Antwort wieder verwenden",
+  "taughtPanel.noLongerDecidedAs":
+    "{look} ({look2}): die Linienart {title} wird nicht mehr vergeben.",
   // panels/drawing/TypeChanges.tsx
   "typeChanges.becomes": "wird zu",
   "typeChanges.edges": "{edges, plural, one {# Kante} other {# Kanten}}",
@@ -516,7 +519,7 @@ export const de = {
   "historyPage.last31Days": "Letzte 31 Tage",
   "historyPage.lastYear": "Letztes Jahr",
   "historyPage.history": "Verlauf",
-  "historyPage.whatToShow": "Was gezeigt wird",
+  "historyPage.whatToShow": "Ansicht des Verlaufs",
   "historyPage.machine": "Maschine",
   "historyPage.allMachines": "Alle Maschinen",
   "historyPage.backToTheDrawing": "Zurück zur Zeichnung",
@@ -540,13 +543,13 @@ export const de = {
   "statisticsView.halfCut": "geritzt",
   "statisticsView.cutAndCreased": "geschnitten und gerillt",
   "statisticsView.weekOf": "Woche vom {text}",
-  "statisticsView.lengthOfAPeriod": "Länge eines Zeitraums",
+  "statisticsView.lengthOfAPeriod": "Nach Tagen, Wochen oder Monaten",
   "statisticsView.noJobHasRunOn": "In dieser Zeit lief kein Auftrag auf einer Maschine.",
   "statisticsView.copies": "{copies, plural, one {# Exemplar} other {# Exemplare}}",
   "statisticsView.jobsFinished": "{jobs, plural, one {# Auftrag} other {# Aufträge}} fertig",
   "statisticsView.sheets": "Bogen",
   "statisticsView.length": "Länge",
-  "statisticsView.onTheMachine": "Auf der Maschine",
+  "statisticsView.onTheMachine": "Zeit auf der Maschine",
   "statisticsView.interrupted": "Unterbrochen",
   "statisticsView.ofRuns":
     "{interruptions, number} von {runs, plural, one {# Lauf} other {# Läufen}} ({interruptedShare, number} %)",
@@ -582,7 +585,7 @@ export const de = {
   "acceptForm.uncut":
     "{count, plural, one {# Linie kann nicht auf ganzer Länge gemacht werden} other {# Linien können nicht auf ganzer Länge gemacht werden}}",
   "acceptForm.beside":
-    "{count, plural, one {# Linie biegt enger, als das Werkzeug folgt} other {# Linien biegen enger, als das Werkzeug folgt}}",
+    "{count, plural, one {# Linie biegt enger, als das Werkzeug folgen kann} other {# Linien biegen enger, als das Werkzeug folgen kann}}",
   "acceptForm.near":
     "{count, plural, one {# Linie liegt dicht neben einer anderen Linie} other {# Linien liegen dicht neben anderen Linien}}",
   "acceptForm.deviation":
@@ -595,7 +598,7 @@ export const de = {
   "jobPanel.downloadMachineProgramLines":
     "Maschinenprogramm herunterladen ({lines, plural, one {# Zeile} other {# Zeilen}})",
   "jobPanel.board": "Material: <b>{title}</b> · {machine}",
-  "jobPanel.restOfTheSheetOr": "Rest des Bogens, oder ein Exemplar mehr",
+  "jobPanel.restOfTheSheetOr": "Diesen Bogen fortsetzen oder ein Exemplar mehr machen",
   "jobPanel.theJobWaitsForThe": "Der Auftrag wartet auf die Maschine {machine}.",
   "jobPanel.progressOfTheJobOn": "Fortschritt des Auftrags auf dem Tisch",
   "jobPanel.done": "{progress, number} % fertig",
@@ -713,7 +716,7 @@ export const de = {
   "verdictCard.resultOfTheProgramCheck": "Ergebnis der Programmprüfung",
   "verdictCard.longestOvercut": "Längster Überschnitt",
   "verdictCard.longestLengthLeftUncut": "Längste ungeschnittene Strecke",
-  "verdictCard.totalLengthLeftOutAs": "Planmäßig ausgelassene Gesamtlänge",
+  "verdictCard.totalLengthLeftOutAs": "Absichtlich ausgelassene Gesamtlänge",
   "verdictCard.machineTime": "Maschinenzeit",
   "verdictCard.andMoreFindings":
     "… und {findings, plural, one {# weiterer Befund} other {# weitere Befunde}}.",
@@ -740,11 +743,13 @@ export const de = {
   "verdictCard.programLine": "Programmzeile {line}",
   // panels/job/WaitsAtMachine.tsx
   "waitsAtMachine.theOperatorStatesThereWhen":
-    "Dort meldet der Bediener, wenn die Maschine fertig ist.",
+    "Dort bestätigt der Bediener, wenn die Maschine fertig ist.",
   "waitsAtMachine.copyOfIsFinishedThe":
     "Exemplar {copiesDone, number} von {copies, number} ist fertig. Das nächste braucht einen neuen Bogen.",
-  "waitsAtMachine.tableBoardAndToolsAre": "Tisch, Karton und Werkzeuge werden dort zuerst geprüft.",
-  "waitsAtMachine.theJobIsPausedAnd": "Der Auftrag ist angehalten und wird dort fortgesetzt.",
+  "waitsAtMachine.tableBoardAndToolsAre":
+    "Dort prüft der Bediener zuerst Tisch, Karton und Werkzeuge.",
+  "waitsAtMachine.theJobIsPausedAnd":
+    "Der Auftrag ist angehalten. Der Bediener setzt ihn dort fort.",
   "waitsAtMachine.waitsForTheOperatorAt": "Wartet auf den Bediener an {machine}.",
   "waitsAtMachine.boardOnTheTable": "Karton auf dem Tisch",
   "waitsAtMachine.sheet": "Bogen {sheet}",
@@ -768,7 +773,7 @@ export const de = {
   "calibrationForm.addPoint": "Punkt hinzufügen",
   "calibrationForm.compute": "Berechnen",
   "calibrationForm.mmInXMmIn":
-    "{tool}: {x} mm in X, {y} mm in Y; die Punkte weichen höchstens {residual} mm davon ab.",
+    "Durchbiegung von {tool}: {x} mm in X, {y} mm in Y. Die Messpunkte weichen höchstens {residual} mm davon ab.",
   "calibrationForm.useTheseValues": "Diese Werte verwenden",
   // panels/library/ConflictCard.tsx
   "conflictCard.version": "Version {version}",
@@ -790,12 +795,13 @@ export const de = {
   "copyForm.asItIsShownIn": "Wie er in Listen erscheint",
   "copyForm.giveItATitle": "Einen Titel eingeben.",
   "copyForm.nameOfTheCopy": "Name der Kopie",
-  "copyForm.forGatewaysFilesAndRequests": "Für Gateways, Dateien und Anfragen; er bleibt",
+  "copyForm.forGatewaysFilesAndRequests":
+    "Bezeichnet die Kopie in Dateien und Anfragen. Er kann später nicht geändert werden.",
   "copyForm.makeTheCopy": "Kopie anlegen",
   "copyForm.cancel": "Abbrechen",
   // panels/library/DefinitionEditor.tsx
   "definitionEditor.loading": "Wird geladen …",
-  "definitionEditor.allFaults": "Alle Fehler",
+  "definitionEditor.allFaults": "Alle Korrekturen zeigen",
   "definitionEditor.notSavedValuesNeedA":
     "Nicht gespeichert. {count, plural, one {# Wert muss} other {# Werte müssen}} korrigiert werden; jeder ist im Formular markiert.",
   "definitionEditor.allEntries": "Alle Einträge",
@@ -887,11 +893,11 @@ export const de = {
   "orderPanel.machine": "Maschine",
   "orderPanel.chooseAMachine2": "Maschine wählen",
   "orderPanel.leastLiftInTurnsMm":
-    "Geringster Hub beim Drehen ({turnClearance, number, ::group-off} mm über dem Karton)",
+    "Werkzeuge zum Drehen nur {turnClearance, number, ::group-off} mm über den Karton heben",
   "orderPanel.savesTimeOnlyForBoard": "Spart Zeit. Nur für Karton, der flach auf dem Tisch liegt.",
   "option.feedFactor": "Vorschubfaktor (0,1 bis 1)",
   "option.feedFactorDescription":
-    "Kleiner als 1 arbeitet langsamer: für Karton, der reißt, oder stumpfe Werkzeuge. Ein Laser schneidet dann tiefer",
+    "Kleiner als 1 ist langsamer: für Karton, der reißt, oder ein abgenutztes Werkzeug. Ein Laser schneidet dann tiefer",
   "orderPanel.copies": "Exemplare",
   "orderPanel.prepareProgram": "Vorbereiten",
   "orderPanel.prepareAgain": "Neu vorbereiten",
@@ -900,7 +906,7 @@ export const de = {
   "edgeOption.selectedEdges": "{n, plural, one {Diese Kante} other {Diese # Kanten}}",
   "edgeOption.allOfType": "Alle: {type}",
   "edgeOption.fromStart": "{share} der Kante, {length} mm ab ihrem Anfang",
-  "edgeOption.asUsual": "Wie üblich",
+  "edgeOption.asUsual": "Standard",
   "edgeOption.millimetres": "{value} mm",
   "edgeOption.choicesForEdges": "Vorgaben für Kanten",
   "edgeOption.edges": "{n, plural, one {Kante {edge}} other {# Kanten}}",
@@ -913,7 +919,7 @@ export const de = {
   "edgeOption.contour_starts.direction.reverse": "Rückwärts",
   "edgeOption.cut_depths": "Durchgänge und Tiefe",
   "edgeOption.cut_depths.passes": "Durchgänge",
-  "edgeOption.cut_depths.depth": "Tiefe von oben",
+  "edgeOption.cut_depths.depth": "Tiefe unter der Oberseite",
   // panels/order/SheetForm.tsx
   "sheetForm.largerThanTheDrawing": "Größer als die Zeichnung",
   "sheetForm.cutToTheOutlineOf": "Auf die Außenkontur der Zeichnung zugeschnitten",
@@ -983,11 +989,11 @@ export const de = {
   "dryRunPanel.movesAlongTheWholeProgram":
     "Fährt das ganze Programm über dem Karton ab. Nichts wird gesenkt oder eingeschaltet.",
   "dryRunPanel.movesOnceRoundTheSheet":
-    "Fährt einmal um den Bogen oder um die Arbeit, über dem Karton.",
+    "Fährt einmal um den Bogen oder um alle Linien des Programms, über dem Karton.",
   "dryRunPanel.beforeTheStart": "Vor dem Start",
-  "dryRunPanel.tryItAboveTheBoard": "Zuerst über dem Karton ausprobieren",
+  "dryRunPanel.tryItAboveTheBoard": "Das Programm zuerst über dem Karton ausprobieren",
   "dryRunPanel.speedOfTheDryRun": "Geschwindigkeit des Probelaufs",
-  "dryRunPanel.begin": "{kind} beginnen",
+  "dryRunPanel.begin": "{kind} starten",
   "dryRunPanel.progress": "Fortschritt: {kind}",
   "dryRunPanel.left": "noch <b>{secondsLeft}</b>",
   "dryRunPanel.progressOfTheRunAbove": "Fortschritt der Fahrt über dem Karton",
@@ -1010,7 +1016,7 @@ export const de = {
   // panels/station/JogPad.tsx
   "jogPad.to": "{axis} {travel, number, ::group-off} bis {travel2, number, ::group-off}{axis2}",
   "jogPad.longestMoveOfOneHold": "Längster Weg bei einem Druck (mm, °)",
-  "jogPad.free": "Frei",
+  "jogPad.free": "Unbegrenzt",
   "jogPad.thereIsNoConnectionTo": "Keine Verbindung zum Server.",
   "jogPad.holdAnArrowToMove":
     "Zum Bewegen einen Pfeil gedrückt halten; beim Loslassen hält die Maschine an.",
@@ -1018,9 +1024,9 @@ export const de = {
   "jogPad.isAtTheLimitOf": "{axis} ist am Ende des Verfahrwegs.",
   "jogPad.move": "{label} bewegen",
   "jogPad.stop": "{axis} anhalten",
-  "jogPad.whileHeld": "{label}, solange gedrückt",
+  "jogPad.whileHeld": "{label}, solange die Taste gedrückt ist",
   "jogPad.whileHeldAtMost":
-    "{label}, solange gedrückt, höchstens {limit, number, ::group-off}{axis}",
+    "{label}, solange die Taste gedrückt ist, höchstens {limit, number, ::group-off}{axis}",
   // panels/station/StationChecks.tsx
   "stationChecks.checkAtTheTableThen":
     "Am Tisch prüfen, dann starten ({signed, number} von {groups, number})",
@@ -1034,12 +1040,12 @@ export const de = {
   "stationControls.keepJob": "Auftrag behalten",
   "stationControls.stop": "Stopp",
   "stationControls.start": "Start",
-  "stationControls.checkAndTickEverythingThat": "Zuerst alles Aufgeführte prüfen und abhaken.",
+  "stationControls.checkAndTickEverythingThat": "Zuerst alles in der Liste prüfen und abhaken.",
   "stationControls.hold": "Halt",
   "stationControls.noJobRuns": "Kein Auftrag läuft.",
   "stationControls.thisMachineCannotBeHeld":
     "Diese Maschine kann von hier nicht angehalten werden. Ihre eigene Bedienung benutzen.",
-  "stationControls.hasFinished": "Ist fertig",
+  "stationControls.hasFinished": "Maschine ist fertig",
   "stationControls.resume": "Weiter",
   "stationControls.thereIsNothingToStop": "Es gibt nichts zu stoppen.",
   "stationControls.jobControls": "Auftrag steuern",
@@ -1048,7 +1054,7 @@ export const de = {
     "<b>Das ist kein Not-Halt.</b> Bei Gefahr den roten Not-Halt-Taster an der Maschine drücken.",
   // panels/station/StationHeader.tsx
   "stationHeader.noConnection": "Keine Verbindung",
-  "stationHeader.reported": "Gemeldet {station}",
+  "stationHeader.reported": "Letzte Meldung: {station}",
   "stationHeader.noServer": "Kein Server",
   "stationHeader.connected": "Verbunden",
   "stationHeader.noController": "Keine Steuerung",
@@ -1072,7 +1078,7 @@ export const de = {
   "stationJob.queueAgainFromTheStart": "Von Anfang an noch einmal einreihen",
   "stationJob.needsANewSheetThe":
     "Braucht einen neuen Bogen: Das ganze Exemplar wird noch einmal geschnitten.",
-  "stationJob.itIsFinished": "Er ist fertig",
+  "stationJob.itIsFinished": "Auftrag ist fertig",
   "stationJob.onlyIfAllSheetsAre": "Nur wenn alle Bogen vollständig geschnitten sind.",
   "stationJob.boardIsScrap": "Bogen ist Ausschuss",
   "stationJob.endsTheJobRemoveThe": "Beendet den Auftrag. Zuerst den Bogen wegnehmen.",
@@ -1108,7 +1114,7 @@ export const de = {
   "stationOperations.fromNowOnAllPrograms":
     "Ab jetzt beginnen alle Programme an diesem Punkt. Eine Referenzfahrt hebt das auf.",
   "stationOperations.setZeroHere": "Nullpunkt hier setzen",
-  "stationOperations.keepTheZero": "Nullpunkt behalten",
+  "stationOperations.keepTheZero": "Bisherigen Nullpunkt behalten",
   "stationOperations.unlock": "Entsperren",
   "stationOperations.clearsAnAlarmWithoutHoming":
     "Löscht einen Alarm ohne Referenzfahrt. Die Position kann falsch sein.",
@@ -1141,8 +1147,8 @@ export const de = {
   "toolCheckPanel.lift": "Heben",
   "toolCheckPanel.straightUpAllOutputsGo": "Gerade nach oben; alle Ausgänge gehen aus.",
   "toolCheckPanel.tool": "Werkzeug",
-  "toolCheckPanel.wear": "Verschleiß",
-  "toolCheckPanel.offset": "Versatz",
+  "toolCheckPanel.wear": "Verschleiß des Werkzeugs",
+  "toolCheckPanel.offset": "Versatz der Station",
   "toolCheckPanel.saveTheOffsetOf": "Versatz von {name} speichern",
   "toolCheckPanel.isTheTipNotAbove":
     "Ist die Spitze nicht über dem Punkt? Versatz korrigieren in Schritten von",
@@ -1279,7 +1285,7 @@ export const de = {
   "inspect.noRuleOfTheProfile":
     "keine Regel des Profils passt, und die Form der Kante verrät die Linienart nicht",
   // state/drawing/learnedLooks.ts
-  "learnedLooks.layersWithoutAMeaning": "Layer ohne Bedeutung",
+  "learnedLooks.layersWithoutAMeaning": "Layer, deren Name auf keine Linienart deutet",
   "learnedLooks.layer": "Layer {layer}",
   "learnedLooks.colour": "Farbe {colour}",
   "learnedLooks.lineStyle": "Strichart {linetype}",
@@ -1305,7 +1311,7 @@ export const de = {
   "remoteChanges.itsProfileIsNow": "Profil jetzt {profile}",
   "remoteChanges.itsEdgesWereReadAgain": "Kanten neu aus der Datei gelesen",
   "remoteChanges.edgesNowHaveAnotherLine":
-    "{rows, plural, one {# Kante hat eine andere Linienart} other {# Kanten haben eine andere Linienart}}",
+    "{rows, plural, one {# Kante hat jetzt eine andere Linienart} other {# Kanten haben jetzt eine andere Linienart}}",
   "remoteChanges.lineTypesUnitAndProfile": "Linienarten, Einheit und Profil sind wie vorher",
   "remoteChanges.unitUnknown": "unbekannt",
   // state/drawing/sizes.ts
@@ -1405,13 +1411,13 @@ export const de = {
   "checkGroups.tools": "Werkzeuge",
   "checkGroups.tableAndHands": "Tisch und Hände",
   // state/station/checks.ts
-  "checks.itHasWorkedM": "Es hat {used} m gearbeitet",
-  "checks.itHasWorkedOfM": "Es hat {used} von {life} m gearbeitet",
+  "checks.itHasWorkedM": "Das Werkzeug hat {used} m Linien bearbeitet",
+  "checks.itHasWorkedOfM": "Das Werkzeug hat {used} m Linien bearbeitet, bei {life} m Standzeit",
   "checks.itsLifeIsUsedUp": "{worn}: Standzeit abgelaufen, wechseln",
   "checks.changeItSoon": "{worn}: bald wechseln",
   "checks.theDrawingNeeds": "Die Zeichnung braucht {right}",
   // state/station/handsClear.ts
-  "handsClear.stateFirstThatHandsAre": "Zuerst bestätigen, dass die Hände frei sind.",
+  "handsClear.stateFirstThatHandsAre": "Zuerst bestätigen, dass keine Hände in der Maschine sind.",
   "handsClear.handsClear": "Hände frei",
   "handsClear.takeBackHandsClear": "„Hände frei“ zurücknehmen",
   // state/station/operations.ts
@@ -1428,7 +1434,7 @@ export const de = {
   "stationState.checkMode": "Prüfmodus",
   "stationState.safetyDoorOpen": "Schutztür offen",
   "stationState.alarm": "Alarm",
-  "stationState.asleep": "Schläft",
+  "stationState.asleep": "Im Ruhezustand",
   "stationState.waitsForATool": "Wartet auf ein Werkzeug",
   "stationState.busy": "Beschäftigt",
   "stationState.connected": "Verbunden",
@@ -1448,10 +1454,10 @@ export const de = {
   "stationState.aJobRunsOnThis":
     "Auf dieser Maschine läuft ein Auftrag. Warten, bis er beendet ist, oder stoppen.",
   "stationState.theControllerOfThisMachine": "Die Steuerung dieser Maschine kann das nicht.",
-  "stationState.nothingRuns": "Nichts läuft.",
-  "stationState.nothingIsHeld": "Nichts ist angehalten.",
+  "stationState.nothingRuns": "Kein Programm läuft.",
+  "stationState.nothingIsHeld": "Kein Programm ist angehalten.",
   "stationState.theMachineRunsAboveThe":
-    "Die Maschine fährt über dem Karton. Warten, bis sie fertig ist, oder stoppen.",
+    "Die Maschine macht einen Probelauf über dem Karton. Warten, bis er beendet ist, oder ihn stoppen.",
   "stationState.thereIsNoAlarm": "Es gibt keinen Alarm.",
   "stationState.closeTheSafetyDoorFirst": "Zuerst die Schutztür schließen.",
   "stationState.anAlarmLocksTheMachine":
@@ -1467,11 +1473,12 @@ export const de = {
   "stationState.expiredNothingWasDone": "abgelaufen, nichts wurde getan",
   // state/station/toolCheck.ts
   "toolCheck.lowerLeftCorner": "Ecke unten links",
-  "toolCheck.besideIt": "Daneben",
+  "toolCheck.besideIt": "Neben dem Bogen",
   "toolCheck.upperRightCorner": "Ecke oben rechts",
   "toolCheck.ifTheOffsetOfA":
     "Wurde der Versatz einer Station korrigiert, zuerst die neue Werkzeugtabelle nach LinuxCNC kopieren.",
-  "toolCheck.forTheNewestVersionOf": "Für die neueste Version von Maschine und Material.",
+  "toolCheck.forTheNewestVersionOf":
+    "Berechnet das Programm für die neueste Version von Maschine und Material neu.",
   "toolCheck.theMachineCannotBeChanged": "Die Maschine kann nicht geändert werden",
   "toolCheck.belongsToTheLibraryAnd":
     "{title} gehört zur Bibliothek und kann nicht geändert werden.",
@@ -1488,13 +1495,13 @@ export const de = {
     "Schaltet die Maschine ein. Danach kann eine Referenzfahrt nötig sein.",
   "wayOut.release": "Freigeben",
   "wayOut.discardsWhatTheMachineHolds":
-    "Verwirft, was die Maschine hält. Keine Achse bewegt sich; die Stationen werden gehoben.",
+    "Verwirft den Rest des angehaltenen Programms. Keine Achse bewegt sich; die Stationen werden gehoben.",
   "wayOut.alarm": "Alarm",
-  "wayOut.theJobDoesNotMove": "Der Auftrag bewegt sich nicht",
-  "wayOut.theMachineTakesNoJob": "Die Maschine nimmt keinen Auftrag an",
+  "wayOut.theJobDoesNotMove": "Der Auftrag kann nicht weiterlaufen",
+  "wayOut.theMachineTakesNoJob": "Die Maschine kann keinen Auftrag annehmen",
   "wayOut.thereIsNoJobFor": "Es gibt keinen Auftrag für diese Maschine.",
   "wayOut.theMachineRunsAboveThe":
-    "Die Maschine fährt über dem Karton. Warten, bis sie fertig ist, oder stoppen.",
+    "Die Maschine macht einen Probelauf über dem Karton. Warten, bis er beendet ist, oder ihn stoppen.",
   "wayOut.noJobWaitsForIts": "Kein Auftrag wartet auf seinen Start.",
   "wayOut.noJobIsHeld": "Kein Auftrag ist angehalten.",
   "wayOut.closeTheSafetyDoorFirst": "Zuerst die Schutztür schließen.",

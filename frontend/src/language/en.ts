@@ -159,10 +159,11 @@ export const en = {
   "accountDialog.revoke": "Revoke",
   "accountDialog.revoked": "revoked",
   "accountDialog.createAKey": "Create a key",
-  "accountDialog.usedBy": "Used by",
+  "accountDialog.usedBy": "Title of the key",
   "accountDialog.programThatUsesTheKey": "Program that uses the key",
   "accountDialog.scopes": "Scopes",
-  "accountDialog.noRoleLetsAKey": "No role lets a key start or move a machine: that is station",
+  "accountDialog.noRoleLetsAKey":
+    "To start or move a machine, a key needs the scope station: no other scope includes it",
   "accountDialog.customerOptional": "Customer (optional)",
   "accountDialog.theKeySeesAndOrders": "The key sees and orders only jobs of this customer",
   "accountDialog.machinesOptional": "Machines (optional)",
@@ -177,7 +178,7 @@ export const en = {
   "operatorForm.noName": "No name",
   "operatorForm.cancel": "Cancel",
   "operatorForm.recordedWithWhatYouConfirm":
-    "Recorded with what you confirm or change, and kept on this device.",
+    "Your name is recorded with what you confirm or change, and kept on this device.",
   "operatorForm.operator": "Operator",
   "operatorForm.changeTheNameOfThe": "Change the name of the operator",
   // panels/accounts/PairedDevices.tsx
@@ -383,7 +384,7 @@ export const en = {
     "Choose a line type for each row, and set all of them at once.",
   "questionTable.layerAndEdges": "Layer and edges",
   "questionTable.lineType": "Line type",
-  "questionTable.oneUndoTakesAllOf": "One undo takes all of them back",
+  "questionTable.oneUndoTakesAllOf": "One undo reverts all of these answers",
   "questionTable.ofRows": "{answers, number} of {questions, plural, one {# row} other {# rows}}",
   "questionTable.setTheChosenLineTypes": "Set the chosen line types",
   "questionTable.edges": "{edges, plural, one {# edge} other {# edges}}",
@@ -393,9 +394,9 @@ export const en = {
   // panels/drawing/QuestionsPanel.tsx
   "questionsPanel.openQuestions":
     "{questions, plural, one {# open question} other {# open questions}}",
-  "questionsPanel.oneUndoTakesAllOf": "One undo takes all of them back",
+  "questionsPanel.oneUndoTakesAllOf": "One undo reverts all of these answers",
   "questionsPanel.questions": "{suggested, plural, one {# question} other {# questions}}",
-  "questionsPanel.acceptAllMostLikelyLine": "Accept all most likely line types",
+  "questionsPanel.acceptAllMostLikelyLine": "Accept the most likely line type for all questions",
   "questionsPanel.theEdgesStayVisibleIn":
     "The edges stay visible in the drawing, but they are neither cut nor creased",
   "questionsPanel.edges": "{undecided, plural, one {# edge} other {# edges}}",
@@ -434,18 +435,18 @@ export const en = {
   "selectionBar.key0": "{useprofiletype} (key 0)",
   "selectionBar.clearTheSelectionOfEdges": "Clear the selection of edges",
   // panels/drawing/ShareControl.tsx
-  "shareControl.itsOwnerOrAnOperator": "Its owner or an operator can share it.",
+  "shareControl.itsOwnerOrAnOperator": "The owner of the drawing or an operator can share it.",
   "shareControl.allDesignersMayChangeThis": "All designers may change this drawing",
   // panels/drawing/TaughtPanel.tsx
-  "taughtPanel.decidedFromAnswers": "Decided from answers",
+  "taughtPanel.decidedFromAnswers": "Decided from earlier answers",
   "taughtPanel.moreEdgesWithTheLook":
-    "<b>{rows, plural, one {# more edge} other {# more edges}}</b> with the look of those that you answered",
+    "<b>{rows, plural, one {# more edge} other {# more edges}}</b> with the same layer, colour and line style as edges that you answered",
   "taughtPanel.edges": "{edges, plural, one {# edge} other {# edges}}",
   "taughtPanel.learnedFromOf": "{look}. Learned from {drawings} of {customer}.",
   "taughtPanel.askAboutSuchEdgesIn": "Ask about such edges, in this drawing and in the next ones",
-  "taughtPanel.takeBackFor": "Take back for {customer}",
-  "taughtPanel.useAgain": "Use again",
-  "taughtPanel.noLongerDecidedAs": "{look} ({look2}): no longer decided as {title}.",
+  "taughtPanel.takeBackFor": "Stop using this answer for {customer}",
+  "taughtPanel.useAgain": "Use this answer again",
+  "taughtPanel.noLongerDecidedAs": "{look} ({look2}): the line type {title} is no longer assigned.",
   // panels/drawing/TypeChanges.tsx
   "typeChanges.becomes": "becomes",
   "typeChanges.edges": "{edges, plural, one {# edge} other {# edges}}",
@@ -501,7 +502,7 @@ export const en = {
   "historyPage.last31Days": "Last 31 days",
   "historyPage.lastYear": "Last year",
   "historyPage.history": "History",
-  "historyPage.whatToShow": "What to show",
+  "historyPage.whatToShow": "View of the history",
   "historyPage.machine": "Machine",
   "historyPage.allMachines": "All machines",
   "historyPage.backToTheDrawing": "Back to the drawing",
@@ -524,13 +525,13 @@ export const en = {
   "statisticsView.halfCut": "half-cut",
   "statisticsView.cutAndCreased": "cut and creased",
   "statisticsView.weekOf": "Week of {text}",
-  "statisticsView.lengthOfAPeriod": "Length of a period",
+  "statisticsView.lengthOfAPeriod": "Group by days, weeks or months",
   "statisticsView.noJobHasRunOn": "No job has run on a machine in this time.",
   "statisticsView.copies": "{copies, plural, one {# copy} other {# copies}}",
   "statisticsView.jobsFinished": "{jobs, plural, one {# job} other {# jobs}} finished",
   "statisticsView.sheets": "Sheets",
   "statisticsView.length": "Length",
-  "statisticsView.onTheMachine": "On the machine",
+  "statisticsView.onTheMachine": "Time on the machine",
   "statisticsView.interrupted": "Interrupted",
   "statisticsView.ofRuns":
     "{interruptions, number} of {runs, plural, one {# run} other {# runs}} ({interruptedShare, number} %)",
@@ -565,7 +566,7 @@ export const en = {
   "acceptForm.uncut":
     "{count, plural, one {# line cannot be made over its whole length} other {# lines cannot be made over their whole length}}",
   "acceptForm.beside":
-    "{count, plural, one {# line bends more tightly than the tool follows} other {# lines bend more tightly than the tool follows}}",
+    "{count, plural, one {# line bends more tightly than the tool can follow} other {# lines bend more tightly than the tool can follow}}",
   "acceptForm.near":
     "{count, plural, one {# line lies close beside another line} other {# lines lie close beside other lines}}",
   "acceptForm.deviation":
@@ -578,7 +579,7 @@ export const en = {
   "jobPanel.downloadMachineProgramLines":
     "Download machine program ({lines, plural, one {# line} other {# lines}})",
   "jobPanel.board": "Board: <b>{title}</b> · {machine}",
-  "jobPanel.restOfTheSheetOr": "Rest of the sheet, or one more copy",
+  "jobPanel.restOfTheSheetOr": "Continue this sheet, or make one more copy",
   "jobPanel.theJobWaitsForThe": "The job waits for the machine {machine}.",
   "jobPanel.progressOfTheJobOn": "Progress of the job on the table",
   "jobPanel.done": "{progress, number} % done",
@@ -693,7 +694,7 @@ export const en = {
   "verdictCard.resultOfTheProgramCheck": "Result of the program check",
   "verdictCard.longestOvercut": "Longest overcut",
   "verdictCard.longestLengthLeftUncut": "Longest length left uncut",
-  "verdictCard.totalLengthLeftOutAs": "Total length left out as planned",
+  "verdictCard.totalLengthLeftOutAs": "Total length left out on purpose",
   "verdictCard.machineTime": "Machine time",
   "verdictCard.andMoreFindings":
     "… and {findings, plural, one {# more finding} other {# more findings}}.",
@@ -720,11 +721,11 @@ export const en = {
   "verdictCard.programLine": "program line {line}",
   // panels/job/WaitsAtMachine.tsx
   "waitsAtMachine.theOperatorStatesThereWhen":
-    "The operator states there when the machine has finished.",
+    "The operator confirms there when the machine has finished.",
   "waitsAtMachine.copyOfIsFinishedThe":
     "Copy {copiesDone, number} of {copies, number} is finished. The next one needs a new sheet.",
-  "waitsAtMachine.tableBoardAndToolsAre": "Table, board and tools are checked there first.",
-  "waitsAtMachine.theJobIsPausedAnd": "The job is paused, and goes on from there.",
+  "waitsAtMachine.tableBoardAndToolsAre": "The operator checks table, board and tools there first.",
+  "waitsAtMachine.theJobIsPausedAnd": "The job is paused. The operator resumes it there.",
   "waitsAtMachine.waitsForTheOperatorAt": "Waits for the operator at {machine}.",
   "waitsAtMachine.boardOnTheTable": "Board on the table",
   "waitsAtMachine.sheet": "Sheet {sheet}",
@@ -748,7 +749,7 @@ export const en = {
   "calibrationForm.addPoint": "Add point",
   "calibrationForm.compute": "Compute",
   "calibrationForm.mmInXMmIn":
-    "{tool}: {x} mm in X, {y} mm in Y; the points differ from it by at most {residual} mm.",
+    "Deflection of {tool}: {x} mm in X, {y} mm in Y. The measured points differ from it by at most {residual} mm.",
   "calibrationForm.useTheseValues": "Use these values",
   // panels/library/ConflictCard.tsx
   "conflictCard.version": "Version {version}",
@@ -769,12 +770,13 @@ export const en = {
   "copyForm.asItIsShownIn": "As it is shown in lists",
   "copyForm.giveItATitle": "Give it a title.",
   "copyForm.nameOfTheCopy": "Name of the copy",
-  "copyForm.forGatewaysFilesAndRequests": "For gateways, files and requests; it stays",
+  "copyForm.forGatewaysFilesAndRequests":
+    "Identifies the copy in files and requests. It cannot be changed later.",
   "copyForm.makeTheCopy": "Make the copy",
   "copyForm.cancel": "Cancel",
   // panels/library/DefinitionEditor.tsx
   "definitionEditor.loading": "Loading …",
-  "definitionEditor.allFaults": "All faults",
+  "definitionEditor.allFaults": "Show all corrections",
   "definitionEditor.notSavedValuesNeedA":
     "Not saved. {count, plural, one {# value needs} other {# values need}} a correction; each is marked in the form.",
   "definitionEditor.allEntries": "All entries",
@@ -866,11 +868,11 @@ export const en = {
   "orderPanel.machine": "Machine",
   "orderPanel.chooseAMachine2": "Choose a machine",
   "orderPanel.leastLiftInTurnsMm":
-    "Least lift in turns ({turnClearance, number, ::group-off} mm above the board)",
+    "Lift tools only {turnClearance, number, ::group-off} mm above the board to turn them",
   "orderPanel.savesTimeOnlyForBoard": "Saves time. Only for board that lies flat on the table.",
   "option.feedFactor": "Feed factor (0.1 to 1)",
   "option.feedFactorDescription":
-    "Less than 1 cuts slower: for board that tears or a worn tool. A laser then cuts deeper",
+    "Less than 1 is slower: for board that tears, or for a worn tool. A laser cuts deeper at a lower feed",
   "orderPanel.copies": "Copies",
   "orderPanel.prepareProgram": "Prepare program",
   "orderPanel.prepareAgain": "Prepare again",
@@ -879,7 +881,7 @@ export const en = {
   "edgeOption.selectedEdges": "{n, plural, one {This edge} other {These # edges}}",
   "edgeOption.allOfType": "All of type {type}",
   "edgeOption.fromStart": "{share} of the edge, {length} mm from its start",
-  "edgeOption.asUsual": "As usual",
+  "edgeOption.asUsual": "Default",
   "edgeOption.millimetres": "{value} mm",
   "edgeOption.choicesForEdges": "Choices for edges",
   "edgeOption.edges": "{n, plural, one {Edge {edge}} other {# edges}}",
@@ -892,7 +894,7 @@ export const en = {
   "edgeOption.contour_starts.direction.reverse": "Reverse",
   "edgeOption.cut_depths": "Passes and depth",
   "edgeOption.cut_depths.passes": "Passes",
-  "edgeOption.cut_depths.depth": "Depth from top",
+  "edgeOption.cut_depths.depth": "Depth below the top face",
   // panels/order/SheetForm.tsx
   "sheetForm.largerThanTheDrawing": "Larger than the drawing",
   "sheetForm.cutToTheOutlineOf": "Cut to the outline of the drawing",
@@ -904,9 +906,9 @@ export const en = {
   "sheetForm.theDrawingWithItsMargin":
     "The drawing with its margin does not fit on the sheet: it needs {width}.",
   "sheetForm.besideTheSheetToolsTurn":
-    "Beside the sheet, tools turn without a lift. Load only a sheet that was cut to this outline.",
+    "Beside the sheet, tools turn without being lifted. Load only a sheet that was cut to this outline.",
   "sheetForm.besideTheSheetToolsTurn2":
-    "Beside the sheet, tools turn without a lift. The margin is the distance of the drawing from the left and lower edge of the sheet. Load only a sheet of this size.",
+    "Beside the sheet, tools turn without being lifted. The margin is the distance of the drawing from the left and lower edge of the sheet. Load only a sheet of this size.",
   // panels/shared/LanguageMenu.tsx
   "languageMenu.language": "Language",
   // panels/shared/NotificationList.tsx
@@ -961,11 +963,11 @@ export const en = {
   "dryRunPanel.movesAlongTheWholeProgram":
     "Moves along the whole program above the board. Nothing is lowered or switched on.",
   "dryRunPanel.movesOnceRoundTheSheet":
-    "Moves once round the sheet, or round the work, above the board.",
+    "Moves once round the sheet, or round all lines of the program, above the board.",
   "dryRunPanel.beforeTheStart": "Before the start",
-  "dryRunPanel.tryItAboveTheBoard": "Try it above the board first",
+  "dryRunPanel.tryItAboveTheBoard": "Try the program above the board first",
   "dryRunPanel.speedOfTheDryRun": "Speed of the dry run",
-  "dryRunPanel.begin": "Begin {kind}",
+  "dryRunPanel.begin": "Start {kind}",
   "dryRunPanel.progress": "Progress: {kind}",
   "dryRunPanel.left": "<b>{secondsLeft}</b> left",
   "dryRunPanel.progressOfTheRunAbove": "Progress of the run above the board",
@@ -981,27 +983,28 @@ export const en = {
   "feedOverride.feedOfTheProgram": "Feed <b>{percent} %</b> of the program",
   // panels/station/HandsClearButton.tsx
   "handsClearButton.countsForSMoreOr":
-    "Counts for {left, number} s more, or until the machine has moved.",
+    "Valid for {left, number} s more, or until the machine has moved.",
   "handsClearButton.lookThatNobodyReachesInto":
-    "Look that nobody reaches into the machine, then press. It counts for 60 s.",
+    "Check that nobody reaches into the machine, then press. Valid for 60 s.",
   "handsClearButton.handsClear": "Hands clear",
   // panels/station/JogPad.tsx
   "jogPad.to": "{axis} {travel, number, ::group-off} to {travel2, number, ::group-off}{axis2}",
-  "jogPad.longestMoveOfOneHold": "Longest move of one hold (mm, °)",
-  "jogPad.free": "Free",
+  "jogPad.longestMoveOfOneHold": "Longest move per press (mm, °)",
+  "jogPad.free": "No limit",
   "jogPad.thereIsNoConnectionTo": "There is no connection to the server.",
   "jogPad.holdAnArrowToMove": "Hold an arrow to move; the machine stops when you release it.",
   "jogPad.travel": "{reason} Travel: {machine}",
   "jogPad.isAtTheLimitOf": "{axis} is at the limit of its travel.",
   "jogPad.move": "Move {label}",
   "jogPad.stop": "Stop {axis}",
-  "jogPad.whileHeld": "{label} while held",
-  "jogPad.whileHeldAtMost": "{label} while held, at most {limit, number, ::group-off}{axis}",
+  "jogPad.whileHeld": "{label} while the button is held",
+  "jogPad.whileHeldAtMost":
+    "{label} while the button is held, at most {limit, number, ::group-off}{axis}",
   // panels/station/StationChecks.tsx
   "stationChecks.checkAtTheTableThen":
     "Check at the table, then start ({signed, number} of {groups, number})",
-  "stationChecks.countsForSMore": "Counts for {left, number} s more",
-  "stationChecks.countsFor60S": "Counts for 60 s",
+  "stationChecks.countsForSMore": "Valid for {left, number} s more",
+  "stationChecks.countsFor60S": "Valid for 60 s",
   // panels/station/StationControls.tsx
   "stationControls.cancelTheJob": "Cancel the job?",
   "stationControls.theJobHasNotStarted":
@@ -1010,12 +1013,12 @@ export const en = {
   "stationControls.keepJob": "Keep job",
   "stationControls.stop": "Stop",
   "stationControls.start": "Start",
-  "stationControls.checkAndTickEverythingThat": "Check and tick everything that is listed first.",
+  "stationControls.checkAndTickEverythingThat": "Check and tick everything in the list first.",
   "stationControls.hold": "Hold",
   "stationControls.noJobRuns": "No job runs.",
   "stationControls.thisMachineCannotBeHeld":
     "This machine cannot be held from here. Use its own controls.",
-  "stationControls.hasFinished": "Has finished",
+  "stationControls.hasFinished": "Machine has finished",
   "stationControls.resume": "Resume",
   "stationControls.thereIsNothingToStop": "There is nothing to stop.",
   "stationControls.jobControls": "Job controls",
@@ -1024,7 +1027,7 @@ export const en = {
     "<b>This is not an emergency stop.</b> In danger, press the red emergency stop button on the machine.",
   // panels/station/StationHeader.tsx
   "stationHeader.noConnection": "No connection",
-  "stationHeader.reported": "Reported {station}",
+  "stationHeader.reported": "Last report: {station}",
   "stationHeader.noServer": "No server",
   "stationHeader.connected": "Connected",
   "stationHeader.noController": "No controller",
@@ -1047,7 +1050,7 @@ export const en = {
   "stationJob.theJobWasCancelled": "The job was cancelled.",
   "stationJob.queueAgainFromTheStart": "Queue again from the start",
   "stationJob.needsANewSheetThe": "Needs a new sheet: the whole copy is cut again.",
-  "stationJob.itIsFinished": "It is finished",
+  "stationJob.itIsFinished": "Job is finished",
   "stationJob.onlyIfAllSheetsAre": "Only if all sheets are completely cut.",
   "stationJob.boardIsScrap": "Board is scrap",
   "stationJob.endsTheJobRemoveThe": "Ends the job. Remove the board first.",
@@ -1081,7 +1084,7 @@ export const en = {
   "stationOperations.fromNowOnAllPrograms":
     "From now on all programs start from this point. To undo this, home the machine.",
   "stationOperations.setZeroHere": "Set zero here",
-  "stationOperations.keepTheZero": "Keep the zero",
+  "stationOperations.keepTheZero": "Keep the present zero",
   "stationOperations.unlock": "Unlock",
   "stationOperations.clearsAnAlarmWithoutHoming":
     "Clears an alarm without homing. The position may be wrong.",
@@ -1112,8 +1115,8 @@ export const en = {
   "toolCheckPanel.lift": "Lift",
   "toolCheckPanel.straightUpAllOutputsGo": "Straight up; all outputs go off.",
   "toolCheckPanel.tool": "Tool",
-  "toolCheckPanel.wear": "Wear",
-  "toolCheckPanel.offset": "Offset",
+  "toolCheckPanel.wear": "Wear of the tool",
+  "toolCheckPanel.offset": "Offset of the station",
   "toolCheckPanel.saveTheOffsetOf": "Save the offset of {name}",
   "toolCheckPanel.isTheTipNotAbove":
     "Is the tip not above the point? Correct its offset by steps of",
@@ -1124,7 +1127,7 @@ export const en = {
   "toolCheckPanel.toolIsRight2": "Tool is right",
   // panels/station/WornTools.tsx
   "wornTools.otherToolsAreAtThe":
-    "{worn, plural, one {A tool is} other {{worn, number} tools are}} at the end of life",
+    "{worn, plural, one {A tool is} other {{worn, number} tools are}} at the end of the tool life",
   "wornTools.workedOfM": "{name}, worked {used} of {life} m",
   "wornTools.iHavePutANew": "I have put a new tool into station {station}",
   "wornTools.reasonRecorded": "Reason (recorded)",
@@ -1135,7 +1138,7 @@ export const en = {
   "toolText.bladeAngle": "blade angle",
   "toolText.bladeWidth": "blade width",
   "toolText.tipOffsetBehindHeadAxis": "tip offset behind head axis",
-  "toolText.leastRadiusOfABend": "least radius of a bend",
+  "toolText.leastRadiusOfABend": "smallest radius of a bend",
   "toolText.toolRadius": "tool radius",
   "toolText.bladeTilt": "blade tilt",
   "toolText.toolWidth": "tool width",
@@ -1246,7 +1249,7 @@ export const en = {
   "inspect.noRuleOfTheProfile":
     "no rule of the profile matches, and the shape of the edge does not show the line type",
   // state/drawing/learnedLooks.ts
-  "learnedLooks.layersWithoutAMeaning": "Layers without a meaning",
+  "learnedLooks.layersWithoutAMeaning": "Layers whose name suggests no line type",
   "learnedLooks.layer": "Layer {layer}",
   "learnedLooks.colour": "Colour {colour}",
   "learnedLooks.lineStyle": "line style {linetype}",
@@ -1370,15 +1373,15 @@ export const en = {
   "checkGroups.tools": "Tools",
   "checkGroups.tableAndHands": "Table and hands",
   // state/station/checks.ts
-  "checks.itHasWorkedM": "It has worked {used} m",
-  "checks.itHasWorkedOfM": "It has worked {used} of {life} m",
+  "checks.itHasWorkedM": "The tool has worked along {used} m of lines",
+  "checks.itHasWorkedOfM": "The tool has worked along {used} m of lines in a life of {life} m",
   "checks.itsLifeIsUsedUp": "{worn}: its life is used up, change it",
   "checks.changeItSoon": "{worn}: change it soon",
   "checks.theDrawingNeeds": "The drawing needs {right}",
   // state/station/handsClear.ts
-  "handsClear.stateFirstThatHandsAre": "State first that hands are clear.",
+  "handsClear.stateFirstThatHandsAre": "Confirm first that all hands are clear of the machine.",
   "handsClear.handsClear": "Hands clear",
-  "handsClear.takeBackHandsClear": "Take back hands clear",
+  "handsClear.takeBackHandsClear": "Withdraw “Hands clear”",
   // state/station/operations.ts
   "operations.start": "Start",
   "operations.theMachineHasNotReacted": "The machine has not reacted for {prompt, number} s.",
@@ -1387,13 +1390,13 @@ export const en = {
   "stationState.controllerNotConnected": "Controller not connected",
   "stationState.atRest": "At rest",
   "stationState.moving": "Moving",
-  "stationState.held": "Held",
+  "stationState.held": "On hold",
   "stationState.movingByHand": "Moving by hand",
   "stationState.homing": "Homing",
   "stationState.checkMode": "Check mode",
   "stationState.safetyDoorOpen": "Safety door open",
   "stationState.alarm": "Alarm",
-  "stationState.asleep": "Asleep",
+  "stationState.asleep": "In sleep mode",
   "stationState.waitsForATool": "Waits for a tool",
   "stationState.busy": "Busy",
   "stationState.connected": "Connected",
@@ -1411,10 +1414,10 @@ export const en = {
   "stationState.aJobIsHeldOn": "A job is held on this machine. Resume or stop it first.",
   "stationState.aJobRunsOnThis": "A job runs on this machine. Wait until it has ended, or stop it.",
   "stationState.theControllerOfThisMachine": "The controller of this machine cannot do this.",
-  "stationState.nothingRuns": "Nothing runs.",
-  "stationState.nothingIsHeld": "Nothing is held.",
+  "stationState.nothingRuns": "No program runs.",
+  "stationState.nothingIsHeld": "No program is on hold.",
   "stationState.theMachineRunsAboveThe":
-    "The machine runs above the board. Wait until it has ended, or stop it.",
+    "The machine is making a dry run above the board. Wait until it has ended, or stop it.",
   "stationState.thereIsNoAlarm": "There is no alarm.",
   "stationState.closeTheSafetyDoorFirst": "Close the safety door first.",
   "stationState.anAlarmLocksTheMachine":
@@ -1430,11 +1433,12 @@ export const en = {
   "stationState.expiredNothingWasDone": "expired, nothing was done",
   // state/station/toolCheck.ts
   "toolCheck.lowerLeftCorner": "Lower left corner",
-  "toolCheck.besideIt": "Beside it",
+  "toolCheck.besideIt": "Beside the sheet",
   "toolCheck.upperRightCorner": "Upper right corner",
   "toolCheck.ifTheOffsetOfA":
     "If the offset of a station was corrected, copy the new tool table to LinuxCNC first.",
-  "toolCheck.forTheNewestVersionOf": "For the newest version of machine and board.",
+  "toolCheck.forTheNewestVersionOf":
+    "Prepares the program again for the newest version of machine and board.",
   "toolCheck.theMachineCannotBeChanged": "The machine cannot be changed",
   "toolCheck.belongsToTheLibraryAnd": "{title} belongs to the library and cannot be changed.",
   "toolCheck.copyItUnderAName":
@@ -1449,13 +1453,13 @@ export const en = {
   "wayOut.switchesTheMachineOnIt": "Switches the machine on. It may have to be homed afterwards.",
   "wayOut.release": "Release",
   "wayOut.discardsWhatTheMachineHolds":
-    "Discards what the machine holds. No axis moves; the stations are raised.",
+    "Discards the rest of the program that is on hold. No axis moves; the stations are raised.",
   "wayOut.alarm": "Alarm",
-  "wayOut.theJobDoesNotMove": "The job does not move",
-  "wayOut.theMachineTakesNoJob": "The machine takes no job",
+  "wayOut.theJobDoesNotMove": "The job cannot continue",
+  "wayOut.theMachineTakesNoJob": "The machine cannot take a job",
   "wayOut.thereIsNoJobFor": "There is no job for this machine.",
   "wayOut.theMachineRunsAboveThe":
-    "The machine runs above the board. Wait until it has ended, or stop it.",
+    "The machine is making a dry run above the board. Wait until it has ended, or stop it.",
   "wayOut.noJobWaitsForIts": "No job waits for its start.",
   "wayOut.noJobIsHeld": "No job is held.",
   "wayOut.closeTheSafetyDoorFirst": "Close the safety door first.",

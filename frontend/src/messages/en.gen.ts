@@ -75,7 +75,7 @@ export const TEXTS = {
     "hint": "Choose narrower bridges or a larger spacing of bridges in the board file, or choose a board without bridges."
   },
   "calibration.bad-points": {
-    "text": "The {count, plural, one {# measured point} other {# measured points}} of the test cut cannot be used. At least one point is needed, and all values must be finite numbers.",
+    "text": "The {count, plural, one {# measured point} other {# measured points}} of the test cut cannot be used. At least one point is needed, and each value must be a finite number.",
     "hint": "Measure at least one point on a slanted part of the contour of the test cut."
   },
   "calibration.choose-cutter": {
@@ -139,7 +139,7 @@ export const TEXTS = {
     "hint": ""
   },
   "check.drawing-place": {
-    "text": ": the lower left corner of the drawing comes to X {x, number, ::@#####}, Y {y, number, ::@#####} mm",
+    "text": ": the lower left corner of the drawing lies at X {x, number, ::@#####}, Y {y, number, ::@#####} mm",
     "hint": ""
   },
   "check.fed-sheet": {
@@ -175,7 +175,7 @@ export const TEXTS = {
     "hint": ""
   },
   "check.station": {
-    "text": "Station {station} holds {tool}, and it is whole.",
+    "text": "Station {station} holds {tool}, and the tool is not damaged.",
     "hint": ""
   },
   "check.table": {
@@ -191,11 +191,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.across": {
-    "text": "the edge meets other lines inside the blank, one of which is a slit if the blank is folded to a box; the edge is perpendicular to the longest of them",
+    "text": "the edge meets other lines inside the blank, and one of them must be a slit if the blank folds into a box; the edge is perpendicular to the longest of these lines, so it may be a fold",
     "hint": ""
   },
   "classification.along": {
-    "text": "the edge meets other lines inside the blank, one of which is a slit if the blank is folded to a box; the edge is parallel to the longest of them",
+    "text": "the edge meets other lines inside the blank, and one of them must be a slit if the blank folds into a box; the edge is parallel to the longest of these lines, so it may be a fold",
     "hint": ""
   },
   "classification.around": {
@@ -211,7 +211,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.beside-gap": {
-    "text": "{reason} if a straight line is missing in the outline beside the edge, without which the blank falls apart",
+    "text": "{reason}; this assumes that a straight line is missing in the outline beside the edge, because as drawn the blank falls apart there",
     "hint": ""
   },
   "classification.bleed": {
@@ -219,11 +219,11 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.board-ends": {
-    "text": ", so the edge should be cut",
+    "text": "such an edge should be cut",
     "hint": ""
   },
   "classification.closes-nothing": {
-    "text": ", and the edge does not close an outline",
+    "text": "the edge is part of no closed outline",
     "hint": ""
   },
   "classification.contradicted": {
@@ -235,7 +235,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.corners": {
-    "text": "the edge turns a corner at both ends, and no fold does",
+    "text": "at both ends, the edge continues round a corner into one other line, as a fold does not",
     "hint": ""
   },
   "classification.cuts-panel-off": {
@@ -255,7 +255,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.divides-panels": {
-    "text": ", whereas an edge of type {type} divides two panels",
+    "text": "an edge of type {type} should divide two panels",
     "hint": ""
   },
   "classification.fold-end": {
@@ -351,7 +351,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.must-be-processed": {
-    "text": ", so the edge must not be ignored",
+    "text": "such an edge should not be ignored",
     "hint": ""
   },
   "classification.named": {
@@ -367,15 +367,15 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.none-closes": {
-    "text": ", and almost all edges with the same layer, colour and line style divide panels",
+    "text": "almost all edges with the same layer, colour and line style divide panels",
     "hint": ""
   },
   "classification.not-made": {
-    "text": ", so the edge must not be processed",
+    "text": "such an edge should be ignored",
     "hint": ""
   },
   "classification.oblique": {
-    "text": "the edge meets other lines inside the blank, one of which is a slit if the blank is folded to a box; the edge is neither parallel nor perpendicular to the longest of them",
+    "text": "the edge meets other lines inside the blank, and one of them must be a slit if the blank folds into a box; the edge is neither parallel nor perpendicular to the longest of these lines, so it may be a fold",
     "hint": ""
   },
   "classification.on-cut": {
@@ -383,7 +383,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.only-fold-style": {
-    "text": "no other colour or line style only divides panels",
+    "text": "this is the only colour and line style whose edges do nothing but divide panels",
     "hint": ""
   },
   "classification.open": {
@@ -391,7 +391,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.open-flap": {
-    "text": "equal lines that lead nowhere begin at both ends of the edge, so a flap beside it may be open",
+    "text": "at each end of the edge begins a line whose other end meets nothing, and both lines are equally long, so they may be the sides of a flap that is not closed",
     "hint": ""
   },
   "classification.other-style-closes": {
@@ -427,19 +427,19 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.part-of-side": {
-    "text": "the side of one of the panels goes on beyond the edge, as it does beside a slit",
+    "text": "the side of one of the panels continues beyond the edge, as it does beside a slit",
     "hint": ""
   },
   "classification.ring-fold": {
-    "text": "the edge meets lines inside the blank that are probably slits, beside which it is a fold",
+    "text": "the edge meets lines inside the blank that are probably slits, so it is probably a fold between them",
     "hint": ""
   },
   "classification.ring-slit": {
-    "text": "the edge ends inside the blank at three folds, or is parallel to such an edge, and four folds at one point do not make a box",
+    "text": "the edge ends inside the blank where three folds meet, or is parallel to such an edge; if it were a fold too, four folds would meet there, which does not make a box",
     "hint": ""
   },
   "classification.role-against": {
-    "text": "{role}{against}",
+    "text": "{role}; {against}",
     "hint": ""
   },
   "classification.rule": {
@@ -491,7 +491,7 @@ export const TEXTS = {
     "hint": ""
   },
   "classification.through": {
-    "text": "the edge passes points inside the blank at which other lines end, and a slit ends there",
+    "text": "the edge continues through points inside the blank where other lines end; a slit would end there, so the edge is probably a fold",
     "hint": ""
   },
   "classification.unknown": {
@@ -511,7 +511,7 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.as-drawn": {
-    "text": "cleaning did not change the edge",
+    "text": "the edge is used as it was drawn",
     "hint": ""
   },
   "cleaning.dropped-off-panel": {
@@ -555,7 +555,7 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.kept": {
-    "text": "the edge was kept unchanged",
+    "text": "the edge is used as it was drawn, without a change",
     "hint": ""
   },
   "cleaning.kept-changed": {
@@ -563,11 +563,11 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.length-on-others": {
-    "text": "a part of the edge, {length, number, ::@###} mm long, lies on other edges and was merged with them",
+    "text": "a part of the edge, {length, number, ::@###} mm long, lies on other edges, so it is made only once, with them",
     "hint": ""
   },
   "cleaning.longer": {
-    "text": "other edges on the same line were merged into the edge, which is longer now",
+    "text": "other edges on the same line were merged into the edge, so it became longer",
     "hint": ""
   },
   "cleaning.loop": {
@@ -603,15 +603,15 @@ export const TEXTS = {
     "hint": ""
   },
   "cleaning.part-off-panel": {
-    "text": "a part of the edge, {length, number, ::@###} mm long, was dropped because it lies outside all panels",
+    "text": "a part of the fold, {length, number, ::@###} mm long, was dropped because it lies outside all panels",
     "hint": ""
   },
   "cleaning.shortened": {
-    "text": "a part of the edge lies on other edges and was merged with them",
+    "text": "a part of the edge lies on other edges, so it is made only once, with them",
     "hint": ""
   },
   "cleaning.speck": {
-    "text": "the edge is too short to process and connects no other edges",
+    "text": "the edge was dropped, because it is too short to process and connects no other edges",
     "hint": ""
   },
   "cleaning.twice": {
@@ -752,7 +752,7 @@ export const TEXTS = {
   },
   "controller.left-program": {
     "text": "{name} no longer executes the program: its state is {state}.",
-    "hint": "Check the table, and why the machine changed its state. Another program or a person may have operated it."
+    "hint": "Check the table. Another program or a person may have operated the machine."
   },
   "controller.lift-not-finished": {
     "text": "{name} did not finish lifting the tool within {seconds, number, ::@#####} s.",
@@ -1107,7 +1107,7 @@ export const TEXTS = {
     "hint": "Remove the choice, and set the depth at the machine."
   },
   "depth.of-cutter": {
-    "text": "A depth was chosen for edge {edge}, but the cutter or laser of station {station} cuts through the board at one depth.",
+    "text": "A depth was chosen for edge {edge}, but the cutter or laser of station {station} always cuts through the whole board.",
     "hint": "Remove the depth; passes can be chosen for a cutter."
   },
   "depth.one-pass": {
@@ -1135,11 +1135,11 @@ export const TEXTS = {
     "hint": "Give the edges that shall be made the line type cut, crease or another one."
   },
   "drawing.answer-taken-back": {
-    "text": "An answer from earlier drawings of {customer} was taken back.",
+    "text": "An answer that was learned from earlier drawings of {customer} is no longer used.",
     "hint": ""
   },
   "drawing.answer-used": {
-    "text": "An answer from earlier drawings of {customer} is used again.",
+    "text": "An answer that was learned from earlier drawings of {customer} is used again.",
     "hint": ""
   },
   "drawing.changing": {
@@ -1171,7 +1171,7 @@ export const TEXTS = {
     "hint": "Check the unit of the drawing, choose a larger machine, or divide the drawing."
   },
   "drawing.no-customer": {
-    "text": "Drawing {drawing} has no customer, so no other drawing teaches it anything.",
+    "text": "Drawing {drawing} has no customer, so answers from earlier drawings of a customer cannot be used for it.",
     "hint": "Set the customer of the drawing first."
   },
   "drawing.no-lines": {
@@ -1179,7 +1179,7 @@ export const TEXTS = {
     "hint": "Draw the carton with lines, arcs or curves in model space, parallel to the XY plane, and import it again."
   },
   "drawing.no-lines-reason": {
-    "text": "{count, plural, one {once} other {# times}}, {reason}",
+    "text": "{reason} ({count, plural, one {# object} other {# objects}})",
     "hint": ""
   },
   "drawing.of-another": {
@@ -1223,44 +1223,44 @@ export const TEXTS = {
     "hint": "Send a smaller file, for example without pictures."
   },
   "dry-run.in-progress": {
-    "text": "The machine runs above the board for job {job}. The job was not started.",
-    "hint": "Wait until the run has ended, or stop it. Then start the job."
+    "text": "The machine is making a dry run of job {job} above the board, so the job was not started.",
+    "hint": "Wait until the dry run has ended, or stop it. Then start the job."
   },
   "dry-run.no-job": {
-    "text": "No job waits for its start at this machine, so there is nothing to run above the board.",
-    "hint": "Release a job for this machine, and ask before it is started."
+    "text": "No job waits for its start at this machine, so there is no program for a dry run above the board.",
+    "hint": "Release a job for this machine, and request the dry run before the job is started."
   },
   "dry-run.no-lift": {
-    "text": "Line {line} of the dry program is not a lift straight up to Z {height, number, ::@#####}. Nothing was sent.",
+    "text": "Internal error: line {line} of the dry run must lift the tool straight up to Z {height, number, ::@#####}, but does something else. Nothing was sent.",
     "hint": "Report this to the maker of knifetip, with the program of the job."
   },
   "dry-run.no-work": {
-    "text": "The program of the job does no work in the board, so it has no frame.",
+    "text": "The program of the job does not touch the board, so there is no frame to trace above it.",
     "hint": "Open the job and check its program."
   },
   "dry-run.not-running": {
-    "text": "The machine runs no program above the board, so there is nothing to hold or to resume.",
+    "text": "The machine is not making a dry run, so there is nothing to hold or to resume.",
     "hint": ""
   },
   "dry-run.other-path": {
-    "text": "Line {line} of the dry program leaves the path of the program. Nothing was sent.",
+    "text": "Internal error: line {line} of the dry run leaves the path of the program. Nothing was sent.",
     "hint": "Report this to the maker of knifetip, with the program of the job."
   },
   "dry-run.switches": {
-    "text": "Line {line} of the dry program switches something on. Nothing was sent.",
+    "text": "Internal error: line {line} of the dry run switches an output or the spindle on. Nothing was sent.",
     "hint": "Report this to the maker of knifetip, with the program of the job."
   },
   "dry-run.too-low": {
-    "text": "Line {line} of the dry program moves Z to {z, number, ::@#####}, below {height, number, ::@#####}. Nothing was sent.",
+    "text": "Internal error: line {line} of the dry run moves Z to {z, number, ::@#####}, but Z must stay at {height, number, ::@#####} or higher. Nothing was sent.",
     "hint": "Report this to the maker of knifetip, with the program of the job."
   },
   "dry-run.unknown-line": {
-    "text": "Line {line} of the program cannot be run above the board: ''{text}''. Nothing was sent.",
-    "hint": "Have the job compiled again. A program that was edited by hand cannot be run dry."
+    "text": "Line {line} of the program cannot be used in a dry run above the board: ''{text}''. Nothing was sent.",
+    "hint": "Compile the job again. A program that was edited by hand cannot be used in a dry run."
   },
   "dry-run.uses-machine": {
-    "text": "The machine runs a program above the board.",
-    "hint": "Wait until the run has ended, or stop it first."
+    "text": "The machine is making a dry run above the board.",
+    "hint": "Wait until the dry run has ended, or stop it first."
   },
   "dxf.at-line": {
     "text": "at line {line} of the file",
@@ -1308,7 +1308,7 @@ export const TEXTS = {
   },
   "edge-choice.bad-syntax": {
     "text": "''{text}'' is not a value of {option}.",
-    "hint": "Give numbers of edges and what is chosen for them as EDGES:NAME=VALUE,NAME=VALUE."
+    "hint": "Write it as EDGES:NAME=VALUE,NAME=VALUE, with the numbers of the edges and what is chosen for them, for example 12,13:passes=2."
   },
   "edge-choice.joined": {
     "text": "Edge {edge} and edge {other} are made as one edge, but different options were chosen for them.",
@@ -1319,7 +1319,7 @@ export const TEXTS = {
     "hint": "Choose an edge of this drawing."
   },
   "edge.no-length": {
-    "text": "Edges with a length of 0 have no direction: edge {edges}.",
+    "text": "These edges have a length of 0, so they have no direction: edge {edges}.",
     "hint": "Delete these edges from the drawing."
   },
   "edge.not-finite": {
@@ -1423,7 +1423,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.no-neighbour": {
-    "text": "{path} must have previous, next or both",
+    "text": "{path} must contain previous, next or both",
     "hint": ""
   },
   "field.no-spindle": {
@@ -1519,7 +1519,7 @@ export const TEXTS = {
     "hint": ""
   },
   "field.park-outside": {
-    "text": "{path} parks at {park, number, ::@#####} mm, but its y moves from {low, number, ::@#####} to {high, number, ::@#####} mm",
+    "text": "{path} parks at {park, number, ::@#####} mm, outside the travel of its y axis from {low, number, ::@#####} to {high, number, ::@#####} mm",
     "hint": ""
   },
   "field.parks-too-near": {
@@ -1831,7 +1831,7 @@ export const TEXTS = {
     "hint": "Check the network connection of the gateway."
   },
   "gateway.started-in-dry-run": {
-    "text": "The job was started while the machine ran above the board. Nothing of the job was sent to the machine.",
+    "text": "The job was started while the machine was making a dry run above the board. Nothing of the job was sent to the machine.",
     "hint": "Queue the job again, and start it when the machine is at rest."
   },
   "gateway.switched-off": {
@@ -2251,7 +2251,7 @@ export const TEXTS = {
     "hint": "Write IN at the beginning of the program."
   },
   "hpgl.not-raised": {
-    "text": "{name} has accepted nothing for {seconds, number, ::@#####} s, so the tool was not raised from here. It may still be lowered.",
+    "text": "{name} has accepted no data for {seconds, number, ::@#####} s, so the command to raise the tool could not be sent. The tool may still be lowered.",
     "hint": "Stop the program at the machine and raise the tool there."
   },
   "hpgl.not-reached": {
@@ -2279,7 +2279,7 @@ export const TEXTS = {
     "hint": "Remove one of the two pens, or choose another operation for one of the two pens."
   },
   "hpgl.runs-on": {
-    "text": "{name} gets no more of the program. It still executes what is in its buffer, and raises the tool after that.",
+    "text": "The rest of the program is not sent to {name}. The machine still executes what is in its buffer, and raises the tool after that.",
     "hint": "Stay away from the tool until the machine is at rest, or stop the program at the machine."
   },
   "hpgl.selects-while-down": {
@@ -2287,7 +2287,7 @@ export const TEXTS = {
     "hint": "Lift the tool (PU) before the pen is selected."
   },
   "hpgl.send-by-hand": {
-    "text": "Download the program and send it with the software of the cutting machine. Stay at the machine while it cuts, so that you can stop it.",
+    "text": "Download the program and send it with the software of the cutting machine. Stay beside the machine while it cuts, so that you can stop it.",
     "hint": ""
   },
   "hpgl.sets-while-down": {
@@ -2367,7 +2367,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.area-outline-round-lines": {
-    "text": "the object is the outline of a filled area, which was imported because lines lie on the area and no line closes their outline",
+    "text": "the object is the outline of a filled area; it was imported, because the lines on this area have no closed outline of their own",
     "hint": ""
   },
   "import.array": {
@@ -2531,7 +2531,7 @@ export const TEXTS = {
     "hint": ""
   },
   "import.filled-area-beside-strokes": {
-    "text": "the object is a filled area without an outline; the outlines of filled areas are cut only in drawings that have no lines, or if lines lie on the area and no line closes their outline",
+    "text": "the object is a filled area without an outline; the outline of a filled area is cut only if the drawing has no lines, or if the lines on the area have no closed outline of their own",
     "hint": ""
   },
   "import.filled-area-on-page": {
@@ -2975,7 +2975,7 @@ export const TEXTS = {
     "hint": ""
   },
   "job.answered": {
-    "text": "The verified program of job {job} was reused, because its input is the same.",
+    "text": "The job uses the verified program of job {job}, which has the same drawing, machine and options.",
     "hint": ""
   },
   "job.at-line": {
@@ -3127,8 +3127,8 @@ export const TEXTS = {
     "hint": ""
   },
   "job.needs-end": {
-    "text": "The whole program of job {job} was sent to the machine, which does not report when it has executed it, so there is nothing to resume.",
-    "hint": "When the machine has finished and is at rest, state it: end the job with POST /api/jobs/{job}/end."
+    "text": "The whole program of job {job} was sent to the machine, which does not report when it has finished, so there is nothing to resume.",
+    "hint": "When the machine has finished and is at rest, confirm this on the station page or with POST /api/jobs/{job}/end."
   },
   "job.needs-sheet": {
     "text": "Job {job} waits for a new sheet, so it cannot be resumed.",
@@ -3171,7 +3171,7 @@ export const TEXTS = {
     "hint": "Confirm the job after the gateway has claimed it. The field reason of the job shows what the job waits for."
   },
   "job.nothing-refused": {
-    "text": "Job {job} is {state}, and no machine has refused its program.",
+    "text": "Job {job} is {state}, and no machine has refused its program, so there is nothing to try again.",
     "hint": ""
   },
   "job.nothing-sent": {
@@ -3191,7 +3191,7 @@ export const TEXTS = {
     "hint": ""
   },
   "job.other-phase": {
-    "text": "Job {job} continued in the meantime, so the request no longer applies.",
+    "text": "Job {job} has continued since the request was prepared, so the request no longer applies.",
     "hint": "Check what the job waits for, then resume it if the machine may continue."
   },
   "job.outdated": {
@@ -3207,7 +3207,7 @@ export const TEXTS = {
     "hint": "Choose another machine or board, change the drawing, or set the line types of these edges to ignored and make them by hand."
   },
   "job.rechecked": {
-    "text": "The machine may check and take the job again.",
+    "text": "The operator let the machine check the job again.",
     "hint": ""
   },
   "job.recompiled": {
@@ -3243,11 +3243,11 @@ export const TEXTS = {
     "hint": ""
   },
   "job.stated-by-feed": {
-    "text": "Stated by the automatic feed: {checks__semicolon}.",
+    "text": "The automatic sheet feed confirmed: {checks__semicolon}.",
     "hint": ""
   },
   "job.tool-changed": {
-    "text": "The operator put a new tool into station {station} ({name}); the old one had worked {used, number, ::precision-integer} m.",
+    "text": "The operator put a new tool into station {station} ({name}). The old tool had worked along {used, number, ::precision-integer} m of lines.",
     "hint": ""
   },
   "job.unknown": {
@@ -3295,15 +3295,15 @@ export const TEXTS = {
     "hint": "Enter a title that names the program that uses the key, and choose its scopes."
   },
   "key.limited": {
-    "text": "This API key is for the customer {customer}, and the answer contains all customers.",
-    "hint": "Use a key without this limit."
+    "text": "This API key is limited to the customer {customer}, but the answer to this request would contain the data of all customers.",
+    "hint": "Use a key that is not limited to a customer."
   },
   "key.other-customer": {
-    "text": "This API key is for the customer {customer}, not for ''{given}''.",
+    "text": "This API key is limited to the customer {customer} and cannot be used for ''{given}''.",
     "hint": "Leave the customer out, or use a key for that customer."
   },
   "key.other-machine": {
-    "text": "This API key is for {machines__or}, not for the machine ''{machine}''.",
+    "text": "This API key is limited to {machines__or} and cannot be used for the machine ''{machine}''.",
     "hint": "Choose another machine, or use a key for that machine."
   },
   "key.revoked": {
@@ -3315,11 +3315,11 @@ export const TEXTS = {
     "hint": "List the keys with `knifetip key list`."
   },
   "key.unlimited-scope": {
-    "text": "A key with the scope {scope} cannot be limited in this way.",
-    "hint": "Choose only scopes of {scopes}, or leave the limit out."
+    "text": "A key with the scope {scope} cannot be limited to a customer or to machines.",
+    "hint": "Choose only scopes of {scopes}, or remove the limit."
   },
   "knife.park-heading": {
-    "text": "Station {station} has a free blade: before the program starts, it must have a heading of {degrees, number, ::@#####}°. At its end the program leaves it so.",
+    "text": "The blade of station {station} turns freely: before the program starts, turn it to a heading of {degrees, number, ::@#####}°. The program leaves it in this direction.",
     "hint": ""
   },
   "language.bad-entry-point": {
@@ -3339,11 +3339,11 @@ export const TEXTS = {
     "hint": "{advice}"
   },
   "language.no-linear-axis": {
-    "text": "carriage {carriage} has a linear axis {letter}, and {language} has no such axis. Its linear axes are {known}",
+    "text": "carriage {carriage} has a linear axis {letter}, but {language} has no such axis. Its linear axes are {known}",
     "hint": "Change the letter of the axis, or the language (dialect) of the machine."
   },
   "language.no-rotary-axis": {
-    "text": "carriage {carriage} has a rotary axis {letter}, and {language} has no such axis. Its rotary axes are {known}",
+    "text": "carriage {carriage} has a rotary axis {letter}, but {language} has no such axis. Its rotary axes are {known}",
     "hint": "Change the letter of the axis, or the language (dialect) of the machine."
   },
   "language.no-settings": {
@@ -3479,8 +3479,8 @@ export const TEXTS = {
     "hint": "Correct the TOML file of the {shelf}."
   },
   "lift.not-stated": {
-    "text": "The machine file of {machine} does not state turn_clearance, so the least lift is not known.",
-    "hint": "Choose the lift to the clearance of the machine, or set turn_clearance in the machine file, for example to 0.5 mm for board that lies flat."
+    "text": "Tools cannot be lifted less than usual between cuts, because the machine file of {machine} does not state to which height (turn_clearance).",
+    "hint": "Let tools be lifted to the clearance of the machine, or set turn_clearance in the machine file, for example to 0.5 mm for board that lies flat."
   },
   "lightburn.doctype": {
     "text": "The LightBurn project has a DOCTYPE, which LightBurn does not write.",
@@ -3515,7 +3515,7 @@ export const TEXTS = {
     "hint": "Send the whole request without a pause, and check the network connection."
   },
   "linuxcnc.bad-address": {
-    "text": "''{address}'' is not the address of a LinuxCNC.",
+    "text": "''{address}'' is not a valid address of LinuxCNC.",
     "hint": "Write HOST:PORT, or linuxcnc://HOST:PORT/?OPTION=VALUE&OPTION=VALUE with the options {options}; values have no blanks."
   },
   "linuxcnc.beyond-travel": {
@@ -3611,7 +3611,7 @@ export const TEXTS = {
     "hint": "Remove the lines after END."
   },
   "mcx314.alarm-chip": {
-    "text": "The motion chip of {name} was written too late, or refused a segment.",
+    "text": "The motion chip of {name} received a segment too late, or refused a segment.",
     "hint": "Check the sheet on the table, then unlock and home the machine. Choose a slower feed or a longer refill in the machine file."
   },
   "mcx314.alarm-drive": {
@@ -3635,11 +3635,11 @@ export const TEXTS = {
     "hint": "Check that the tool is out of the board, then home the machine."
   },
   "mcx314.axis-too-fast": {
-    "text": "{path} needs {rate, number, ::precision-integer} pulses per second, and the chip MCX314 makes at most {limit, number}",
-    "hint": "Choose a lower velocity, fewer pulses, or a greater multiple."
+    "text": "{path} needs {rate, number, ::precision-integer} pulses per second, but the chip MCX314 makes at most {limit, number}",
+    "hint": "Choose a lower velocity, fewer pulses per millimetre or degree, or a greater multiple of the drive speed."
   },
   "mcx314.axis-too-long": {
-    "text": "{path} travels {pulses, number} pulses, and the chip MCX314 counts at most {limit, number} in one segment",
+    "text": "{path} is {pulses, number} pulses long, but the chip MCX314 counts at most {limit, number} in one segment",
     "hint": "Choose fewer pulses per millimetre or degree."
   },
   "mcx314.bad-arc": {
@@ -3647,8 +3647,8 @@ export const TEXTS = {
     "hint": "Correct the end or the centre."
   },
   "mcx314.bad-axes": {
-    "text": "The line moves {count} axes, and the chip MCX314 moves one to three.",
-    "hint": "Divide the move."
+    "text": "The line moves {count} axes at once, but the chip MCX314 moves one to three.",
+    "hint": "Divide the move into moves of at most three axes."
   },
   "mcx314.bad-header": {
     "text": "The program does not begin with “MCX314 {version}”.",
@@ -3660,7 +3660,7 @@ export const TEXTS = {
   },
   "mcx314.bad-rate": {
     "text": "{path} is {value}, but must be a multiple of {step} and at most {limit}",
-    "hint": "Choose another value; the multiple of the drive speed determines the steps."
+    "hint": "Choose another value. The steps follow from the multiple of the drive speed that [controller] states."
   },
   "mcx314.bad-speed": {
     "text": "The drive speed must be {slowest, number} to {fastest, number} pulses per second.",
@@ -3675,11 +3675,11 @@ export const TEXTS = {
     "hint": "Switch it off before END."
   },
   "mcx314.feed-too-slow": {
-    "text": "{path} gives {rate, number, ::precision-integer} pulses per second along a diagonal, and programs need at least {limit, number, ::precision-integer} for an exact feed",
+    "text": "{path} gives {rate, number, ::precision-integer} pulses per second along a diagonal, but programs need at least {limit, number, ::precision-integer} for an exact feed",
     "hint": "Choose a greater feed, or more pulses per millimetre."
   },
   "mcx314.four-axes": {
-    "text": "{place} moves four axes at once, and the chip MCX314 can move three.",
+    "text": "{place} moves four axes at once, but the chip MCX314 can move only three.",
     "hint": "Let the tool turn before or after its depth changes."
   },
   "mcx314.gave-up": {
@@ -3687,12 +3687,12 @@ export const TEXTS = {
     "hint": "Check the connection to the board, then check the sheet on the table."
   },
   "mcx314.joins-nothing": {
-    "text": "The line joins the one before it, which is not a line or an arc.",
+    "text": "The instruction JOIN continues the move in the line before, but that line is neither a line nor an arc.",
     "hint": "Remove JOIN."
   },
   "mcx314.joins-short": {
-    "text": "The line joins a segment of {milliseconds, number, ::@##} ms, and writing it to the chip takes up to {refill, number, ::@##} ms.",
-    "hint": "Remove JOIN, or join longer segments."
+    "text": "The instruction JOIN follows a segment that takes only {milliseconds, number, ::@##} ms, but writing the next segment to the chip takes up to {refill, number, ::@##} ms.",
+    "hint": "Remove JOIN, or make the segment before it longer."
   },
   "mcx314.lost": {
     "text": "The connection to {name} is lost.",
@@ -3704,19 +3704,19 @@ export const TEXTS = {
   },
   "mcx314.no-end": {
     "text": "The program does not end with END.",
-    "hint": "The program may have been cut off."
+    "hint": "The file may be incomplete: create the program again."
   },
   "mcx314.no-newline": {
     "text": "The last line does not end with a newline.",
-    "hint": "The program may have been cut off."
+    "hint": "The file may be incomplete: create the program again."
   },
   "mcx314.no-pulses": {
     "text": "The first instruction must be PULSES with the pulses of X, Y, Z and C.",
     "hint": "Create the program again."
   },
   "mcx314.no-wiring": {
-    "text": "The file of {machine} does not state how its axes are connected to an MCX314.",
-    "hint": "Add the table [controller] to the machine file."
+    "text": "The machine file of {machine} does not state how the axes are connected to the motion chip MCX314.",
+    "hint": "Add the table [controller] to the machine file, with the pulses and speeds of the axes."
   },
   "mcx314.not-at-rest": {
     "text": "{name} was not at rest after {seconds, number, ::@#####} s.",
@@ -3727,16 +3727,16 @@ export const TEXTS = {
     "hint": "{cause__hint}"
   },
   "mcx314.not-settled": {
-    "text": "A move begins {seconds, number, ::@#####} s after an output or the oscillation was switched.",
-    "hint": "Dwell before the move for as long as the station settles."
+    "text": "A move begins already {seconds, number, ::@#####} s after an output or the oscillation was switched.",
+    "hint": "Add a dwell before the move, as long as the station needs after it is switched."
   },
   "mcx314.other-pulses": {
     "text": "The program is made for other pulses per millimetre or degree than {machine} has.",
     "hint": "Create the program for this machine."
   },
   "mcx314.out-of-range": {
-    "text": "A number is greater than {limit, number}, which the chip MCX314 cannot count.",
-    "hint": "Divide the move."
+    "text": "A number in the line is greater than {limit, number}, the most that the chip MCX314 can count.",
+    "hint": "Divide the move into shorter moves."
   },
   "mcx314.pulses-of-board": {
     "text": "The program states other pulses per millimetre or degree than {name} has.",
@@ -3755,11 +3755,11 @@ export const TEXTS = {
     "hint": "Check that the board is switched on, then check the sheet on the table."
   },
   "mcx314.speed": {
-    "text": "{place} needs {rate, number, ::precision-integer} pulses per second, and the chip MCX314 makes {slowest, number} to {fastest, number}.",
+    "text": "{place} needs {rate, number, ::precision-integer} pulses per second, but the chip MCX314 makes only {slowest, number} to {fastest, number}.",
     "hint": "Choose another feed for the tool, or another multiple of the drive speed."
   },
   "mcx314.spindle-not-supported": {
-    "text": "{path} states a direction or a speed, and a program for an MCX314 only switches the spindle on and off",
+    "text": "{path} states a direction or a speed, but a program for an MCX314 can only switch the spindle on and off",
     "hint": "Remove spindle and spindle_speed, and set them at the drive."
   },
   "mcx314.stopped": {
@@ -3767,15 +3767,15 @@ export const TEXTS = {
     "hint": "Another program may be connected to the board. Check the sheet on the table."
   },
   "mcx314.too-far": {
-    "text": "{place} needs {pulses, number} pulses, and the chip MCX314 counts at most {limit, number} in one segment.",
+    "text": "{place} needs {pulses, number} pulses, but the chip MCX314 counts at most {limit, number} in one segment.",
     "hint": "Divide the edge, or use fewer pulses per millimetre."
   },
   "mcx314.too-short": {
-    "text": "{place} takes {milliseconds, number, ::@##} ms, and writing the next segment to the chip MCX314 takes up to {refill, number, ::@##} ms.",
+    "text": "{place} takes only {milliseconds, number, ::@##} ms, but writing the next segment to the chip MCX314 takes up to {refill, number, ::@##} ms.",
     "hint": "Choose a slower feed for the tool, or remove short edges from the drawing."
   },
   "mcx314.tool-not-supported": {
-    "text": "{path} is a tool that must be switched within a cut, which a program for an MCX314 cannot",
+    "text": "{path} is a tool that must be switched on and off during a cut, which a program for an MCX314 cannot do",
     "hint": "Use a knife, a crease wheel, a V-cutter or a router in this station."
   },
   "mcx314.unknown-line": {
@@ -3787,16 +3787,16 @@ export const TEXTS = {
     "hint": "Correct the number."
   },
   "mcx314.unknown-position": {
-    "text": "The line moves an axis by pulses, but no line before it states where the axis is.",
+    "text": "The line moves an axis by a number of pulses, but no line before it states where the axis is.",
     "hint": "Move the axis with GO first."
   },
   "mcx314.unreadable": {
-    "text": "{name} gave an answer that is not that of a board with an MCX314: {answer}",
+    "text": "{name} sent an answer that does not come from a board with an MCX314: {answer}",
     "hint": "Check the address of the controller."
   },
   "mcx314.wrong-dwell": {
-    "text": "The dwell must last {needed} ms, for which the selected station settles.",
-    "hint": "Correct the dwell."
+    "text": "The dwell must last {needed} ms, the time that the selected station needs after it is switched.",
+    "hint": "Correct the duration of the dwell."
   },
   "milling.contours-cross": {
     "text": "Edge {edge} belongs to a contour that crosses another contour or itself at X{x, number, ::.000 group-off} Y{y, number, ::.000 group-off}, so it is not clear on which side the cutter must run.",
@@ -3839,15 +3839,15 @@ export const TEXTS = {
     "hint": ""
   },
   "motion.unknown": {
-    "text": "motion type {number}",
+    "text": "unknown motion type {number}",
     "hint": ""
   },
   "obstacle.asleep": {
-    "text": "{name} is asleep.",
-    "hint": "Check the table, then press Release to wake it. Home the machine afterwards."
+    "text": "{name} is in sleep mode.",
+    "hint": "Check the table, then press Release to wake the controller. Home the machine afterwards."
   },
   "obstacle.busy": {
-    "text": "{name} is busy with something that is no job.",
+    "text": "{name} executes something that does not belong to a job.",
     "hint": "Wait until it is at rest. If it stays so, press Release: the machine stops and moves no axis."
   },
   "obstacle.check-mode": {
@@ -3883,7 +3883,7 @@ export const TEXTS = {
     "hint": "Jog these axes away from their switches. If no axis is at a switch, check the switch and its cable."
   },
   "obstacle.moves": {
-    "text": "{name} executes something that is no job.",
+    "text": "{name} moves, but not for a job.",
     "hint": "Wait until it is at rest, or press Release: the machine stops and discards the rest."
   },
   "obstacle.tool-change": {
@@ -3915,8 +3915,8 @@ export const TEXTS = {
     "hint": "Choose a tool with a smaller radius, or accept uncut areas where the tool does not fit."
   },
   "offset.mixed-group": {
-    "text": "Path {path} has a different radius or offset side than the other paths of its group.",
-    "hint": "Reverse the path, or put it into a separate group."
+    "text": "Path {path} has a different tool radius, or another side of the tool, than the other paths that are offset together with it.",
+    "hint": "Reverse the path, or offset it separately."
   },
   "offset.self-contact": {
     "text": "The offset curve at a distance of {radius, number, ::@#####} mm from path {path} is not closed, because the contour touches itself at ({x, number, ::.0000}, {y, number, ::.0000}) mm in segments {one} and {two}.",
@@ -3975,7 +3975,7 @@ export const TEXTS = {
     "hint": "Try again in a minute. The log of the server contains the reason."
   },
   "oidc.used": {
-    "text": "This sign-in has already been used.",
+    "text": "This sign-in at the provider was already used.",
     "hint": "Sign in again."
   },
   "operation.bad-feed": {
@@ -4003,8 +4003,8 @@ export const TEXTS = {
     "hint": "Switch on the machine and start its gateway."
   },
   "operation.hands-not-clear": {
-    "text": "The request {request} moves {machine}, and nobody has stated within the last {seconds, number, ::@#####} s that hands are clear of it.",
-    "hint": "Make sure that nobody reaches into the machine, state hands clear at its station, then ask again."
+    "text": "The request {request} moves {machine}, but within the last {seconds, number, ::@#####} s nobody has confirmed that all hands are clear of it.",
+    "hint": "Make sure that nobody reaches into the machine, press Hands clear on the station page, then repeat the request."
   },
   "operation.job-on-machine": {
     "text": "The machine executes a job, so it does nothing else.",
@@ -4051,8 +4051,8 @@ export const TEXTS = {
     "hint": ""
   },
   "operation.nothing-held": {
-    "text": "{name} holds nothing that could be released.",
-    "hint": "If an alarm locks it, unlock or home it."
+    "text": "{name} is not on hold, so there is nothing to release.",
+    "hint": "If an alarm locks the machine, unlock or home it."
   },
   "operation.override-not-confirmed": {
     "text": "{name} reports a feed override of {found} % instead of {percent} %.",
@@ -4091,7 +4091,7 @@ export const TEXTS = {
     "hint": ""
   },
   "output.add-lines": {
-    "text": "add these lines to the board's file",
+    "text": "add these lines to the board file",
     "hint": ""
   },
   "output.calibrated": {
@@ -4123,7 +4123,7 @@ export const TEXTS = {
     "hint": ""
   },
   "output.check-question": {
-    "text": "{number} of {count}: {text} Is it so?",
+    "text": "{number} of {count}: {text} Is this true?",
     "hint": ""
   },
   "output.cleaned-edge": {
@@ -4163,7 +4163,7 @@ export const TEXTS = {
     "hint": ""
   },
   "output.if-so": {
-    "text": "If all of this is so:",
+    "text": "If all of this is true, enter:",
     "hint": ""
   },
   "output.job-board": {
@@ -4183,7 +4183,7 @@ export const TEXTS = {
     "hint": ""
   },
   "output.kernels": {
-    "text": "Compiled {compiled} of {total} kernels.",
+    "text": "Compiled {compiled} of {total} software modules.",
     "hint": ""
   },
   "output.key": {
@@ -4307,7 +4307,7 @@ export const TEXTS = {
     "hint": ""
   },
   "output.time-saved": {
-    "text": "{seconds, number, ::.0} s on the machine, {percent, number, ::precision-integer} % less than the {retracted, number, ::.0} s with full retracts",
+    "text": "{seconds, number, ::.0} s on the machine, {percent, number, ::precision-integer} % less than the {retracted, number, ::.0} s with a full lift of the tool between cuts",
     "hint": ""
   },
   "output.to-accept": {
@@ -4339,7 +4339,7 @@ export const TEXTS = {
     "hint": ""
   },
   "output.verdict": {
-    "text": "{word}: deviation {deviation, number, ::.0000} mm (tolerance {tolerance, number, ::@#####}; path {path, number, ::.0000}, rounding by the controller {blending, number, ::.0000}, curve fit {fit, number, ::.0000}), overcut {overcut, number, ::.000} mm, uncut {uncut, number, ::.000} mm, setback {setback, number, ::.000} mm, {seconds, number, ::.0} s at the programmed feeds",
+    "text": "{word}: deviation {deviation, number, ::.0000} mm (tolerance {tolerance, number, ::@#####} mm; of the path {path, number, ::.0000}, by rounding in the controller {blending, number, ::.0000}, of the curve fit {fit, number, ::.0000}), overcut {overcut, number, ::.000} mm, uncut {uncut, number, ::.000} mm, setback {setback, number, ::.000} mm, {seconds, number, ::.0} s at the programmed feeds",
     "hint": ""
   },
   "output.waits-for": {
@@ -4363,7 +4363,7 @@ export const TEXTS = {
     "hint": ""
   },
   "output.worked": {
-    "text": "worked {worked, number, ::.000} mm = kept {kept, number, ::.000} + added by closing gaps {added, number, ::.000}",
+    "text": "processed {worked, number, ::.000} mm = kept {kept, number, ::.000} + added by closing gaps {added, number, ::.000}",
     "hint": ""
   },
   "output.worker": {
@@ -4371,7 +4371,7 @@ export const TEXTS = {
     "hint": ""
   },
   "output.worker-stuck": {
-    "text": "ERROR: this worker is stuck: no sweep for {seconds, number, ::precision-integer} s. It ends with an error, so that systemd or the container engine starts it again.",
+    "text": "ERROR: this worker is stuck: it has not looked for jobs for {seconds, number, ::precision-integer} s. It exits with an error, so that systemd or the container engine starts it again.",
     "hint": ""
   },
   "output.writer": {
@@ -4724,7 +4724,7 @@ export const TEXTS = {
   },
   "queue.claimed": {
     "text": "The machine {machine} has taken job {job} from the queue, so its place and its copies cannot be changed.",
-    "hint": "Put the job on hold to return it to the queue, as long as it is not confirmed."
+    "hint": "If the job is not confirmed yet, put it on hold: it then returns to the queue."
   },
   "queue.copies-changed": {
     "text": "The operator changed the number of copies from {former} to {copies}.",
@@ -4895,12 +4895,12 @@ export const TEXTS = {
     "hint": "Send either the file (form part or JSON field file) or the field drawing, not both."
   },
   "request.order-not-tried": {
-    "text": "This order was not tried, because an order before it failed. {reason}",
-    "hint": "Send the request again with the same Idempotency-Key: what is stored is not ordered twice."
+    "text": "This order was not processed, because an order before it failed. {reason}",
+    "hint": "Send the request again with the same Idempotency-Key: orders that are already stored are not created twice."
   },
   "request.outcome-unknown": {
-    "text": "A request with this Idempotency-Key was begun, and its outcome is not known.",
-    "hint": "Check whether it was executed. If it was not, send it again with a new key."
+    "text": "An earlier request with this Idempotency-Key was begun, but it is not known whether it was executed.",
+    "hint": "Check whether it was executed. If it was not, send the request again with a new key."
   },
   "request.refused": {
     "text": "The request was rejected with the HTTP status {status}.",
@@ -4911,7 +4911,7 @@ export const TEXTS = {
     "hint": "Sign in as a user with the role {scope}, or use an API key with this scope."
   },
   "request.secret-not-kept": {
-    "text": "The request was executed, and its answer had a secret, which is not kept: see {path}.",
+    "text": "A request with this Idempotency-Key was already executed. Its answer contained a secret, which the server does not store, so the answer cannot be repeated: see {path}.",
     "hint": "Get a new secret with POST {path}/rotate-secret."
   },
   "request.unknown-zone": {
@@ -4939,7 +4939,7 @@ export const TEXTS = {
     "hint": "Choose a method that /api/openapi.json describes for this URL."
   },
   "rest.bound-to-sheet": {
-    "text": "Job {job} makes the rest of the one sheet that lies on the machine {machine}.",
+    "text": "Job {job} completes the sheet that lies on the machine {machine}, so its machine and its number of copies cannot be changed.",
     "hint": "Order one more copy of the whole job. It can have another machine and number of copies."
   },
   "rest.continue-first": {
@@ -4975,7 +4975,7 @@ export const TEXTS = {
     "hint": "Choose one of the stations that the list of tracks contains."
   },
   "rest.no-such-track": {
-    "text": "The program has no track {track}. It has {count} tracks.",
+    "text": "The program has no track (uninterrupted run of a tool) with the number {track}. It has {count} tracks.",
     "hint": "Choose a track from the list of tracks."
   },
   "rest.no-tracks": {
@@ -5300,7 +5300,7 @@ export const TEXTS = {
   },
   "server.answered": {
     "text": "The request to {url} failed with the HTTP status {status}.",
-    "hint": "Check the address and the log of the server."
+    "hint": "Check the address. The log of the server contains the cause."
   },
   "server.bad-metrics-address": {
     "text": "''{address}'' is not a valid value of --metrics-address.",
@@ -5323,7 +5323,7 @@ export const TEXTS = {
     "hint": "Report the error with the log of the server."
   },
   "server.machine-taken": {
-    "text": "Another server ({holder}) has the simulated machine {machine} of this database.",
+    "text": "Another server ({holder}) already runs the simulated machine {machine} of this database.",
     "hint": "Stop that server, use another --database, or start this server with --no-simulator."
   },
   "server.not-started": {
@@ -5347,7 +5347,7 @@ export const TEXTS = {
     "hint": ""
   },
   "setting.homes-at-other-end": {
-    "text": "the controller makes the place of the switch its zero, at the other end of the axis than in the machine file",
+    "text": "the controller sets its zero at the homing switch, but in the machine file the zero is at the other end of the axis",
     "hint": ""
   },
   "setting.inches": {
@@ -5379,7 +5379,7 @@ export const TEXTS = {
     "hint": ""
   },
   "setting.no-rate": {
-    "text": "the axis cannot move",
+    "text": "the highest speed of the axis is 0, so the axis cannot move",
     "hint": ""
   },
   "setting.no-soft-limits": {
@@ -5387,7 +5387,7 @@ export const TEXTS = {
     "hint": ""
   },
   "setting.no-steps": {
-    "text": "the axis has no steps per millimetre or degree",
+    "text": "the number of steps per millimetre or degree of the axis is 0, so the axis cannot move",
     "hint": ""
   },
   "setting.no-work-offset": {
@@ -5407,7 +5407,7 @@ export const TEXTS = {
     "hint": ""
   },
   "setting.spindle-limit": {
-    "text": "the highest speed or power of the controller is below that of a station, which would run with less",
+    "text": "the highest speed or power of the controller is lower than a station needs, so its tool would run more slowly or with less power",
     "hint": ""
   },
   "setting.unit-of-angle": {
@@ -5471,8 +5471,8 @@ export const TEXTS = {
     "hint": "Check both. An administrator can set a new password."
   },
   "sign-in.wrong-code": {
-    "text": "This code is wrong, has expired or was used.",
-    "hint": "Ask an administrator for a new code: each is for one device and for ten minutes."
+    "text": "This pairing code is wrong, has expired or was already used.",
+    "hint": "Ask an administrator for a new code. Each code is for one device and expires after ten minutes."
   },
   "start.at-corner": {
     "text": "The start chosen on edge {edge} is {distance, number, ::.00} mm from an end of the edge, but the cutter needs {least, number, ::.00} mm to enter beside it.",
@@ -5551,23 +5551,23 @@ export const TEXTS = {
     "hint": "Choose another point."
   },
   "tool-check.large-shift": {
-    "text": "A correction of a station in a tool check is at most {largest, number, ::@#####} mm or degrees.",
+    "text": "In a tool check, a station can be corrected by at most {largest, number, ::@#####} mm or degrees.",
     "hint": "Measure the datum of the station again, and change it in the machine file."
   },
   "tool-check.not-lowered": {
     "text": "The tool is above the point, but was not lowered: Z would have to move to {target, number, ::.0}, and its travel ends at {lowest, number, ::@#####}.",
-    "hint": "Check the tool from above, and the Z of the station in the machine file."
+    "hint": "Check the tool from above. If the tool must go lower, correct the Z of the station in the machine file."
   },
   "tool-check.not-lowered-beam": {
     "text": "The laser is above the point, but was not lowered or switched on.",
     "hint": "Check its position with the pointer of the laser, if it has one."
   },
   "tool-check.not-reached": {
-    "text": "Z has not come to rest at {target, number, ::.0} in time. The tool was lifted again.",
+    "text": "Z did not come to rest at {target, number, ::.0} in time, so the tool was lifted again.",
     "hint": "Check the machine, then try again."
   },
   "tool-life.near": {
-    "text": "The tool {name} in station {station} has worked {used, number, ::precision-integer} m, {percent, number, ::precision-integer} % of its life of {life, number, ::precision-integer} m.",
+    "text": "The tool {name} in station {station} has worked along {used, number, ::precision-integer} m of lines, {percent, number, ::precision-integer} % of its life of {life, number, ::precision-integer} m.",
     "hint": "Have a new tool ready. Record the change of the tool on the page of the machine."
   },
   "tool-life.no-station": {
@@ -5575,7 +5575,7 @@ export const TEXTS = {
     "hint": "Use the number of a station from the list of the tools of the machine."
   },
   "tool-life.over": {
-    "text": "The tool {name} in station {station} has worked {used, number, ::precision-integer} m, {percent, number, ::precision-integer} % of its life of {life, number, ::precision-integer} m.",
+    "text": "The tool {name} in station {station} has worked along {used, number, ::precision-integer} m of lines, {percent, number, ::precision-integer} % of its life of {life, number, ::precision-integer} m.",
     "hint": "Change the tool and record the change, or check the tool and state why it stays in use when you confirm the job."
   },
   "tool.bad-radius": {
@@ -5587,7 +5587,7 @@ export const TEXTS = {
     "hint": "Correct the settings of the tool in the machine file."
   },
   "tool.free-without-trail": {
-    "text": "the knife is free, but its tip does not trail its axis (trail is 0)",
+    "text": "the knife is set to turn freely (free), but its tip lies on its axis (trail is 0), so moves would not turn it",
     "hint": ""
   },
   "tool.missing": {
@@ -5603,7 +5603,7 @@ export const TEXTS = {
     "hint": ""
   },
   "tool.swivel-of-driven-knife": {
-    "text": "`swivel_depth` or `park_heading` is set, but the knife is not free: the machine turns it",
+    "text": "`swivel_depth` or `park_heading` is set, but these are only for knives that turn freely (free), and an axis of the machine turns this knife",
     "hint": ""
   },
   "tool.tilted": {
@@ -5687,7 +5687,7 @@ export const TEXTS = {
     "hint": "For axis X, Y or C, move or rotate the drawing on the table, or choose a larger machine. For axis Z, check the heights in the machine file."
   },
   "travel.heads-too-near": {
-    "text": "{tool} (station {station}) would leave {distance, number, ::.00} mm to the parked carriage {other}{place}. The least distance of two carriages is {least, number, ::@#####} mm.",
+    "text": "{tool} (station {station}) would come as near as {distance, number, ::.00} mm to the parked carriage {other}{place}. Carriages must stay at least {least, number, ::@#####} mm apart.",
     "hint": "Move the drawing along Y, away from the parked carriage, or give the line type to a tool on the other carriage."
   },
   "unit.cf2-inches": {
@@ -5723,7 +5723,7 @@ export const TEXTS = {
     "hint": ""
   },
   "unit.corner-loops": {
-    "text": "if the unit is {unit__unit}, {count} corners of outlines have curls of {length__mm} mm, as programs draw them for the beam of a laser",
+    "text": "if the unit is {unit__unit}, the outlines have small loops of {length__mm} mm at {count} corners, as programs for laser cutters draw them",
     "hint": ""
   },
   "unit.dimensions-larger": {
@@ -5971,23 +5971,23 @@ export const TEXTS = {
     "hint": "Sign in with name and password."
   },
   "user.password-blank": {
-    "text": "it contains only blanks",
+    "text": "the password consists only of blanks",
     "hint": ""
   },
   "user.password-common": {
-    "text": "it consists of words that many people use",
+    "text": "the password consists of words that many people use",
     "hint": ""
   },
   "user.password-name": {
-    "text": "it consists of the name of the user or of the program",
+    "text": "the password consists of the name of the user or of the program",
     "hint": ""
   },
   "user.password-repeated": {
-    "text": "it repeats a few characters",
+    "text": "the password repeats a few characters",
     "hint": ""
   },
   "user.password-sequence": {
-    "text": "its characters follow each other on the keyboard",
+    "text": "the characters of the password follow each other on the keyboard",
     "hint": ""
   },
   "user.unknown": {
@@ -5995,7 +5995,7 @@ export const TEXTS = {
     "hint": "List the users with `knifetip user list`."
   },
   "user.weak-password": {
-    "text": "The password is easily guessed: {why}.",
+    "text": "The password is too easy to guess: {why}.",
     "hint": "Choose another one, for example four words that have nothing to do with each other."
   },
   "user.wrong-password": {
@@ -6035,11 +6035,11 @@ export const TEXTS = {
     "hint": "Draw a bend with a radius of at least {least, number, ::.0} mm or a sharp corner, use a knife with a steeper or narrower blade, or accept the shortfall."
   },
   "verify.blade-not-parked": {
-    "text": "The program leaves the free blade of station {station} with a heading of {heading, number, ::.0}°, and the next program begins with {park, number, ::@#####}°.",
+    "text": "At the end of the program, the freely turning blade of station {station} has a heading of {heading, number, ::.0}°, but the next program expects {park, number, ::@#####}°.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.blade-pushed": {
-    "text": "The tip of the free blade is pushed {length, number, ::.00} mm away from its axis. The blade can turn round to either side there, or tear the board.",
+    "text": "A move of {length, number, ::.00} mm pushes the tip of the freely turning blade away from the axis of the blade instead of pulling it. The blade may then turn to either side or tear the board.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.bridge-near-corner": {
@@ -6139,7 +6139,7 @@ export const TEXTS = {
     "hint": "Start the spindle (M3) before the cutter enters the board."
   },
   "verify.deep-swivel": {
-    "text": "The free blade is turned about its tip at a depth of {depth, number, ::.00} mm instead of {planned, number, ::@#####} mm.",
+    "text": "The freely turning blade is turned about its tip at a depth of {depth, number, ::.00} mm instead of {planned, number, ::@#####} mm.",
     "hint": "Compile the job again. If the finding remains, report it as an internal error with the program file."
   },
   "verify.drawn-twice": {
@@ -6147,8 +6147,8 @@ export const TEXTS = {
     "hint": "Set the line type of one of the two to ignored, move them apart, or accept that both are made."
   },
   "verify.feed-of-other-axis": {
-    "text": "Station {station} is on a further carriage and moves at a feed (G94), which a controller may apply to the travel of the gantry alone.",
-    "hint": "State the time of the move (G93)."
+    "text": "Station {station} is on a further carriage, and its move has a feed in mm/min (G94). A controller may apply this feed only to the travel of the gantry.",
+    "hint": "State the duration of the move in inverse time mode (G93)."
   },
   "verify.fixed-blade": {
     "text": "The board is best cut by an oscillating blade, and the knife of station {station} is fixed: it pushes thick or soft board together.",
@@ -6211,7 +6211,7 @@ export const TEXTS = {
     "hint": "Park the carriage that is not in use before the move."
   },
   "verify.idle-head-low": {
-    "text": "{letter} is at {height, number, ::.00} mm while another carriage is in use. Its tools clear the board only at {needed, number, ::.00} mm or higher.",
+    "text": "The carriage with axis {letter} is not in use, but {letter} is at {height, number, ::.00} mm. Its tools are above the board only at {needed, number, ::.00} mm or higher.",
     "hint": "Lift the carriage before another one is used."
   },
   "verify.in-zone": {
@@ -6243,7 +6243,7 @@ export const TEXTS = {
     "hint": "Raise station {other} (M65 P{output}) before this program line."
   },
   "verify.made-before": {
-    "text": "Station {station} processes {length, number, ::.000} mm at X{x, number, ::.000} Y{y, number, ::.000} (coordinates of the sheet) again, which an earlier program has already made on this sheet.",
+    "text": "Station {station} processes {length, number, ::.000} mm at X{x, number, ::.000} Y{y, number, ::.000} (coordinates of the sheet), although an earlier program has already made this line on the sheet.",
     "hint": "Continue from a later contour, or start a new sheet."
   },
   "verify.moves-before-stated": {
@@ -6267,7 +6267,7 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.narrow-rim": {
-    "text": "The rim of {width, number, ::@#####} mm is narrow for a board {caliper, number, ::@#####} mm thick: it may cut the upper face instead of bending it.",
+    "text": "The creasing wheel has a rim of {width, number, ::@#####} mm, which is narrow for a board {caliper, number, ::@#####} mm thick: it may cut into the upper face instead of creasing it.",
     "hint": "Mount a creasing wheel with a rim of at least {least, number, ::@#####} mm."
   },
   "verify.narrow-slits": {
@@ -6291,7 +6291,7 @@ export const TEXTS = {
     "hint": "Read the findings again: the drawing or the program may have changed since."
   },
   "verify.not-acceptable": {
-    "text": "The finding {code} at edge {edge} cannot be accepted, because it is no shortfall.",
+    "text": "The finding {code} at edge {edge} is an error, which cannot be accepted. Only shortfalls (lines that the tool cannot make exactly as drawn) can be accepted.",
     "hint": "Change the drawing, the tool or the board, and compile the job again."
   },
   "verify.not-worked": {
@@ -6435,7 +6435,7 @@ export const TEXTS = {
     "hint": "Lift the head to Z {needed, number, ::.000} mm before this program line."
   },
   "verify.swivel-mark": {
-    "text": "The free blade turns by {turn, number, ::precision-integer}° about its tip, and its slanted edge cuts the top face up to {mark, number, ::.00} mm beside the line (permitted: {tolerance, number, ::@#####} mm).",
+    "text": "The freely turning blade turns by {turn, number, ::precision-integer}° about its tip, and its slanted edge cuts the top face up to {mark, number, ::.00} mm beside the line (permitted: {tolerance, number, ::@#####} mm).",
     "hint": "Let the blade turn at a smaller depth (`swivel_depth` of the knife), use a blade with a steeper edge, or accept the mark."
   },
   "verify.too-few-bridges": {
@@ -6483,11 +6483,11 @@ export const TEXTS = {
     "hint": ""
   },
   "verify.where-past-end": {
-    "text": ": the tool must also process the board beyond the end of the edge",
+    "text": "; the tool must also process the board beyond the end of the edge",
     "hint": ""
   },
   "verify.where-past-start": {
-    "text": ": the tool must also process the board beyond the start of the edge",
+    "text": "; the tool must also process the board before the start of the edge",
     "hint": ""
   },
   "verify.wide-slit": {
@@ -6547,8 +6547,8 @@ export const TEXTS = {
     "hint": "Switch on the controller and check its cable."
   },
   "waiting.for-end": {
-    "text": "The whole program was sent to {machine}, which does not report when it has executed it.",
-    "hint": "When the machine has finished and is at rest, state it at the machine (the command end): the copy is then finished. If the machine has not finished the program, cancel the job."
+    "text": "The whole program was sent to {machine}, which does not report when it has finished.",
+    "hint": "When the machine has finished and is at rest, confirm this on the station page or with knifetip job end: the copy is then finished. If the machine has not finished the program, cancel the job."
   },
   "waiting.for-gateway": {
     "text": "The job waits, because the gateway of {machine} (the program that sends jobs to the machine) is not connected to the server.",

@@ -53,7 +53,7 @@ def test_the_convention_that_fits_the_shape_decides(cut: int, crease: int) -> No
 def test_the_only_style_that_only_divides_panels_is_creased() -> None:
     dieline = classified(drawing_of((BLANK, style(colour=30)), (FOLDS, style(colour=40))))
     assert words(dieline) == ["cut"] * 4 + ["crease"] * 2
-    assert "no other colour or line style only divides panels" in why(dieline, 4)
+    assert "only colour and line style whose edges do nothing but divide panels" in why(dieline, 4)
 
 
 def test_two_styles_that_only_divide_panels_are_asked() -> None:
@@ -172,7 +172,7 @@ def test_one_crease_on_the_outline_is_asked_and_the_others_are_creases() -> None
         drawing_of((BLANK[1:], style("CUT")), (BLANK[:1] + FOLDS, style("CREASE")))
     )
     assert words(dieline) == ["cut"] * 3 + ["unclassified"] + ["crease"] * 2
-    assert "so the edge should be cut" in why(dieline, 3)
+    assert "such an edge should be cut" in why(dieline, 3)
 
 
 def test_slits_between_flaps_in_the_style_of_the_outline_are_cuts() -> None:

@@ -41,7 +41,7 @@ def test_a_groove_past_the_outline_ends_on_it() -> None:
     assert made.kept[8] == pytest.approx(80.0)
     assert made.reason[8] == CleaningReason.OFF_PANEL
     assert render(made.describe(8)) == (
-        "the edge was kept, with these changes: a part of the edge, 15 mm long, was dropped "
+        "the edge was kept, with these changes: a part of the fold, 15 mm long, was dropped "
         "because it lies outside all panels"
     )
     assert check_cleaning(drawn, made) == []

@@ -243,7 +243,7 @@ async def test_a_cancel_is_reported_even_if_the_plotter_accepts_nothing(far_end:
         office.command = command
         async with asyncio.timeout(20.0):
             await run_job(office, MACHINE, address)
-    assert "has accepted nothing for 1 s" in office.finished[0]["why"]["text"]
+    assert "has accepted no data for 1 s" in office.finished[0]["why"]["text"]
 
 
 async def test_lines_count_as_executed_when_they_no_longer_fit_into_the_buffer() -> None:

@@ -26,7 +26,7 @@ def test_unit_vectors_have_length_one() -> None:
 
 @pytest.mark.parametrize("length", [0.0, 1e-7, np.nan])
 def test_an_edge_without_length_has_no_direction(length: float) -> None:
-    with pytest.raises(ZeroLengthEdge, match="length of 0 have no direction: edge 1"):
+    with pytest.raises(ZeroLengthEdge, match="length of 0, so they have no direction: edge 1"):
         unit_vectors(np.array([[1.0, 0.0], [length, 0.0]]))
 
 

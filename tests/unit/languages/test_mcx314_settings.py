@@ -30,7 +30,7 @@ def test_the_shipped_machine_has_its_wiring() -> None:
         ("corner = 5.0", "corner = 91.0", "corner is 91"),
         ("velocity = 3600.0", "velocity = 7200.0", "needs 720,000 pulses per second"),
         ("x = 200.0, y", "x = 20000.0, y", "needs 20,000,000 pulses per second"),
-        ("low = -1080.0, high = 1080.0", "low = -90000.0, high = 90000.0", "travels 18,000,000"),
+        ("low = -1080.0, high = 1080.0", "low = -90000.0, high = 90000.0", "is 18,000,000 pulses long"),
         ("plunge = 3000.0", "plunge = 300.0", "577 pulses per second along a diagonal"),
         ("output = 2", "output = 16", "output is 16"),
         ("output = 0", 'output = 0\nspindle = "M4"', "spindle states a direction"),
@@ -55,5 +55,5 @@ def test_a_laser_is_refused(tmp_path: Path) -> None:
     for velocity in ("velocity = 1500.0", "velocity = 2000.0"):
         text = text.replace(velocity, "velocity = 500.0")
     file.write_text(text, "utf-8")
-    with pytest.raises(LibraryError, match="must be switched within a cut"):
+    with pytest.raises(LibraryError, match="must be switched on and off during a cut"):
         load.machine(str(file))

@@ -69,11 +69,11 @@ def test_a_machine_without_a_gantry_has_one_carriage() -> None:
         (lambda fields: carriage(fields).pop("c"), "carriage 1 → c is missing"),
         (
             lambda fields: carriage(fields).update(park=1500.0),
-            "parks at 1,500 mm, but its y moves from -15 to 1,420 mm",
+            "parks at 1,500 mm, outside the travel of its y axis from -15 to 1,420 mm",
         ),
         (
             lambda fields: fields["gantry"].update(park=-300.0),
-            "gantry parks at -300 mm, but its y moves from -220 to 1,215 mm",
+            "gantry parks at -300 mm, outside the travel of its y axis from -220 to 1,215 mm",
         ),
         (
             lambda fields: fields["gantry"].update(park=1215.0, min_distance=206.0),
@@ -83,15 +83,15 @@ def test_a_machine_without_a_gantry_has_one_carriage() -> None:
         (lambda fields: fields["gantry"].update(carriage=[]), "has 0 values, but needs at least 1"),
         (
             lambda fields: carriage(fields)["y"].update(letter="B"),
-            r"linear axis B, and LinuxCNC has no such axis. Its linear axes are X, Y, Z, U, V, W",
+            r"linear axis B, but LinuxCNC has no such axis. Its linear axes are X, Y, Z, U, V, W",
         ),
         (
             lambda fields: carriage(fields)["c"].update(letter="U"),
-            "rotary axis U, and LinuxCNC has no such axis. Its rotary axes are A, B, C",
+            "rotary axis U, but LinuxCNC has no such axis. Its rotary axes are A, B, C",
         ),
         (
             lambda fields: fields.update(dialect="hpgl"),
-            "linear axis V, and HPGL has no such axis. Its linear axes are X, Y, Z",
+            "linear axis V, but HPGL has no such axis. Its linear axes are X, Y, Z",
         ),
     ],
 )

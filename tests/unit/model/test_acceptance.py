@@ -45,7 +45,7 @@ def test_a_program_is_accepted_when_all_its_shortfalls_are() -> None:
 
 def test_a_fault_is_never_accepted_and_refuses_the_program() -> None:
     fault = Finding("stray", OFF, 2.0, 3)
-    with pytest.raises(RequestError, match="cannot be accepted, because it is no shortfall"):
+    with pytest.raises(RequestError, match="is no shortfall, so it cannot be accepted"):
         with_exceptions(verdict(fault), {(3, OFF.code)}, GIVEN)
     # A fault and a shortfall with the same edge and code.
     twin = replace(slit(3), severity=Severity.FAULT)

@@ -174,7 +174,7 @@ def test_a_short_line_that_turns_is_refused_with_its_edge() -> None:
         ((0.15, 0.0, 1.0, 0.0), 0.0, Motion.FEED),
         ((0.8, 0.4, 1.0, 0.0), 0.0, Motion.FEED),
     )
-    with pytest.raises(ProgramError, match=r"takes 0\.375 ms") as refused:
+    with pytest.raises(ProgramError, match=r"takes only 0\.375 ms") as refused:
         program(bent, with_wiring(corner=60.0))
     assert refused.value.edges == (7,)
     assert "slower feed" in refused.value.hint
@@ -229,7 +229,7 @@ def test_c_limits_the_speed() -> None:
 @pytest.mark.parametrize(
     ("end", "feed", "words"),
     [
-        ((5e4, 0.0, 1.0, 0.0), 24000.0, "needs 10,000,000 pulses, and .* at most 8,388,607"),
+        ((5e4, 0.0, 1.0, 0.0), 24000.0, "needs 10,000,000 pulses, but .* at most 8,388,607"),
         ((10.0, 5.0, -2.0, 30.0), 24000.0, "moves four axes"),
         ((10.0, 0.0, 1.0, 0.0), 240000.0, "needs 800,000 pulses per second"),
         ((10.0, 0.0, 1.0, 0.0), 3.0, "needs 10 pulses per second"),
@@ -251,7 +251,7 @@ def test_what_the_chip_cannot_do_is_refused_with_its_place(
 
 
 def test_a_machine_without_an_mcx314_is_refused() -> None:
-    with pytest.raises(ProgramError, match="does not state how its axes are connected"):
+    with pytest.raises(ProgramError, match="does not state how the axes are connected"):
         program(CUT, replace(TABLE, controller=None))
 
 

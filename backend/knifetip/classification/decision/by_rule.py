@@ -44,11 +44,12 @@ def decide_by_rule(evidence: StyleEvidence, style: int, role: Role) -> Decision:
     if not evidence.has_outline or role in (Role.UNKNOWN, Role.OPEN):
         return Decision(kind, confidence, rule, by_rule=True)
     if role in _OVERRIDING_ROLES and kind != LineType.IGNORED:
-        reason = _contradiction_message(rule, role, None)
+        reason = Message("classification.contradicted", rule=rule, reason=role.message)
         return Decision(LineType.IGNORED, IGNORED_CONFIDENCE[role], reason, (kind,))
     against, instead = _contradiction(evidence, kind, confidence, style, role)
     if against:
-        reason = _contradiction_message(rule, role, against)
+        both = Message("classification.role-against", role=role.message, against=against)
+        reason = Message("classification.contradicted", rule=rule, reason=both)
         return Decision(kind, min(confidence, 0.5), reason, instead)
     return Decision(kind, confidence, rule, by_rule=True)
 
@@ -97,13 +98,3 @@ def _contradiction(
     if role in (Role.FREE, Role.SLIT) and weak and kind == LineType.CREASE:
         return Message("classification.divides-panels", type=kind.word), (LineType.CUT,)
     return None, ()
-
-
-def _contradiction_message(rule: Message, role: Role, against: Message | None) -> Message:
-    """Return the message that the role of edges contradicts a rule.
-
-    ``rule`` is the clause that names the rule.  ``against`` is the clause that explains why the
-    role contradicts it, or None.
-    """
-    reason = Message("classification.role-against", role=role.message, against=against)
-    return Message("classification.contradicted", rule=rule, reason=reason)

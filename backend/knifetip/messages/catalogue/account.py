@@ -16,18 +16,19 @@ MESSAGES: Final[Entries] = {
         "Enter a title that names the program that uses the key, and choose its scopes.",
     ),
     "key.limited": entry(
-        "This API key is for the customer {customer}, and the answer contains all customers.",
-        "Use a key without this limit.",
+        "This API key is limited to the customer {customer}, but the answer to this request would "
+        "contain the data of all customers.",
+        "Use a key that is not limited to a customer.",
         customer="text",
     ),
     "key.other-customer": entry(
-        "This API key is for the customer {customer}, not for {given!r}.",
+        "This API key is limited to the customer {customer} and cannot be used for {given!r}.",
         "Leave the customer out, or use a key for that customer.",
         customer="text",
         given="text",
     ),
     "key.other-machine": entry(
-        "This API key is for {machines:or}, not for the machine {machine!r}.",
+        "This API key is limited to {machines:or} and cannot be used for the machine {machine!r}.",
         "Choose another machine, or use a key for that machine.",
         machine="text",
         machines="texts",
@@ -38,8 +39,8 @@ MESSAGES: Final[Entries] = {
         id="text",
     ),
     "key.unlimited-scope": entry(
-        "A key with the scope {scope} cannot be limited in this way.",
-        "Choose only scopes of {scopes:, }, or leave the limit out.",
+        "A key with the scope {scope} cannot be limited to a customer or to machines.",
+        "Choose only scopes of {scopes:, }, or remove the limit.",
         scope="text",
         scopes="texts",
     ),
@@ -113,7 +114,7 @@ MESSAGES: Final[Entries] = {
         issuer="text",
     ),
     "oidc.used": entry(
-        "This sign-in has already been used.",
+        "This sign-in at the provider was already used.",
         "Sign in again.",
     ),
     "sign-in.slow-down": entry(
@@ -126,8 +127,9 @@ MESSAGES: Final[Entries] = {
         "Check both. An administrator can set a new password.",
     ),
     "sign-in.wrong-code": entry(
-        "This code is wrong, has expired or was used.",
-        "Ask an administrator for a new code: each is for one device and for ten minutes.",
+        "This pairing code is wrong, has expired or was already used.",
+        "Ask an administrator for a new code. Each code is for one device and expires after ten "
+        "minutes.",
     ),
     "user.at-provider": entry(
         "The user {name} signs in at a provider and has no password on this server.",
@@ -166,13 +168,15 @@ MESSAGES: Final[Entries] = {
         "Only a user who has signed in with a password can change it.",
         "Sign in with name and password.",
     ),
-    "user.password-blank": entry("it contains only blanks"),
-    "user.password-common": entry("it consists of words that many people use"),
-    "user.password-name": entry("it consists of the name of the user or of the program"),
-    "user.password-repeated": entry("it repeats a few characters"),
-    "user.password-sequence": entry("its characters follow each other on the keyboard"),
+    "user.password-blank": entry("the password consists only of blanks"),
+    "user.password-common": entry("the password consists of words that many people use"),
+    "user.password-name": entry("the password consists of the name of the user or of the program"),
+    "user.password-repeated": entry("the password repeats a few characters"),
+    "user.password-sequence": entry(
+        "the characters of the password follow each other on the keyboard"
+    ),
     "user.weak-password": entry(
-        "The password is easily guessed: {why}.",
+        "The password is too easy to guess: {why}.",
         "Choose another one, for example four words that have nothing to do with each other.",
         why="message",
     ),

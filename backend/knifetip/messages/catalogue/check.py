@@ -48,7 +48,7 @@ MESSAGES: Final[Entries] = {
         y="number",
     ),
     "check.drawing-place": entry(
-        ": the lower left corner of the drawing comes to X {x:g}, Y {y:g} mm",
+        ": the lower left corner of the drawing lies at X {x:g}, Y {y:g} mm",
         x="number",
         y="number",
     ),
@@ -59,7 +59,7 @@ MESSAGES: Final[Entries] = {
         place="message?",
     ),
     "check.station": entry(
-        "Station {station} holds {tool}, and it is whole.",
+        "Station {station} holds {tool}, and the tool is not damaged.",
         station="count",
         tool="text",
     ),

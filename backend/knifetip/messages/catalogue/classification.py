@@ -8,12 +8,13 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "classification.across": entry(
-        "the edge meets other lines inside the blank, one of which is a slit if the blank is "
-        "folded to a box; the edge is perpendicular to the longest of them",
+        "the edge meets other lines inside the blank, and one of them must be a slit if the blank "
+        "folds into a box; the edge is perpendicular to the longest of these lines, so it may be a "
+        "fold",
     ),
     "classification.along": entry(
-        "the edge meets other lines inside the blank, one of which is a slit if the blank is "
-        "folded to a box; the edge is parallel to the longest of them",
+        "the edge meets other lines inside the blank, and one of them must be a slit if the blank "
+        "folds into a box; the edge is parallel to the longest of these lines, so it may be a fold",
     ),
     "classification.around": entry("the edge encloses a complete carton"),
     "classification.arrow": entry(
@@ -23,18 +24,18 @@ MESSAGES: Final[Entries] = {
         "the edge is treated like all edges with the same layer, colour and line style",
     ),
     "classification.beside-gap": entry(
-        "{reason} if a straight line is missing in the outline beside the edge, without which the "
-        "blank falls apart",
+        "{reason}; this assumes that a straight line is missing in the outline beside the edge, "
+        "because as drawn the blank falls apart there",
         reason="message",
     ),
     "classification.bleed": entry(
         "the edge surrounds a blank at a constant distance, as a bleed line does",
     ),
     "classification.board-ends": entry(
-        ", so the edge should be cut",
+        "such an edge should be cut",
     ),
     "classification.closes-nothing": entry(
-        ", and the edge does not close an outline",
+        "the edge is part of no closed outline",
     ),
     "classification.contradicted": entry(
         "{rule}, but {reason}",
@@ -49,7 +50,7 @@ MESSAGES: Final[Entries] = {
         lines="count",
     ),
     "classification.corners": entry(
-        "the edge turns a corner at both ends, and no fold does",
+        "at both ends, the edge continues round a corner into one other line, as a fold does not",
     ),
     "classification.cuts-panel-off": entry(
         "a cut at the position of the edge would separate a panel from its blank",
@@ -62,7 +63,7 @@ MESSAGES: Final[Entries] = {
     ),
     "classification.divider": entry("the edge divides two panels"),
     "classification.divides-panels": entry(
-        ", whereas an edge of type {type} divides two panels",
+        "an edge of type {type} should divide two panels",
         type="text",
     ),
     "classification.fold-end": entry(
@@ -144,7 +145,7 @@ MESSAGES: Final[Entries] = {
         reason="message",
     ),
     "classification.must-be-processed": entry(
-        ", so the edge must not be ignored",
+        "such an edge should not be ignored",
     ),
     "classification.named": entry(
         "the name of the layer marks the edge as not being part of the carton, and the "
@@ -160,26 +161,27 @@ MESSAGES: Final[Entries] = {
         shape="message",
     ),
     "classification.none-closes": entry(
-        ", and almost all edges with the same layer, colour and line style divide panels",
+        "almost all edges with the same layer, colour and line style divide panels",
     ),
     "classification.not-made": entry(
-        ", so the edge must not be processed",
+        "such an edge should be ignored",
     ),
     "classification.oblique": entry(
-        "the edge meets other lines inside the blank, one of which is a slit if the blank is "
-        "folded to a box; the edge is neither parallel nor perpendicular to the longest of them",
+        "the edge meets other lines inside the blank, and one of them must be a slit if the blank "
+        "folds into a box; the edge is neither parallel nor perpendicular to the longest of these "
+        "lines, so it may be a fold",
     ),
     "classification.on-cut": entry(
         "{rule}, and the edge lies on top of a cut",
         rule="message",
     ),
     "classification.only-fold-style": entry(
-        "no other colour or line style only divides panels",
+        "this is the only colour and line style whose edges do nothing but divide panels",
     ),
     "classification.open": entry("the edge belongs to an outline that does not close"),
     "classification.open-flap": entry(
-        "equal lines that lead nowhere begin at both ends of the edge, so a flap beside it may be "
-        "open",
+        "at each end of the edge begins a line whose other end meets nothing, and both lines are "
+        "equally long, so they may be the sides of a flap that is not closed",
     ),
     "classification.other-style-closes": entry(
         "most of the outline of the blank consists of edges with another layer, colour or "
@@ -210,16 +212,17 @@ MESSAGES: Final[Entries] = {
         type="text",
     ),
     "classification.part-of-side": entry(
-        "the side of one of the panels goes on beyond the edge, as it does beside a slit",
+        "the side of one of the panels continues beyond the edge, as it does beside a slit",
     ),
     "classification.ring-fold": entry(
-        "the edge meets lines inside the blank that are probably slits, beside which it is a fold",
+        "the edge meets lines inside the blank that are probably slits, so it is probably a fold "
+        "between them",
     ),
     "classification.ring-slit": entry(
-        "the edge ends inside the blank at three folds, or is parallel to such an edge, and four "
-        "folds at one point do not make a box",
+        "the edge ends inside the blank where three folds meet, or is parallel to such an edge; if "
+        "it were a fold too, four folds would meet there, which does not make a box",
     ),
-    "classification.role-against": entry("{role}{against}", role="message", against="message?"),
+    "classification.role-against": entry("{role}; {against}", role="message", against="message"),
     "classification.rule": entry("profile {profile}: {rule}", profile="text", rule="message"),
     "classification.shape": entry("{parts:, }", parts="messages"),
     "classification.shared": entry(
@@ -256,7 +259,8 @@ MESSAGES: Final[Entries] = {
         "the edge belongs to boxes with texts, as in a title block",
     ),
     "classification.through": entry(
-        "the edge passes points inside the blank at which other lines end, and a slit ends there",
+        "the edge continues through points inside the blank where other lines end; a slit would "
+        "end there, so the edge is probably a fold",
     ),
     "classification.unknown": entry(
         "the geometry of the drawing does not show which line type the edge has",

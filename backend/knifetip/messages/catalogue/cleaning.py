@@ -8,7 +8,7 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "cleaning.as-drawn": entry(
-        "cleaning did not change the edge",
+        "the edge is used as it was drawn",
     ),
     "cleaning.dropped-off-panel": entry(
         "the edge was dropped, because it belongs to a fold and lies outside all panels",
@@ -57,18 +57,19 @@ MESSAGES: Final[Entries] = {
         edge="edge",
     ),
     "cleaning.kept": entry(
-        "the edge was kept unchanged",
+        "the edge is used as it was drawn, without a change",
     ),
     "cleaning.kept-changed": entry(
         "the edge was kept, with these changes: {changes:; }",
         changes="messages",
     ),
     "cleaning.length-on-others": entry(
-        "a part of the edge, {length:.4g} mm long, lies on other edges and was merged with them",
+        "a part of the edge, {length:.4g} mm long, lies on other edges, so it is made only once, "
+        "with them",
         length="number",
     ),
     "cleaning.longer": entry(
-        "other edges on the same line were merged into the edge, which is longer now",
+        "other edges on the same line were merged into the edge, so it became longer",
     ),
     "cleaning.loop": entry(
         "the edge was dropped, because it belongs to a loop of at most 0.3 mm at a corner of an "
@@ -99,11 +100,15 @@ MESSAGES: Final[Entries] = {
         length="number",
     ),
     "cleaning.part-off-panel": entry(
-        "a part of the edge, {length:.4g} mm long, was dropped because it lies outside all panels",
+        "a part of the fold, {length:.4g} mm long, was dropped because it lies outside all panels",
         length="number",
     ),
-    "cleaning.shortened": entry("a part of the edge lies on other edges and was merged with them"),
-    "cleaning.speck": entry("the edge is too short to process and connects no other edges"),
+    "cleaning.shortened": entry(
+        "a part of the edge lies on other edges, so it is made only once, with them"
+    ),
+    "cleaning.speck": entry(
+        "the edge was dropped, because it is too short to process and connects no other edges"
+    ),
     "cleaning.twice": entry(
         "the edge was removed, because it lies completely on other edges",
     ),

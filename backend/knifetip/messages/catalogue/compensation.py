@@ -274,13 +274,14 @@ MESSAGES: Final[Entries] = {
         reason="message",
     ),
     "knife.park-heading": entry(
-        "Station {station} has a free blade: before the program starts, it must have a heading of "
-        "{degrees:g}°. At its end the program leaves it so.",
+        "The blade of station {station} turns freely: before the program starts, turn it to a "
+        "heading of {degrees:g}°. The program leaves it in this direction.",
         station="count",
         degrees="number",
     ),
     "tool.free-without-trail": entry(
-        "the knife is free, but its tip does not trail its axis (trail is 0)",
+        "the knife is set to turn freely (free), but its tip lies on its axis (trail is 0), so "
+        "moves would not turn it",
     ),
     "tool.missing": entry(
         "{machine} has no tool for {count:# edge|# edges} of type {type}.",
@@ -304,7 +305,8 @@ MESSAGES: Final[Entries] = {
         least="number",
     ),
     "tool.swivel-of-driven-knife": entry(
-        "`swivel_depth` or `park_heading` is set, but the knife is not free: the machine turns it",
+        "`swivel_depth` or `park_heading` is set, but these are only for knives that turn freely "
+        "(free), and an axis of the machine turns this knife",
     ),
     "tool.tilted": entry(
         "The tool is tilted by {tilt:.2f}°, but only tools tilted by up to {limit:g}° can be "

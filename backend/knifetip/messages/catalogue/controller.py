@@ -130,8 +130,7 @@ MESSAGES: Final[Entries] = {
     ),
     "controller.left-program": entry(
         "{name} no longer executes the program: its state is {state}.",
-        "Check the table, and why the machine changed its state. Another program or a person may "
-        "have operated it.",
+        "Check the table. Another program or a person may have operated the machine.",
         name="text",
         state="text",
     ),

@@ -82,8 +82,8 @@ MESSAGES: Final[Entries] = {
         deflection="number",
     ),
     "calibration.bad-points": entry(
-        "The {count:# measured point|# measured points} of the test cut cannot be used. At "
-        "least one point is needed, and all values must be finite numbers.",
+        "The {count:# measured point|# measured points} of the test cut cannot be used. At least "
+        "one point is needed, and each value must be a finite number.",
         "Measure at least one point on a slanted part of the contour of the test cut.",
         count="count",
     ),

@@ -14,11 +14,11 @@ MESSAGES: Final[Entries] = {
         count="count",
     ),
     "drawing.answer-taken-back": entry(
-        "An answer from earlier drawings of {customer} was taken back.",
+        "An answer that was learned from earlier drawings of {customer} is no longer used.",
         customer="text",
     ),
     "drawing.answer-used": entry(
-        "An answer from earlier drawings of {customer} is used again.",
+        "An answer that was learned from earlier drawings of {customer} is used again.",
         customer="text",
     ),
     "drawing.changing": entry(
@@ -63,7 +63,8 @@ MESSAGES: Final[Entries] = {
         room_y="number",
     ),
     "drawing.no-customer": entry(
-        "Drawing {drawing} has no customer, so no other drawing teaches it anything.",
+        "Drawing {drawing} has no customer, so answers from earlier drawings of a customer cannot "
+        "be used for it.",
         "Set the customer of the drawing first.",
         drawing="text",
     ),
@@ -76,7 +77,7 @@ MESSAGES: Final[Entries] = {
         reasons="messages",
     ),
     "drawing.no-lines-reason": entry(
-        "{count:once|# times}, {reason}",
+        "{reason} ({count:# object|# objects})",
         count="count",
         reason="message",
     ),

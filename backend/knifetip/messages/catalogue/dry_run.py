@@ -8,54 +8,59 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "dry-run.in-progress": entry(
-        "The machine runs above the board for job {job}. The job was not started.",
-        "Wait until the run has ended, or stop it. Then start the job.",
+        "The machine is making a dry run of job {job} above the board, so the job was not started.",
+        "Wait until the dry run has ended, or stop it. Then start the job.",
         job="text",
     ),
     "dry-run.no-job": entry(
-        "No job waits for its start at this machine, so there is nothing to run above the board.",
-        "Release a job for this machine, and ask before it is started.",
+        "No job waits for its start at this machine, so there is no program for a dry run above "
+        "the board.",
+        "Release a job for this machine, and request the dry run before the job is started.",
     ),
     "dry-run.no-lift": entry(
-        "Line {line} of the dry program is not a lift straight up to Z {height:g}. Nothing was "
-        "sent.",
+        "Internal error: line {line} of the dry run must lift the tool straight up to Z "
+        "{height:g}, but does something else. Nothing was sent.",
         "Report this to the maker of knifetip, with the program of the job.",
         line="count",
         height="number",
     ),
     "dry-run.no-work": entry(
-        "The program of the job does no work in the board, so it has no frame.",
+        "The program of the job does not touch the board, so there is no frame to trace above it.",
         "Open the job and check its program.",
     ),
     "dry-run.not-running": entry(
-        "The machine runs no program above the board, so there is nothing to hold or to resume.",
+        "The machine is not making a dry run, so there is nothing to hold or to resume.",
     ),
     "dry-run.other-path": entry(
-        "Line {line} of the dry program leaves the path of the program. Nothing was sent.",
+        "Internal error: line {line} of the dry run leaves the path of the program. Nothing was "
+        "sent.",
         "Report this to the maker of knifetip, with the program of the job.",
         line="count",
     ),
     "dry-run.switches": entry(
-        "Line {line} of the dry program switches something on. Nothing was sent.",
+        "Internal error: line {line} of the dry run switches an output or the spindle on. Nothing "
+        "was sent.",
         "Report this to the maker of knifetip, with the program of the job.",
         line="count",
     ),
     "dry-run.too-low": entry(
-        "Line {line} of the dry program moves Z to {z:g}, below {height:g}. Nothing was sent.",
+        "Internal error: line {line} of the dry run moves Z to {z:g}, but Z must stay at "
+        "{height:g} or higher. Nothing was sent.",
         "Report this to the maker of knifetip, with the program of the job.",
         line="count",
         z="number",
         height="number",
     ),
     "dry-run.unknown-line": entry(
-        "Line {line} of the program cannot be run above the board: {text!r}. Nothing was sent.",
-        "Have the job compiled again. A program that was edited by hand cannot be run dry.",
+        "Line {line} of the program cannot be used in a dry run above the board: {text!r}. Nothing "
+        "was sent.",
+        "Compile the job again. A program that was edited by hand cannot be used in a dry run.",
         line="count",
         text="text",
     ),
     "dry-run.uses-machine": entry(
-        "The machine runs a program above the board.",
-        "Wait until the run has ended, or stop it first.",
+        "The machine is making a dry run above the board.",
+        "Wait until the dry run has ended, or stop it first.",
     ),
     "tool-check.in-zone": entry(
         "The point lies in the keep-out zone {zone}, or so near that the tool would touch it. "
@@ -64,19 +69,20 @@ MESSAGES: Final[Entries] = {
         zone="text",
     ),
     "tool-check.large-shift": entry(
-        "A correction of a station in a tool check is at most {largest:g} mm or degrees.",
+        "In a tool check, a station can be corrected by at most {largest:g} mm or degrees.",
         "Measure the datum of the station again, and change it in the machine file.",
         largest="number",
     ),
     "tool-check.not-lowered": entry(
         "The tool is above the point, but was not lowered: Z would have to move to {target:.1f}, "
         "and its travel ends at {lowest:g}.",
-        "Check the tool from above, and the Z of the station in the machine file.",
+        "Check the tool from above. If the tool must go lower, correct the Z of the station in the "
+        "machine file.",
         target="number",
         lowest="number",
     ),
     "tool-check.not-reached": entry(
-        "Z has not come to rest at {target:.1f} in time. The tool was lifted again.",
+        "Z did not come to rest at {target:.1f} in time, so the tool was lifted again.",
         "Check the machine, then try again.",
         target="number",
     ),

@@ -15,8 +15,8 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "depth.of-cutter": entry(
-        "A depth was chosen for edge {edge}, but the cutter or laser of station {station} cuts "
-        "through the board at one depth.",
+        "A depth was chosen for edge {edge}, but the cutter or laser of station {station} always "
+        "cuts through the whole board.",
         "Remove the depth; passes can be chosen for a cutter.",
         edge="edge",
         station="count",
@@ -61,7 +61,8 @@ MESSAGES: Final[Entries] = {
     ),
     "edge-choice.bad-syntax": entry(
         "{text!r} is not a value of {option}.",
-        "Give numbers of edges and what is chosen for them as EDGES:NAME=VALUE,NAME=VALUE.",
+        "Write it as EDGES:NAME=VALUE,NAME=VALUE, with the numbers of the edges and what is chosen "
+        "for them, for example 12,13:passes=2.",
         text="text",
         option="text",
     ),

@@ -54,7 +54,7 @@ MESSAGES: Final[Entries] = {
         near="text",
     ),
     "field.no-neighbour": entry(
-        "{path} must have previous, next or both",
+        "{path} must contain previous, next or both",
         path="text",
     ),
     "field.no-spindle": entry(
@@ -208,7 +208,7 @@ MESSAGES: Final[Entries] = {
         high="number",
     ),
     "field.park-outside": entry(
-        "{path} parks at {park:g} mm, but its y moves from {low:g} to {high:g} mm",
+        "{path} parks at {park:g} mm, outside the travel of its y axis from {low:g} to {high:g} mm",
         path="text",
         park="number",
         low="number",

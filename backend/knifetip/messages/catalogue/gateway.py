@@ -68,8 +68,8 @@ MESSAGES: Final[Entries] = {
         "Look for the cause in the log of the gateway.",
     ),
     "gateway.started-in-dry-run": entry(
-        "The job was started while the machine ran above the board. Nothing of the job was sent to "
-        "the machine.",
+        "The job was started while the machine was making a dry run above the board. Nothing of "
+        "the job was sent to the machine.",
         "Queue the job again, and start it when the machine is at rest.",
     ),
     "gateway.switched-off": entry(

@@ -48,7 +48,7 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "edge.no-length": entry(
-        "Edges with a length of 0 have no direction: edge {edges:, }.",
+        "These edges have a length of 0, so they have no direction: edge {edges:, }.",
         "Delete these edges from the drawing.",
         edges="edges",
     ),
@@ -141,8 +141,9 @@ MESSAGES: Final[Entries] = {
         other="count",
     ),
     "offset.mixed-group": entry(
-        "Path {path} has a different radius or offset side than the other paths of its group.",
-        "Reverse the path, or put it into a separate group.",
+        "Path {path} has a different tool radius, or another side of the tool, than the other "
+        "paths that are offset together with it.",
+        "Reverse the path, or offset it separately.",
         path="count",
     ),
     "offset.self-contact": entry(

@@ -172,8 +172,8 @@ MESSAGES: Final[Entries] = {
         "Move the drawing on the table, or choose a larger machine.",
     ),
     "hpgl.not-raised": entry(
-        "{name} has accepted nothing for {seconds:g} s, so the tool was not raised from here. It "
-        "may still be lowered.",
+        "{name} has accepted no data for {seconds:g} s, so the command to raise the tool could not "
+        "be sent. The tool may still be lowered.",
         "Stop the program at the machine and raise the tool there.",
         name="text",
         seconds="number",
@@ -210,8 +210,8 @@ MESSAGES: Final[Entries] = {
         path="text",
     ),
     "hpgl.runs-on": entry(
-        "{name} gets no more of the program. It still executes what is in its buffer, and "
-        "raises the tool after that.",
+        "The rest of the program is not sent to {name}. The machine still executes what is in its "
+        "buffer, and raises the tool after that.",
         "Stay away from the tool until the machine is at rest, or stop the program at the machine.",
         name="text",
     ),
@@ -220,7 +220,7 @@ MESSAGES: Final[Entries] = {
         "Lift the tool (PU) before the pen is selected.",
     ),
     "hpgl.send-by-hand": entry(
-        "Download the program and send it with the software of the cutting machine. Stay at "
+        "Download the program and send it with the software of the cutting machine. Stay beside "
         "the machine while it cuts, so that you can stop it.",
     ),
     "hpgl.sets-while-down": entry(

@@ -29,8 +29,8 @@ MESSAGES: Final[Entries] = {
         "no lines",
     ),
     "import.area-outline-round-lines": entry(
-        "the object is the outline of a filled area, which was imported because lines lie on the "
-        "area and no line closes their outline",
+        "the object is the outline of a filled area; it was imported, because the lines on this "
+        "area have no closed outline of their own",
     ),
     "import.array": entry(
         "the object inserts the block as a grid of copies ({columns} columns × {rows} rows)",
@@ -215,9 +215,9 @@ MESSAGES: Final[Entries] = {
         "the object is a filled area without an outline, so it is not cut",
     ),
     "import.filled-area-beside-strokes": entry(
-        "the object is a filled area without an outline; the outlines of filled areas are cut only "
-        "in drawings that have no lines, or if lines lie on the area and no line closes their "
-        "outline",
+        "the object is a filled area without an outline; the outline of a filled area is cut only "
+        "if the drawing has no lines, or if the lines on the area have no closed outline of their "
+        "own",
     ),
     "import.filled-area-on-page": entry(
         "the object is a filled area without an outline; the outlines of filled areas are cut only "

@@ -44,11 +44,12 @@ MESSAGES: Final[Entries] = {
         checks="messages",
     ),
     "job.nothing-refused": entry(
-        "Job {job} is {state}, and no machine has refused its program.",
+        "Job {job} is {state}, and no machine has refused its program, so there is nothing to try "
+        "again.",
         job="text",
         state="text",
     ),
-    "job.rechecked": entry("The machine may check and take the job again."),
+    "job.rechecked": entry("The operator let the machine check the job again."),
     "job.claim-returned": entry(
         "The gateway put the job back into the queue. {reason}",
         reason="message",
@@ -216,9 +217,9 @@ MESSAGES: Final[Entries] = {
     ),
     "job.needs-end": entry(
         "The whole program of job {job} was sent to the machine, which does not report when it has "
-        "executed it, so there is nothing to resume.",
-        "When the machine has finished and is at rest, state it: end the job with POST "
-        "/api/jobs/{job}/end.",
+        "finished, so there is nothing to resume.",
+        "When the machine has finished and is at rest, confirm this on the station page or with "
+        "POST /api/jobs/{job}/end.",
         job="text",
     ),
     "job.needs-sheet": entry(
@@ -305,7 +306,7 @@ MESSAGES: Final[Entries] = {
         "The job was created.",
     ),
     "job.other-phase": entry(
-        "Job {job} continued in the meantime, so the request no longer applies.",
+        "Job {job} has continued since the request was prepared, so the request no longer applies.",
         "Check what the job waits for, then resume it if the machine may continue.",
         job="text",
     ),
@@ -363,7 +364,7 @@ MESSAGES: Final[Entries] = {
         "The job was started without the confirmation of the operator.",
     ),
     "job.stated-by-feed": entry(
-        "Stated by the automatic feed: {checks:; }.",
+        "The automatic sheet feed confirmed: {checks:; }.",
         checks="messages",
     ),
     "job.unknown": entry(
@@ -372,7 +373,8 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.answered": entry(
-        "The verified program of job {job} was reused, because its input is the same.",
+        "The job uses the verified program of job {job}, which has the same drawing, machine and "
+        "options.",
         job="text",
     ),
     "job.unknown-checks": entry(
@@ -386,8 +388,8 @@ MESSAGES: Final[Entries] = {
         "The job was compiled, and its program was verified.",
     ),
     "job.tool-changed": entry(
-        "The operator put a new tool into station {station} ({name}); the old one had worked "
-        "{used:.0f} m.",
+        "The operator put a new tool into station {station} ({name}). The old tool had worked "
+        "along {used:.0f} m of lines.",
         station="count",
         name="text",
         used="number",

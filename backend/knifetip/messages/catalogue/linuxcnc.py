@@ -8,7 +8,7 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "linuxcnc.bad-address": entry(
-        "{address!r} is not the address of a LinuxCNC.",
+        "{address!r} is not a valid address of LinuxCNC.",
         "Write HOST:PORT, or linuxcnc://HOST:PORT/?OPTION=VALUE&OPTION=VALUE with the options "
         "{options:, }; values have no blanks.",
         address="text",

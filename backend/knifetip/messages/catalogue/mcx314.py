@@ -9,27 +9,30 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     # -- machines ---------------------------------------------------------------------------------
     "mcx314.no-wiring": entry(
-        "The file of {machine} does not state how its axes are connected to an MCX314.",
-        "Add the table [controller] to the machine file.",
+        "The machine file of {machine} does not state how the axes are connected to the motion "
+        "chip MCX314.",
+        "Add the table [controller] to the machine file, with the pulses and speeds of the axes.",
         machine="text",
     ),
     "mcx314.bad-rate": entry(
         "{path} is {value}, but must be a multiple of {step} and at most {limit}",
-        "Choose another value; the multiple of the drive speed determines the steps.",
+        "Choose another value. The steps follow from the multiple of the drive speed that "
+        "[controller] states.",
         path="text",
         value="count",
         step="count",
         limit="count",
     ),
     "mcx314.axis-too-fast": entry(
-        "{path} needs {rate:.0f} pulses per second, and the chip MCX314 makes at most {limit:,}",
-        "Choose a lower velocity, fewer pulses, or a greater multiple.",
+        "{path} needs {rate:.0f} pulses per second, but the chip MCX314 makes at most {limit:,}",
+        "Choose a lower velocity, fewer pulses per millimetre or degree, or a greater multiple of "
+        "the drive speed.",
         path="text",
         rate="number",
         limit="count",
     ),
     "mcx314.axis-too-long": entry(
-        "{path} travels {pulses:,} pulses, and the chip MCX314 counts at most {limit:,} in one "
+        "{path} is {pulses:,} pulses long, but the chip MCX314 counts at most {limit:,} in one "
         "segment",
         "Choose fewer pulses per millimetre or degree.",
         path="text",
@@ -37,7 +40,7 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "mcx314.feed-too-slow": entry(
-        "{path} gives {rate:.0f} pulses per second along a diagonal, and programs need at least "
+        "{path} gives {rate:.0f} pulses per second along a diagonal, but programs need at least "
         "{limit:.0f} for an exact feed",
         "Choose a greater feed, or more pulses per millimetre.",
         path="text",
@@ -45,24 +48,25 @@ MESSAGES: Final[Entries] = {
         limit="number",
     ),
     "mcx314.tool-not-supported": entry(
-        "{path} is a tool that must be switched within a cut, which a program for an MCX314 cannot",
+        "{path} is a tool that must be switched on and off during a cut, which a program for an "
+        "MCX314 cannot do",
         "Use a knife, a crease wheel, a V-cutter or a router in this station.",
         path="text",
     ),
     "mcx314.spindle-not-supported": entry(
-        "{path} states a direction or a speed, and a program for an MCX314 only switches the "
+        "{path} states a direction or a speed, but a program for an MCX314 can only switch the "
         "spindle on and off",
         "Remove spindle and spindle_speed, and set them at the drive.",
         path="text",
     ),
     # -- toolpaths --------------------------------------------------------------------------------
     "mcx314.four-axes": entry(
-        "{place} moves four axes at once, and the chip MCX314 can move three.",
+        "{place} moves four axes at once, but the chip MCX314 can move only three.",
         "Let the tool turn before or after its depth changes.",
         place="message",
     ),
     "mcx314.speed": entry(
-        "{place} needs {rate:.0f} pulses per second, and the chip MCX314 makes {slowest:,} to "
+        "{place} needs {rate:.0f} pulses per second, but the chip MCX314 makes only {slowest:,} to "
         "{fastest:,}.",
         "Choose another feed for the tool, or another multiple of the drive speed.",
         place="message",
@@ -71,7 +75,7 @@ MESSAGES: Final[Entries] = {
         fastest="count",
     ),
     "mcx314.too-far": entry(
-        "{place} needs {pulses:,} pulses, and the chip MCX314 counts at most {limit:,} in one "
+        "{place} needs {pulses:,} pulses, but the chip MCX314 counts at most {limit:,} in one "
         "segment.",
         "Divide the edge, or use fewer pulses per millimetre.",
         place="message",
@@ -79,7 +83,7 @@ MESSAGES: Final[Entries] = {
         limit="count",
     ),
     "mcx314.too-short": entry(
-        "{place} takes {milliseconds:.3g} ms, and writing the next segment to the chip MCX314 "
+        "{place} takes only {milliseconds:.3g} ms, but writing the next segment to the chip MCX314 "
         "takes up to {refill:.3g} ms.",
         "Choose a slower feed for the tool, or remove short edges from the drawing.",
         place="message",
@@ -105,24 +109,27 @@ MESSAGES: Final[Entries] = {
         "The line {text!r} is not an instruction.", "Correct the line.", text="text"
     ),
     "mcx314.no-newline": entry(
-        "The last line does not end with a newline.", "The program may have been cut off."
+        "The last line does not end with a newline.",
+        "The file may be incomplete: create the program again.",
     ),
     "mcx314.no-end": entry(
-        "The program does not end with END.", "The program may have been cut off."
+        "The program does not end with END.",
+        "The file may be incomplete: create the program again.",
     ),
     "mcx314.after-end": entry("The program continues after END.", "Remove the lines after END."),
     "mcx314.bad-axes": entry(
-        "The line moves {count} axes, and the chip MCX314 moves one to three.",
-        "Divide the move.",
+        "The line moves {count} axes at once, but the chip MCX314 moves one to three.",
+        "Divide the move into moves of at most three axes.",
         count="count",
     ),
     "mcx314.out-of-range": entry(
-        "A number is greater than {limit:,}, which the chip MCX314 cannot count.",
-        "Divide the move.",
+        "A number in the line is greater than {limit:,}, the most that the chip MCX314 can count.",
+        "Divide the move into shorter moves.",
         limit="count",
     ),
     "mcx314.unknown-position": entry(
-        "The line moves an axis by pulses, but no line before it states where the axis is.",
+        "The line moves an axis by a number of pulses, but no line before it states where the axis "
+        "is.",
         "Move the axis with GO first.",
     ),
     "mcx314.bad-speed": entry(
@@ -140,12 +147,14 @@ MESSAGES: Final[Entries] = {
         "Replace the arc by lines.",
     ),
     "mcx314.joins-nothing": entry(
-        "The line joins the one before it, which is not a line or an arc.", "Remove JOIN."
+        "The instruction JOIN continues the move in the line before, but that line is neither a "
+        "line nor an arc.",
+        "Remove JOIN.",
     ),
     "mcx314.joins-short": entry(
-        "The line joins a segment of {milliseconds:.3g} ms, and writing it to the chip takes up to "
-        "{refill:.3g} ms.",
-        "Remove JOIN, or join longer segments.",
+        "The instruction JOIN follows a segment that takes only {milliseconds:.3g} ms, but writing "
+        "the next segment to the chip takes up to {refill:.3g} ms.",
+        "Remove JOIN, or make the segment before it longer.",
         milliseconds="number",
         refill="number",
     ),
@@ -153,13 +162,14 @@ MESSAGES: Final[Entries] = {
         "The machine has no output {output}.", "Correct the number.", output="count"
     ),
     "mcx314.wrong-dwell": entry(
-        "The dwell must last {needed} ms, for which the selected station settles.",
-        "Correct the dwell.",
+        "The dwell must last {needed} ms, the time that the selected station needs after it is "
+        "switched.",
+        "Correct the duration of the dwell.",
         needed="count",
     ),
     "mcx314.not-settled": entry(
-        "A move begins {seconds:g} s after an output or the oscillation was switched.",
-        "Dwell before the move for as long as the station settles.",
+        "A move begins already {seconds:g} s after an output or the oscillation was switched.",
+        "Add a dwell before the move, as long as the station needs after it is switched.",
         seconds="number",
     ),
     "mcx314.ends-lowered": entry(
@@ -195,7 +205,7 @@ MESSAGES: Final[Entries] = {
         seconds="number",
     ),
     "mcx314.unreadable": entry(
-        "{name} gave an answer that is not that of a board with an MCX314: {answer}",
+        "{name} sent an answer that does not come from a board with an MCX314: {answer}",
         "Check the address of the controller.",
         name="text",
         answer="text",
@@ -258,7 +268,7 @@ MESSAGES: Final[Entries] = {
         axis="text",
     ),
     "mcx314.alarm-chip": entry(
-        "The motion chip of {name} was written too late, or refused a segment.",
+        "The motion chip of {name} received a segment too late, or refused a segment.",
         "Check the sheet on the table, then unlock and home the machine. Choose a slower feed or a "
         "longer refill in the machine file.",
         name="text",

@@ -40,9 +40,9 @@ MESSAGES: Final[Entries] = {
         "Start the spindle (M3) before the cutter enters the board.",
     ),
     "verify.feed-of-other-axis": entry(
-        "Station {station} is on a further carriage and moves at a feed (G94), which a controller "
-        "may apply to the travel of the gantry alone.",
-        "State the time of the move (G93).",
+        "Station {station} is on a further carriage, and its move has a feed in mm/min (G94). A "
+        "controller may apply this feed only to the travel of the gantry.",
+        "State the duration of the move in inverse time mode (G93).",
         station="count",
     ),
     "verify.head-not-located": entry(
@@ -60,8 +60,8 @@ MESSAGES: Final[Entries] = {
         least="number",
     ),
     "verify.idle-head-low": entry(
-        "{letter} is at {height:.2f} mm while another carriage is in use. Its tools clear the "
-        "board only at {needed:.2f} mm or higher.",
+        "The carriage with axis {letter} is not in use, but {letter} is at {height:.2f} mm. Its "
+        "tools are above the board only at {needed:.2f} mm or higher.",
         "Lift the carriage before another one is used.",
         letter="text",
         height="number",

@@ -8,12 +8,12 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "obstacle.asleep": entry(
-        "{name} is asleep.",
-        "Check the table, then press Release to wake it. Home the machine afterwards.",
+        "{name} is in sleep mode.",
+        "Check the table, then press Release to wake the controller. Home the machine afterwards.",
         name="text",
     ),
     "obstacle.busy": entry(
-        "{name} is busy with something that is no job.",
+        "{name} executes something that does not belong to a job.",
         "Wait until it is at rest. If it stays so, press Release: the machine stops and moves no "
         "axis.",
         name="text",
@@ -67,7 +67,7 @@ MESSAGES: Final[Entries] = {
         axes="texts",
     ),
     "obstacle.moves": entry(
-        "{name} executes something that is no job.",
+        "{name} moves, but not for a job.",
         "Wait until it is at rest, or press Release: the machine stops and discards the rest.",
         name="text",
     ),

@@ -41,10 +41,10 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "operation.hands-not-clear": entry(
-        "The request {request} moves {machine}, and nobody has stated within the last "
-        "{seconds:g} s that hands are clear of it.",
-        "Make sure that nobody reaches into the machine, state hands clear at its station, then "
-        "ask again.",
+        "The request {request} moves {machine}, but within the last {seconds:g} s nobody has "
+        "confirmed that all hands are clear of it.",
+        "Make sure that nobody reaches into the machine, press Hands clear on the station page, "
+        "then repeat the request.",
         request="text",
         machine="text",
         seconds="number",
@@ -79,8 +79,8 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "operation.nothing-held": entry(
-        "{name} holds nothing that could be released.",
-        "If an alarm locks it, unlock or home it.",
+        "{name} is not on hold, so there is nothing to release.",
+        "If an alarm locks the machine, unlock or home it.",
         name="text",
     ),
     "operation.no-controller": entry(

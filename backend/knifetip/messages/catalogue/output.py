@@ -17,7 +17,7 @@ MESSAGES: Final[Entries] = {
         actions="texts",
     ),
     "output.add-lines": entry(
-        "add these lines to the board's file",
+        "add these lines to the board file",
     ),
     "output.calibrated": entry(
         "{count} points, largest residual {residual:.4f} mm; {where}.",
@@ -49,7 +49,7 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "output.check-question": entry(
-        "{number} of {count}: {text} Is it so?",
+        "{number} of {count}: {text} Is this true?",
         number="count",
         count="count",
         text="text",
@@ -93,7 +93,7 @@ MESSAGES: Final[Entries] = {
         server="text",
     ),
     "output.if-so": entry(
-        "If all of this is so:",
+        "If all of this is true, enter:",
     ),
     "output.job-board": entry(
         "{machine}, board {board}",
@@ -112,7 +112,7 @@ MESSAGES: Final[Entries] = {
         tools="messages",
     ),
     "output.kernels": entry(
-        "Compiled {compiled} of {total} kernels.",
+        "Compiled {compiled} of {total} software modules.",
         compiled="count",
         total="count",
     ),
@@ -261,8 +261,8 @@ MESSAGES: Final[Entries] = {
         "The tables are up to date.",
     ),
     "output.time-saved": entry(
-        "{seconds:.1f} s on the machine, {percent:.0f} % less than the {retracted:.1f} s with "
-        "full retracts",
+        "{seconds:.1f} s on the machine, {percent:.0f} % less than the {retracted:.1f} s with a "
+        "full lift of the tool between cuts",
         seconds="number",
         percent="number",
         retracted="number",
@@ -307,9 +307,10 @@ MESSAGES: Final[Entries] = {
         state="message?",
     ),
     "output.verdict": entry(
-        "{word}: deviation {deviation:.4f} mm (tolerance {tolerance:g}; path {path:.4f}, rounding "
-        "by the controller {blending:.4f}, curve fit {fit:.4f}), overcut {overcut:.3f} mm, uncut "
-        "{uncut:.3f} mm, setback {setback:.3f} mm, {seconds:.1f} s at the programmed feeds",
+        "{word}: deviation {deviation:.4f} mm (tolerance {tolerance:g} mm; of the path {path:.4f}, "
+        "by rounding in the controller {blending:.4f}, of the curve fit {fit:.4f}), overcut "
+        "{overcut:.3f} mm, uncut {uncut:.3f} mm, setback {setback:.3f} mm, {seconds:.1f} s at the "
+        "programmed feeds",
         word="message",
         deviation="number",
         tolerance="number",
@@ -342,7 +343,7 @@ MESSAGES: Final[Entries] = {
         "refused",
     ),
     "output.worked": entry(
-        "worked {worked:.3f} mm = kept {kept:.3f} + added by closing gaps {added:.3f}",
+        "processed {worked:.3f} mm = kept {kept:.3f} + added by closing gaps {added:.3f}",
         worked="number",
         kept="number",
         added="number",
@@ -352,8 +353,8 @@ MESSAGES: Final[Entries] = {
         database="text",
     ),
     "output.worker-stuck": entry(
-        "ERROR: this worker is stuck: no sweep for {seconds:.0f} s. It ends with an error, so "
-        "that systemd or the container engine starts it again.",
+        "ERROR: this worker is stuck: it has not looked for jobs for {seconds:.0f} s. It exits "
+        "with an error, so that systemd or the container engine starts it again.",
         seconds="number",
     ),
     "output.written-to": entry(

@@ -16,7 +16,7 @@ MESSAGES: Final[Entries] = {
     "motion.swivel": entry(
         "turn of the tool",
     ),
-    "motion.unknown": entry("motion type {number}", number="count"),
+    "motion.unknown": entry("unknown motion type {number}", number="count"),
     "program.bad-tolerance": entry(
         "A tolerance of {tolerance} mm is too small for the path blending (rounding of "
         "corners) of the controller.",
@@ -189,8 +189,8 @@ MESSAGES: Final[Entries] = {
         place="message?",
     ),
     "travel.heads-too-near": entry(
-        "{tool} (station {station}) would leave {distance:.2f} mm to the parked carriage "
-        "{other}{place}. The least distance of two carriages is {least:g} mm.",
+        "{tool} (station {station}) would come as near as {distance:.2f} mm to the parked carriage "
+        "{other}{place}. Carriages must stay at least {least:g} mm apart.",
         "Move the drawing along Y, away from the parked carriage, or give the line type to a tool "
         "on the other carriage.",
         tool="text",
@@ -246,8 +246,8 @@ MESSAGES: Final[Entries] = {
         language="text",
     ),
     "language.no-linear-axis": entry(
-        "carriage {carriage} has a linear axis {letter}, and {language} has no such axis. "
-        "Its linear axes are {known:, }",
+        "carriage {carriage} has a linear axis {letter}, but {language} has no such axis. Its "
+        "linear axes are {known:, }",
         "Change the letter of the axis, or the language (dialect) of the machine.",
         carriage="count",
         letter="text",
@@ -255,8 +255,8 @@ MESSAGES: Final[Entries] = {
         known="texts",
     ),
     "language.no-rotary-axis": entry(
-        "carriage {carriage} has a rotary axis {letter}, and {language} has no such axis. "
-        "Its rotary axes are {known:, }",
+        "carriage {carriage} has a rotary axis {letter}, but {language} has no such axis. Its "
+        "rotary axes are {known:, }",
         "Change the letter of the axis, or the language (dialect) of the machine.",
         carriage="count",
         letter="text",

@@ -23,7 +23,7 @@ MESSAGES: Final[Entries] = {
     "queue.claimed": entry(
         "The machine {machine} has taken job {job} from the queue, so its place and its copies "
         "cannot be changed.",
-        "Put the job on hold to return it to the queue, as long as it is not confirmed.",
+        "If the job is not confirmed yet, put it on hold: it then returns to the queue.",
         job="text",
         machine="text",
     ),
@@ -82,8 +82,8 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "tool-life.near": entry(
-        "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its "
-        "life of {life:.0f} m.",
+        "The tool {name} in station {station} has worked along {used:.0f} m of lines, "
+        "{percent:.0f} % of its life of {life:.0f} m.",
         "Have a new tool ready. Record the change of the tool on the page of the machine.",
         name="text",
         station="count",
@@ -98,8 +98,8 @@ MESSAGES: Final[Entries] = {
         station="count",
     ),
     "tool-life.over": entry(
-        "The tool {name} in station {station} has worked {used:.0f} m, {percent:.0f} % of its "
-        "life of {life:.0f} m.",
+        "The tool {name} in station {station} has worked along {used:.0f} m of lines, "
+        "{percent:.0f} % of its life of {life:.0f} m.",
         "Change the tool and record the change, or check the tool and state why it stays in use "
         "when you confirm the job.",
         name="text",

@@ -8,7 +8,8 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "rest.bound-to-sheet": entry(
-        "Job {job} makes the rest of the one sheet that lies on the machine {machine}.",
+        "Job {job} completes the sheet that lies on the machine {machine}, so its machine and its "
+        "number of copies cannot be changed.",
         "Order one more copy of the whole job. It can have another machine and number of copies.",
         job="text",
         machine="text",
@@ -55,7 +56,8 @@ MESSAGES: Final[Entries] = {
         station="count",
     ),
     "rest.no-such-track": entry(
-        "The program has no track {track}. It has {count} tracks.",
+        "The program has no track (uninterrupted run of a tool) with the number {track}. It has "
+        "{count} tracks.",
         "Choose a track from the list of tracks.",
         track="count",
         count="count",

@@ -26,7 +26,7 @@ MESSAGES: Final[Entries] = {
     ),
     "server.answered": entry(
         "The request to {url} failed with the HTTP status {status}.",
-        "Check the address and the log of the server.",
+        "Check the address. The log of the server contains the cause.",
         url="text",
         status="count",
     ),
@@ -51,7 +51,7 @@ MESSAGES: Final[Entries] = {
         "Report the error with the log of the server.",
     ),
     "server.machine-taken": entry(
-        "Another server ({holder}) has the simulated machine {machine} of this database.",
+        "Another server ({holder}) already runs the simulated machine {machine} of this database.",
         "Stop that server, use another --database, or start this server with --no-simulator.",
         holder="text",
         machine="text",
@@ -135,9 +135,9 @@ MESSAGES: Final[Entries] = {
         "Send the header X-Knifetip with any value.",
     ),
     "request.order-not-tried": entry(
-        "This order was not tried, because an order before it failed. {reason}",
-        "Send the request again with the same Idempotency-Key: what is stored is not ordered "
-        "twice.",
+        "This order was not processed, because an order before it failed. {reason}",
+        "Send the request again with the same Idempotency-Key: orders that are already stored are "
+        "not created twice.",
         reason="message",
     ),
     "request.not-storable": entry(
@@ -145,11 +145,13 @@ MESSAGES: Final[Entries] = {
         "Remove control characters, and use finite numbers.",
     ),
     "request.outcome-unknown": entry(
-        "A request with this Idempotency-Key was begun, and its outcome is not known.",
-        "Check whether it was executed. If it was not, send it again with a new key.",
+        "An earlier request with this Idempotency-Key was begun, but it is not known whether it "
+        "was executed.",
+        "Check whether it was executed. If it was not, send the request again with a new key.",
     ),
     "request.secret-not-kept": entry(
-        "The request was executed, and its answer had a secret, which is not kept: see {path}.",
+        "A request with this Idempotency-Key was already executed. Its answer contained a secret, "
+        "which the server does not store, so the answer cannot be repeated: see {path}.",
         "Get a new secret with POST {path}/rotate-secret.",
         path="text",
     ),

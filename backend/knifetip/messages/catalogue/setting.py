@@ -20,8 +20,8 @@ MESSAGES: Final[Entries] = {
         "the controller moves the axis faster than the machine file permits",
     ),
     "setting.homes-at-other-end": entry(
-        "the controller makes the place of the switch its zero, at the other end of the axis than "
-        "in the machine file",
+        "the controller sets its zero at the homing switch, but in the machine file the zero is at "
+        "the other end of the axis",
     ),
     "setting.inches": entry(
         "positions are reported in inches and would be taken as millimetres",
@@ -47,13 +47,13 @@ MESSAGES: Final[Entries] = {
         "the controller is not in laser mode, so the laser beam would stay on during a feed hold",
     ),
     "setting.no-rate": entry(
-        "the axis cannot move",
+        "the highest speed of the axis is 0, so the axis cannot move",
     ),
     "setting.no-soft-limits": entry(
         "the controller does not refuse moves beyond its travel",
     ),
     "setting.no-steps": entry(
-        "the axis has no steps per millimetre or degree",
+        "the number of steps per millimetre or degree of the axis is 0, so the axis cannot move",
     ),
     "setting.no-work-offset": entry(
         "positions are reported without the offset of the work zero, so the gateway does not know "
@@ -71,8 +71,8 @@ MESSAGES: Final[Entries] = {
         "longer than stated",
     ),
     "setting.spindle-limit": entry(
-        "the highest speed or power of the controller is below that of a station, which would run "
-        "with less",
+        "the highest speed or power of the controller is lower than a station needs, so its tool "
+        "would run more slowly or with less power",
     ),
     "setting.unit-of-angle": entry(
         "the unit of angles of the controller is not the degree",

@@ -26,9 +26,9 @@ MESSAGES: Final[Entries] = {
         limit="number",
     ),
     "lift.not-stated": entry(
-        "The machine file of {machine} does not state turn_clearance, so the least lift is not "
-        "known.",
-        "Choose the lift to the clearance of the machine, or set turn_clearance in the machine "
+        "Tools cannot be lifted less than usual between cuts, because the machine file of "
+        "{machine} does not state to which height (turn_clearance).",
+        "Let tools be lifted to the clearance of the machine, or set turn_clearance in the machine "
         "file, for example to 0.5 mm for board that lies flat.",
         machine="text",
     ),

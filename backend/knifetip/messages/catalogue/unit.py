@@ -42,8 +42,8 @@ MESSAGES: Final[Entries] = {
     ),
     "unit.cf2-scaled": entry("{unit}; {scale}", unit="message", scale="message"),
     "unit.corner-loops": entry(
-        "if the unit is {unit:unit}, {count} corners of outlines have curls of {length:mm} mm, as "
-        "programs draw them for the beam of a laser",
+        "if the unit is {unit:unit}, the outlines have small loops of {length:mm} mm at {count} "
+        "corners, as programs for laser cutters draw them",
         unit="text",
         count="count",
         length="number",

@@ -53,16 +53,17 @@ MESSAGES: Final[Entries] = {
         least="number",
     ),
     "verify.blade-not-parked": entry(
-        "The program leaves the free blade of station {station} with a heading of {heading:.1f}°, "
-        "and the next program begins with {park:g}°.",
+        "At the end of the program, the freely turning blade of station {station} has a heading of "
+        "{heading:.1f}°, but the next program expects {park:g}°.",
         _COMPILE_AGAIN,
         station="count",
         heading="number",
         park="number",
     ),
     "verify.blade-pushed": entry(
-        "The tip of the free blade is pushed {length:.2f} mm away from its axis. The blade can "
-        "turn round to either side there, or tear the board.",
+        "A move of {length:.2f} mm pushes the tip of the freely turning blade away from the axis "
+        "of the blade instead of pulling it. The blade may then turn to either side or tear the "
+        "board.",
         _COMPILE_AGAIN,
         length="number",
     ),
@@ -222,7 +223,7 @@ MESSAGES: Final[Entries] = {
         depth="number",
     ),
     "verify.deep-swivel": entry(
-        "The free blade is turned about its tip at a depth of {depth:.2f} mm instead of "
+        "The freely turning blade is turned about its tip at a depth of {depth:.2f} mm instead of "
         "{planned:g} mm.",
         _COMPILE_AGAIN,
         depth="number",
@@ -348,7 +349,7 @@ MESSAGES: Final[Entries] = {
     ),
     "verify.made-before": entry(
         "Station {station} processes {length:.3f} mm at X{x:.3f} Y{y:.3f} (coordinates of the "
-        "sheet) again, which an earlier program has already made on this sheet.",
+        "sheet), although an earlier program has already made this line on the sheet.",
         "Continue from a later contour, or start a new sheet.",
         station="count",
         length="number",
@@ -373,8 +374,8 @@ MESSAGES: Final[Entries] = {
         caliper="number",
     ),
     "verify.narrow-rim": entry(
-        "The rim of {width:g} mm is narrow for a board {caliper:g} mm thick: it may cut the upper "
-        "face instead of bending it.",
+        "The creasing wheel has a rim of {width:g} mm, which is narrow for a board {caliper:g} mm "
+        "thick: it may cut into the upper face instead of creasing it.",
         "Mount a creasing wheel with a rim of at least {least:g} mm.",
         width="number",
         caliper="number",
@@ -394,7 +395,8 @@ MESSAGES: Final[Entries] = {
         edge="edge",
     ),
     "verify.not-acceptable": entry(
-        "The finding {code} at edge {edge} cannot be accepted, because it is no shortfall.",
+        "The finding {code} at edge {edge} is no shortfall, so it cannot be accepted. A shortfall "
+        "is a line that the tool cannot make exactly as drawn.",
         "Change the drawing, the tool or the board, and compile the job again.",
         code="text",
         edge="edge",
@@ -468,8 +470,8 @@ MESSAGES: Final[Entries] = {
         step="number",
     ),
     "verify.swivel-mark": entry(
-        "The free blade turns by {turn:.0f}° about its tip, and its slanted edge cuts the top face "
-        "up to {mark:.2f} mm beside the line (permitted: {tolerance:g} mm).",
+        "The freely turning blade turns by {turn:.0f}° about its tip, and its slanted edge cuts "
+        "the top face up to {mark:.2f} mm beside the line (permitted: {tolerance:g} mm).",
         "Let the blade turn at a smaller depth (`swivel_depth` of the knife), use a blade with a "
         "steeper edge, or accept the mark.",
         turn="number",
@@ -609,10 +611,10 @@ MESSAGES: Final[Entries] = {
         place="number",
     ),
     "verify.where-past-end": entry(
-        ": the tool must also process the board beyond the end of the edge",
+        "; the tool must also process the board beyond the end of the edge",
     ),
     "verify.where-past-start": entry(
-        ": the tool must also process the board beyond the start of the edge",
+        "; the tool must also process the board before the start of the edge",
     ),
     "verify.wide-slit": entry(
         "The cutter mills {length:.3f} mm of the slit {width:.2f} mm wide, because it follows the "

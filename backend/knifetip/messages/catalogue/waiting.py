@@ -38,9 +38,10 @@ MESSAGES: Final[Entries] = {
         reason="message",
     ),
     "waiting.for-end": entry(
-        "The whole program was sent to {machine}, which does not report when it has executed it.",
-        "When the machine has finished and is at rest, state it at the machine (the command end): "
-        "the copy is then finished. If the machine has not finished the program, cancel the job.",
+        "The whole program was sent to {machine}, which does not report when it has finished.",
+        "When the machine has finished and is at rest, confirm this on the station page or with "
+        "knifetip job end: the copy is then finished. If the machine has not finished the program, "
+        "cancel the job.",
         machine="text",
     ),
     "waiting.for-gateway": entry(

@@ -18,15 +18,16 @@ TEXTS: Final[Texts] = {
         "wählen.",
     ),
     "key.limited": Text(
-        "Dieser API-Schlüssel gilt für den Kunden {customer}, und die Antwort enthält alle Kunden.",
-        "Einen Schlüssel ohne diese Begrenzung benutzen.",
+        "Dieser API-Schlüssel gilt nur für den Kunden {customer}, aber die Antwort auf diese "
+        "Anfrage enthielte die Daten aller Kunden.",
+        "Einen Schlüssel benutzen, der nicht auf einen Kunden begrenzt ist.",
     ),
     "key.other-customer": Text(
-        "Dieser API-Schlüssel gilt für den Kunden {customer}, nicht für „{given}“.",
+        "Dieser API-Schlüssel gilt nur für den Kunden {customer}, nicht für „{given}“.",
         "Den Kunden weglassen oder einen Schlüssel für diesen Kunden benutzen.",
     ),
     "key.other-machine": Text(
-        "Dieser API-Schlüssel gilt für {machines:or}, nicht für die Maschine „{machine}“.",
+        "Dieser API-Schlüssel gilt nur für {machines:or}, nicht für die Maschine „{machine}“.",
         "Eine andere Maschine wählen oder einen Schlüssel für diese Maschine benutzen.",
     ),
     "key.revoked": Text(
@@ -34,7 +35,8 @@ TEXTS: Final[Texts] = {
         "Einen neuen Schlüssel anlegen.",
     ),
     "key.unlimited-scope": Text(
-        "Ein Schlüssel mit der Berechtigung {scope} kann nicht so begrenzt werden.",
+        "Ein Schlüssel mit der Berechtigung {scope} kann nicht auf einen Kunden oder auf Maschinen "
+        "begrenzt werden.",
         "Nur Berechtigungen aus {scopes:, } wählen oder die Begrenzung weglassen.",
     ),
     "key.unknown": Text(
@@ -100,7 +102,7 @@ TEXTS: Final[Texts] = {
         "In einer Minute noch einmal versuchen. Das Protokoll des Servers enthält den Grund.",
     ),
     "oidc.used": Text(
-        "Diese Anmeldung wurde schon benutzt.",
+        "Diese Anmeldung beim Anbieter wurde schon benutzt.",
         "Noch einmal anmelden.",
     ),
     "sign-in.slow-down": Text(
@@ -112,9 +114,9 @@ TEXTS: Final[Texts] = {
         "Beides prüfen. Ein Administrator kann ein neues Passwort setzen.",
     ),
     "sign-in.wrong-code": Text(
-        "Dieser Code ist falsch, abgelaufen oder schon benutzt.",
-        "Einen Administrator um einen neuen Code bitten: Jeder gilt für ein Gerät und zehn "
-        "Minuten.",
+        "Dieser Kopplungscode ist falsch, abgelaufen oder schon benutzt.",
+        "Einen Administrator um einen neuen Code bitten. Jeder Code gilt für ein Gerät und läuft "
+        "nach zehn Minuten ab.",
     ),
     "user.at-provider": Text(
         "Der Benutzer {name} meldet sich bei einem Anbieter an und hat auf diesem Server kein "
@@ -147,22 +149,22 @@ TEXTS: Final[Texts] = {
         "Mit Name und Passwort anmelden.",
     ),
     "user.password-blank": Text(
-        "es besteht nur aus Leerzeichen",
+        "das Passwort besteht nur aus Leerzeichen",
     ),
     "user.password-common": Text(
-        "es besteht aus Wörtern, die viele benutzen",
+        "das Passwort besteht aus Wörtern, die viele benutzen",
     ),
     "user.password-name": Text(
-        "es besteht aus dem Namen des Benutzers oder des Programms",
+        "das Passwort besteht aus dem Namen des Benutzers oder des Programms",
     ),
     "user.password-repeated": Text(
-        "es wiederholt wenige Zeichen",
+        "das Passwort wiederholt wenige Zeichen",
     ),
     "user.password-sequence": Text(
-        "seine Zeichen folgen auf der Tastatur aufeinander",
+        "die Zeichen des Passworts folgen auf der Tastatur aufeinander",
     ),
     "user.weak-password": Text(
-        "Das Passwort ist leicht zu erraten: {why}.",
+        "Das Passwort ist zu leicht zu erraten: {why}.",
         "Ein anderes wählen, zum Beispiel vier Wörter, die nichts miteinander zu tun haben.",
     ),
     "user.unknown": Text(

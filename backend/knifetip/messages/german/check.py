@@ -38,13 +38,13 @@ TEXTS: Final[Texts] = {
         ", seine linke untere Ecke bei X {x:g}, Y {y:g} mm",
     ),
     "check.drawing-place": Text(
-        ": Die linke untere Ecke der Zeichnung kommt auf X {x:g}, Y {y:g} mm",
+        ": Die linke untere Ecke der Zeichnung liegt bei X {x:g}, Y {y:g} mm",
     ),
     "check.sheet-size": Text(
         "Ein Bogen von {width:g} × {height:g} mm liegt an seinem Platz{place}.",
     ),
     "check.station": Text(
-        "In Station {station} ist {tool}, und es ist heil.",
+        "In Station {station} ist {tool}, und das Werkzeug ist unbeschädigt.",
     ),
     "check.table": Text(
         "Außer dem Bogen liegt nichts auf dem Tisch.",

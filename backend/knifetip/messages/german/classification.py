@@ -8,14 +8,14 @@ from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
     "classification.across": Text(
-        "die Kante trifft im Zuschnitt auf andere Linien, von denen eine ein Schlitz ist, wenn "
-        "der Zuschnitt zu einer Schachtel gefaltet wird; die Kante steht senkrecht zur längsten "
-        "davon",
+        "die Kante trifft im Zuschnitt auf andere Linien, und eine davon muss ein Schlitz sein, "
+        "wenn sich der Zuschnitt zu einer Schachtel falten lässt; die Kante steht senkrecht zur "
+        "längsten dieser Linien, kann also eine Faltlinie sein",
     ),
     "classification.along": Text(
-        "die Kante trifft im Zuschnitt auf andere Linien, von denen eine ein Schlitz ist, wenn "
-        "der Zuschnitt zu einer Schachtel gefaltet wird; die Kante ist parallel zur längsten "
-        "davon",
+        "die Kante trifft im Zuschnitt auf andere Linien, und eine davon muss ein Schlitz sein, "
+        "wenn sich der Zuschnitt zu einer Schachtel falten lässt; die Kante ist parallel zur "
+        "längsten dieser Linien, kann also eine Faltlinie sein",
     ),
     "classification.around": Text(
         "die Kante umschließt eine ganze Schachtel",
@@ -28,17 +28,17 @@ TEXTS: Final[Texts] = {
         "Strichart behandelt",
     ),
     "classification.beside-gap": Text(
-        "{reason}, falls neben der Kante in der Kontur eine gerade Linie fehlt, ohne die der "
-        "Zuschnitt auseinanderfällt",
+        "{reason}; dabei ist angenommen, dass neben der Kante eine gerade Linie in der Kontur "
+        "fehlt, weil der Zuschnitt wie gezeichnet dort auseinanderfällt",
     ),
     "classification.bleed": Text(
         "die Kante umgibt einen Zuschnitt in gleichbleibendem Abstand, wie eine Beschnittlinie",
     ),
     "classification.board-ends": Text(
-        ", also sollte die Kante geschnitten werden",
+        "eine solche Kante sollte geschnitten werden",
     ),
     "classification.closes-nothing": Text(
-        ", und die Kante schließt keine Kontur",
+        "die Kante gehört zu keiner geschlossenen Kontur",
     ),
     "classification.contradicted": Text(
         "{rule}, aber {reason}",
@@ -49,7 +49,8 @@ TEXTS: Final[Texts] = {
         "Faltlinien",
     ),
     "classification.corners": Text(
-        "die Kante geht an beiden Enden um eine Ecke, was keine Faltlinie tut",
+        "die Kante geht an beiden Enden um eine Ecke in eine andere Linie über, wie es eine "
+        "Faltlinie nicht tut",
     ),
     "classification.cuts-panel-off": Text(
         "ein Schnitt an der Stelle der Kante würde ein Feld von seinem Zuschnitt trennen",
@@ -65,7 +66,7 @@ TEXTS: Final[Texts] = {
         "die Kante teilt zwei Felder",
     ),
     "classification.divides-panels": Text(
-        ", während eine Kante der Art „{type:type}“ zwei Felder teilt",
+        "eine Kante der Art „{type:type}“ sollte zwei Felder teilen",
     ),
     "classification.fold-end": Text(
         "die Kante liegt zwischen der Kontur und einer Faltlinie derselben zwei Felder, wie ein "
@@ -145,7 +146,7 @@ TEXTS: Final[Texts] = {
         "{reason} (das gilt für den größten Teil der Länge der Kante)",
     ),
     "classification.must-be-processed": Text(
-        ", also darf die Kante nicht ignoriert werden",
+        "eine solche Kante sollte nicht ignoriert werden",
     ),
     "classification.named": Text(
         "der Name des Layers kennzeichnet die Kante als nicht zur Schachtel gehörend, und die "
@@ -158,29 +159,29 @@ TEXTS: Final[Texts] = {
         "keine Regel des Profils {profile} passt auf die Kante, aber {shape}",
     ),
     "classification.none-closes": Text(
-        ", und fast alle Kanten mit demselben Layer, derselben Farbe und derselben Strichart "
-        "teilen Felder",
+        "fast alle Kanten mit demselben Layer, derselben Farbe und derselben Strichart teilen "
+        "Felder",
     ),
     "classification.not-made": Text(
-        ", also darf die Kante nicht gemacht werden",
+        "eine solche Kante sollte ignoriert werden",
     ),
     "classification.oblique": Text(
-        "die Kante trifft im Zuschnitt auf andere Linien, von denen eine ein Schlitz ist, wenn "
-        "der Zuschnitt zu einer Schachtel gefaltet wird; die Kante ist weder parallel noch "
-        "senkrecht zur längsten davon",
+        "die Kante trifft im Zuschnitt auf andere Linien, und eine davon muss ein Schlitz sein, "
+        "wenn sich der Zuschnitt zu einer Schachtel falten lässt; die Kante ist weder parallel "
+        "noch senkrecht zur längsten dieser Linien, kann also eine Faltlinie sein",
     ),
     "classification.on-cut": Text(
         "{rule}, und die Kante liegt auf einem Schnitt",
     ),
     "classification.only-fold-style": Text(
-        "keine andere Farbe oder Strichart teilt ausschließlich Felder",
+        "nur bei dieser Farbe und Strichart teilen alle Kanten Felder",
     ),
     "classification.open": Text(
         "die Kante gehört zu einer Kontur, die sich nicht schließt",
     ),
     "classification.open-flap": Text(
-        "an beiden Enden der Kante beginnen gleiche Linien, die ins Leere führen, also kann eine "
-        "Klappe neben ihr offen sein",
+        "an jedem Ende der Kante beginnt eine Linie, deren anderes Ende auf nichts trifft, und "
+        "beide sind gleich lang, sie können also die Seiten einer nicht geschlossenen Klappe sein",
     ),
     "classification.other-style-closes": Text(
         "der größte Teil der Kontur des Zuschnitts besteht aus Kanten mit anderem Layer, anderer "
@@ -212,18 +213,19 @@ TEXTS: Final[Texts] = {
         "der Kontur liegt auf Layern, deren Namen Schnitte bedeuten",
     ),
     "classification.part-of-side": Text(
-        "die Seite eines der Felder geht über die Kante hinaus weiter, wie neben einem Schlitz",
+        "die Seite eines der Felder setzt sich hinter der Kante fort, wie neben einem Schlitz",
     ),
     "classification.ring-fold": Text(
-        "die Kante trifft im Zuschnitt auf Linien, die wahrscheinlich Schlitze sind, neben denen "
-        "sie eine Faltlinie ist",
+        "die Kante trifft im Zuschnitt auf Linien, die wahrscheinlich Schlitze sind, sie ist also "
+        "wahrscheinlich eine Faltlinie dazwischen",
     ),
     "classification.ring-slit": Text(
-        "die Kante endet im Zuschnitt an drei Faltlinien oder ist parallel zu einer solchen "
-        "Kante, und vier Faltlinien an einem Punkt ergeben keine Schachtel",
+        "die Kante endet im Zuschnitt an einem Punkt mit drei Faltlinien oder ist parallel zu "
+        "einer solchen Kante; wäre sie auch eine Faltlinie, träfen sich dort vier, was keine "
+        "Schachtel ergibt",
     ),
     "classification.role-against": Text(
-        "{role}{against}",
+        "{role}; {against}",
     ),
     "classification.rule": Text(
         "Profil {profile}: {rule}",
@@ -267,8 +269,8 @@ TEXTS: Final[Texts] = {
         "die Kante gehört zu Kästen mit Texten, wie in einem Schriftfeld",
     ),
     "classification.through": Text(
-        "die Kante geht im Zuschnitt durch Punkte, an denen andere Linien enden, und dort endet "
-        "ein Schlitz",
+        "die Kante läuft im Zuschnitt durch Punkte weiter, an denen andere Linien enden; ein "
+        "Schlitz würde dort enden, die Kante ist also wahrscheinlich eine Faltlinie",
     ),
     "classification.unknown": Text(
         "die Geometrie der Zeichnung zeigt nicht, welche Linienart die Kante hat",

@@ -8,7 +8,7 @@ from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
     "cleaning.as-drawn": Text(
-        "das Bereinigen hat die Kante nicht geändert",
+        "die Kante wird verwendet, wie sie gezeichnet ist",
     ),
     "cleaning.dropped-off-panel": Text(
         "die Kante wurde weggelassen, weil sie zu einer Faltlinie gehört und außerhalb aller "
@@ -51,14 +51,14 @@ TEXTS: Final[Texts] = {
         "die Kante wurde mit Kante {edge} verbunden, die auf derselben Linie liegt",
     ),
     "cleaning.kept": Text(
-        "die Kante wurde unverändert behalten",
+        "die Kante wird ohne Änderung verwendet, wie sie gezeichnet ist",
     ),
     "cleaning.kept-changed": Text(
         "die Kante wurde mit diesen Änderungen behalten: {changes:; }",
     ),
     "cleaning.length-on-others": Text(
-        "ein Teil der Kante, {length:.4g} mm lang, liegt auf anderen Kanten und wurde mit ihnen "
-        "verbunden",
+        "ein Teil der Kante, {length:.4g} mm lang, liegt auf anderen Kanten, er wird also nur "
+        "einmal gemacht, mit ihnen",
     ),
     "cleaning.longer": Text(
         "andere Kanten auf derselben Linie wurden mit der Kante verbunden, die jetzt länger ist",
@@ -92,14 +92,14 @@ TEXTS: Final[Texts] = {
         "ein Teil der Kante, {length:.2g} mm lang, wurde weggelassen, weil er zu kurz ist",
     ),
     "cleaning.part-off-panel": Text(
-        "ein Teil der Kante, {length:.4g} mm lang, wurde weggelassen, weil er außerhalb aller "
+        "ein Teil der Faltlinie, {length:.4g} mm lang, wurde weggelassen, weil er außerhalb aller "
         "Felder liegt",
     ),
     "cleaning.shortened": Text(
-        "ein Teil der Kante liegt auf anderen Kanten und wurde mit ihnen verbunden",
+        "ein Teil der Kante liegt auf anderen Kanten, er wird also nur einmal gemacht, mit ihnen",
     ),
     "cleaning.speck": Text(
-        "die Kante ist zu kurz und verbindet keine anderen Kanten",
+        "die Kante wurde weggelassen, weil sie zu kurz ist und keine anderen Kanten verbindet",
     ),
     "cleaning.twice": Text(
         "die Kante wurde entfernt, weil sie ganz auf anderen Kanten liegt",

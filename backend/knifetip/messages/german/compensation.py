@@ -195,8 +195,8 @@ TEXTS: Final[Texts] = {
         "{degrees:g}° stehen. Das Programm lässt es so zurück.",
     ),
     "tool.free-without-trail": Text(
-        "das Messer ist ein Schleppmesser, aber seine Spitze läuft seiner Achse nicht nach (trail "
-        "ist 0)",
+        "das Messer ist als Schleppmesser eingestellt (free), aber seine Spitze liegt auf seiner "
+        "Achse (trail ist 0), Bewegungen würden es also nicht drehen",
     ),
     "tool.missing": Text(
         "{machine} hat kein Werkzeug für {count:# Kante|# Kanten} der Art „{type:type}“.",
@@ -212,8 +212,8 @@ TEXTS: Final[Texts] = {
         "liegen oder für einen Anlauf um eine Ecke negativ sein",
     ),
     "tool.swivel-of-driven-knife": Text(
-        "`swivel_depth` oder `park_heading` ist gesetzt, aber das Messer ist kein Schleppmesser: "
-        "Die Maschine dreht es",
+        "`swivel_depth` oder `park_heading` ist gesetzt, aber sie gelten nur für Schleppmesser "
+        "(free), und dieses Messer dreht eine Achse der Maschine",
     ),
     "tool.tilted": Text(
         "Das Werkzeug ist um {tilt:.2f}° geneigt, aber nur Werkzeuge mit bis zu {limit:g}° "

@@ -95,8 +95,8 @@ TEXTS: Final[Texts] = {
     ),
     "controller.left-program": Text(
         "{name} führt das Programm nicht mehr aus: Der Zustand ist {state}.",
-        "Den Tisch prüfen und warum die Maschine ihren Zustand gewechselt hat. Ein anderes "
-        "Programm oder eine Person hat sie vielleicht bedient.",
+        "Den Tisch prüfen. Ein anderes Programm oder eine Person hat die Maschine vielleicht "
+        "bedient.",
     ),
     "controller.lost": Text(
         "Die Verbindung zu {name} ist verloren{due}.",

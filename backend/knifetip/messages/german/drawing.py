@@ -14,10 +14,12 @@ TEXTS: Final[Texts] = {
         "andere geben.",
     ),
     "drawing.answer-taken-back": Text(
-        "Eine Antwort aus früheren Zeichnungen von {customer} wurde zurückgenommen.",
+        "Eine Antwort, die aus früheren Zeichnungen von {customer} gelernt wurde, wird nicht mehr "
+        "verwendet.",
     ),
     "drawing.answer-used": Text(
-        "Eine Antwort aus früheren Zeichnungen von {customer} wird wieder verwendet.",
+        "Eine Antwort, die aus früheren Zeichnungen von {customer} gelernt wurde, wird wieder "
+        "verwendet.",
     ),
     "drawing.changing": Text(
         "Eine andere Anfrage ändert gerade die Zeichnung {drawing}.",
@@ -50,7 +52,8 @@ TEXTS: Final[Texts] = {
         "Die Einheit der Zeichnung prüfen, eine größere Maschine wählen oder die Zeichnung teilen.",
     ),
     "drawing.no-customer": Text(
-        "Die Zeichnung {drawing} hat keinen Kunden, also lernt sie nichts aus anderen Zeichnungen.",
+        "Die Zeichnung {drawing} hat keinen Kunden, also können keine Antworten aus früheren "
+        "Zeichnungen eines Kunden verwendet werden.",
         "Zuerst den Kunden der Zeichnung setzen.",
     ),
     "drawing.no-lines": Text(
@@ -60,7 +63,7 @@ TEXTS: Final[Texts] = {
         "XY-Ebene, und noch einmal einlesen.",
     ),
     "drawing.no-lines-reason": Text(
-        "{count:einmal|#-mal}, {reason}",
+        "{reason} ({count:# Objekt|# Objekte})",
     ),
     "drawing.of-another": Text(
         "Die Zeichnung {drawing} wurde von jemand anderem hochgeladen und ist nicht freigegeben.",

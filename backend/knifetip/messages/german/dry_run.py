@@ -8,49 +8,52 @@ from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
     "dry-run.in-progress": Text(
-        "Die Maschine fährt für Auftrag {job} über dem Karton. Der Auftrag wurde nicht gestartet.",
-        "Warten, bis die Fahrt beendet ist, oder sie stoppen. Dann den Auftrag starten.",
+        "Die Maschine macht einen Probelauf von Auftrag {job} über dem Karton, also wurde der "
+        "Auftrag nicht gestartet.",
+        "Warten, bis der Probelauf beendet ist, oder ihn stoppen. Dann den Auftrag starten.",
     ),
     "dry-run.no-job": Text(
-        "Kein Auftrag wartet an dieser Maschine auf seinen Start, also gibt es nichts, was über "
-        "dem Karton zu fahren wäre.",
-        "Einen Auftrag für diese Maschine freigeben und die Fahrt vor seinem Start anfordern.",
+        "Kein Auftrag wartet an dieser Maschine auf seinen Start, also gibt es kein Programm für "
+        "einen Probelauf über dem Karton.",
+        "Einen Auftrag für diese Maschine freigeben und den Probelauf vor seinem Start anfordern.",
     ),
     "dry-run.no-lift": Text(
-        "Zeile {line} des Probeprogramms ist kein Abheben senkrecht auf Z {height:g}. Nichts "
-        "wurde gesendet.",
+        "Interner Fehler: Zeile {line} des Probelaufs muss das Werkzeug senkrecht auf Z {height:g} "
+        "heben, macht aber etwas anderes. Nichts wurde gesendet.",
         "Dies dem Hersteller von knifetip melden, mit dem Programm des Auftrags.",
     ),
     "dry-run.no-work": Text(
-        "Das Programm des Auftrags arbeitet nicht im Karton, hat also keinen Rahmen.",
+        "Das Programm des Auftrags berührt den Karton nicht, also gibt es keinen Rahmen "
+        "abzufahren.",
         "Den Auftrag öffnen und sein Programm prüfen.",
     ),
     "dry-run.not-running": Text(
-        "Die Maschine fährt kein Programm über dem Karton, also gibt es nichts anzuhalten oder "
-        "fortzusetzen.",
+        "Die Maschine macht keinen Probelauf, also gibt es nichts anzuhalten oder fortzusetzen.",
     ),
     "dry-run.other-path": Text(
-        "Zeile {line} des Probeprogramms verlässt die Bahn des Programms. Nichts wurde gesendet.",
+        "Interner Fehler: Zeile {line} des Probelaufs verlässt die Bahn des Programms. Nichts "
+        "wurde gesendet.",
         "Dies dem Hersteller von knifetip melden, mit dem Programm des Auftrags.",
     ),
     "dry-run.switches": Text(
-        "Zeile {line} des Probeprogramms schaltet etwas ein. Nichts wurde gesendet.",
+        "Interner Fehler: Zeile {line} des Probelaufs schaltet einen Ausgang oder die Spindel ein. "
+        "Nichts wurde gesendet.",
         "Dies dem Hersteller von knifetip melden, mit dem Programm des Auftrags.",
     ),
     "dry-run.too-low": Text(
-        "Zeile {line} des Probeprogramms fährt Z auf {z:g}, unter {height:g}. Nichts wurde "
-        "gesendet.",
+        "Interner Fehler: Zeile {line} des Probelaufs fährt Z auf {z:g}, aber Z muss auf "
+        "{height:g} oder höher bleiben. Nichts wurde gesendet.",
         "Dies dem Hersteller von knifetip melden, mit dem Programm des Auftrags.",
     ),
     "dry-run.unknown-line": Text(
-        "Zeile {line} des Programms kann nicht über dem Karton gefahren werden: „{text}“. Nichts "
-        "wurde gesendet.",
-        "Den Auftrag neu berechnen lassen. Ein von Hand geändertes Programm kann nicht zur Probe "
-        "gefahren werden.",
+        "Zeile {line} des Programms ist in einem Probelauf über dem Karton nicht möglich: "
+        "„{text}“. Nichts wurde gesendet.",
+        "Den Auftrag neu berechnen. Mit einem von Hand geänderten Programm ist kein Probelauf "
+        "möglich.",
     ),
     "dry-run.uses-machine": Text(
-        "Die Maschine fährt ein Programm über dem Karton.",
-        "Warten, bis die Fahrt beendet ist, oder sie zuerst stoppen.",
+        "Die Maschine macht einen Probelauf über dem Karton.",
+        "Warten, bis der Probelauf beendet ist, oder ihn zuerst stoppen.",
     ),
     "tool-check.in-zone": Text(
         "Der Punkt liegt in der Sperrzone {zone} oder so nahe, dass das Werkzeug sie berühren "
@@ -58,14 +61,15 @@ TEXTS: Final[Texts] = {
         "Einen anderen Punkt wählen.",
     ),
     "tool-check.large-shift": Text(
-        "Die Korrektur einer Station bei einer Werkzeugprüfung beträgt höchstens {largest:g} mm "
-        "oder Grad.",
+        "Bei einer Werkzeugprüfung kann eine Station um höchstens {largest:g} mm oder Grad "
+        "korrigiert werden.",
         "Den Versatz der Station neu messen und in der Maschinendatei ändern.",
     ),
     "tool-check.not-lowered": Text(
         "Das Werkzeug ist über dem Punkt, wurde aber nicht gesenkt: Z müsste auf {target:.1f} "
         "fahren, und sein Verfahrweg endet bei {lowest:g}.",
-        "Das Werkzeug von oben prüfen und das Z der Station in der Maschinendatei.",
+        "Das Werkzeug von oben prüfen. Muss es tiefer, das Z der Station in der Maschinendatei "
+        "berichtigen.",
     ),
     "tool-check.not-reached": Text(
         "Z ist nicht rechtzeitig bei {target:.1f} zum Stehen gekommen. Das Werkzeug wurde wieder "

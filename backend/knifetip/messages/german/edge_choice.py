@@ -44,7 +44,8 @@ TEXTS: Final[Texts] = {
     ),
     "edge-choice.bad-syntax": Text(
         "„{text}“ ist kein Wert von {option}.",
-        "Nummern von Kanten und was für sie gewählt ist angeben, als KANTEN:NAME=WERT,NAME=WERT.",
+        "Als KANTEN:NAME=WERT,NAME=WERT schreiben, mit den Nummern der Kanten und was für sie "
+        "gewählt ist, zum Beispiel 12,13:passes=2.",
     ),
     "edge-choice.joined": Text(
         "Kante {edge} und Kante {other} werden als eine Kante bearbeitet, aber für sie wurden "

@@ -39,7 +39,7 @@ TEXTS: Final[Texts] = {
         "{path} ist kein bekanntes Feld; vielleicht ist {near} gemeint",
     ),
     "field.no-neighbour": Text(
-        "{path} muss previous, next oder beides haben",
+        "{path} muss previous, next oder beides enthalten",
     ),
     "field.no-spindle": Text(
         "{path}: `spindle` und `spindle_speed` sind gesetzt, aber das Werkzeug von Station "
@@ -141,7 +141,8 @@ TEXTS: Final[Texts] = {
         "{path} ist {value}, muss aber von {low:g} bis {high:g} sein",
     ),
     "field.park-outside": Text(
-        "{path} parkt bei {park:g} mm, aber sein y fährt von {low:g} bis {high:g} mm",
+        "{path} parkt bei {park:g} mm, außerhalb des Verfahrwegs seiner y-Achse von {low:g} bis "
+        "{high:g} mm",
     ),
     "field.parks-too-near": Text(
         "{path} hat zwei Schlitten, die {distance:g} mm voneinander parken, aber min_distance ist "

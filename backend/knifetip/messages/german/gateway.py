@@ -57,8 +57,8 @@ TEXTS: Final[Texts] = {
         "Die Ursache im Protokoll des Gateways suchen.",
     ),
     "gateway.started-in-dry-run": Text(
-        "Der Auftrag wurde gestartet, während die Maschine über dem Karton fuhr. Nichts vom "
-        "Auftrag wurde an die Maschine gesendet.",
+        "Der Auftrag wurde gestartet, während die Maschine einen Probelauf über dem Karton machte. "
+        "Nichts vom Auftrag wurde an die Maschine gesendet.",
         "Den Auftrag noch einmal einreihen und starten, wenn die Maschine steht.",
     ),
     "gateway.switched-off": Text(

@@ -110,9 +110,9 @@ TEXTS: Final[Texts] = {
         "Werkzeug nicht hineinpasst.",
     ),
     "offset.mixed-group": Text(
-        "Bahn {path} hat einen anderen Radius oder eine andere Seite als die anderen Bahnen ihrer "
-        "Gruppe.",
-        "Die Bahn umkehren oder in eine eigene Gruppe setzen.",
+        "Bahn {path} hat einen anderen Werkzeugradius oder eine andere Seite des Werkzeugs als die "
+        "anderen Bahnen, die mit ihr versetzt werden.",
+        "Die Bahn umkehren oder getrennt versetzen.",
     ),
     "offset.self-contact": Text(
         "Die versetzte Kurve in {radius:g} mm Abstand von Bahn {path} ist nicht geschlossen, weil "

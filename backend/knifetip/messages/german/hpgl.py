@@ -145,8 +145,8 @@ TEXTS: Final[Texts] = {
         "Die Zeichnung auf dem Tisch versetzen oder eine größere Maschine wählen.",
     ),
     "hpgl.not-raised": Text(
-        "{name} hat seit {seconds:g} s nichts angenommen, also wurde das Werkzeug von hier aus "
-        "nicht gehoben. Es ist vielleicht noch unten.",
+        "{name} hat seit {seconds:g} s keine Daten angenommen, der Befehl zum Heben des Werkzeugs "
+        "konnte also nicht gesendet werden. Das Werkzeug ist vielleicht noch unten.",
         "Das Programm an der Maschine anhalten und das Werkzeug dort heben.",
     ),
     "hpgl.not-reached": Text(
@@ -175,8 +175,8 @@ TEXTS: Final[Texts] = {
         "Einen der beiden Stifte entfernen oder für einen eine andere Arbeit wählen.",
     ),
     "hpgl.runs-on": Text(
-        "{name} erhält nichts mehr vom Programm. Die Maschine führt noch aus, was in ihrem Puffer "
-        "ist, und hebt danach das Werkzeug.",
+        "Der Rest des Programms wird nicht an {name} gesendet. Die Maschine führt noch aus, was in "
+        "ihrem Puffer ist, und hebt danach das Werkzeug.",
         "Vom Werkzeug fernbleiben, bis die Maschine steht, oder das Programm an der Maschine "
         "anhalten.",
     ),

@@ -28,8 +28,8 @@ TEXTS: Final[Texts] = {
         "keine Linien hat",
     ),
     "import.area-outline-round-lines": Text(
-        "das Objekt ist der Umriss einer gefüllten Fläche, der eingelesen wurde, weil auf der "
-        "Fläche Linien liegen und keine Linie ihren Umriss schließt",
+        "das Objekt ist der Umriss einer gefüllten Fläche; er wurde eingelesen, weil die Linien "
+        "auf dieser Fläche keinen eigenen geschlossenen Umriss haben",
     ),
     "import.array": Text(
         "das Objekt fügt den Block als Raster von Kopien ein ({columns} Spalten × {rows} Zeilen)",
@@ -182,9 +182,9 @@ TEXTS: Final[Texts] = {
         "das Objekt ist eine gefüllte Fläche ohne Umrisslinie und wird nicht geschnitten",
     ),
     "import.filled-area-beside-strokes": Text(
-        "das Objekt ist eine gefüllte Fläche ohne Umrisslinie; Umrisse gefüllter Flächen werden "
-        "nur in Zeichnungen ohne Linien geschnitten, oder wenn auf der Fläche Linien liegen und "
-        "keine Linie ihren Umriss schließt",
+        "das Objekt ist eine gefüllte Fläche ohne Umrisslinie; der Umriss einer gefüllten Fläche "
+        "wird nur geschnitten, wenn die Zeichnung keine Linien hat oder die Linien auf der Fläche "
+        "keinen eigenen geschlossenen Umriss haben",
     ),
     "import.filled-area-on-page": Text(
         "das Objekt ist eine gefüllte Fläche ohne Umrisslinie; Umrisse gefüllter Flächen werden "

@@ -37,10 +37,11 @@ TEXTS: Final[Texts] = {
         "Der Bediener hat an der Maschine geprüft: {checks:; }.",
     ),
     "job.nothing-refused": Text(
-        "Auftrag {job} ist {state:state}, und keine Maschine hat sein Programm abgelehnt.",
+        "Auftrag {job} ist {state:state}, und keine Maschine hat sein Programm abgelehnt, also "
+        "gibt es nichts noch einmal zu versuchen.",
     ),
     "job.rechecked": Text(
-        "Die Maschine darf den Auftrag noch einmal prüfen und nehmen.",
+        "Der Bediener hat die Maschine den Auftrag noch einmal prüfen lassen.",
     ),
     "job.claim-returned": Text(
         "Das Gateway hat den Auftrag in die Warteschlange zurückgelegt. {reason}",
@@ -173,9 +174,9 @@ TEXTS: Final[Texts] = {
     ),
     "job.needs-end": Text(
         "Das ganze Programm von Auftrag {job} wurde an die Maschine gesendet, die nicht meldet, "
-        "wann sie es ausgeführt hat. Es gibt also nichts fortzusetzen.",
-        "Wenn die Maschine fertig ist und steht, dies melden: den Auftrag mit POST "
-        "/api/jobs/{job}/end beenden.",
+        "wann sie fertig ist. Es gibt also nichts fortzusetzen.",
+        "Wenn die Maschine fertig ist und steht, dies auf der Seite der Station oder mit POST "
+        "/api/jobs/{job}/end bestätigen.",
     ),
     "job.needs-sheet": Text(
         "Auftrag {job} wartet auf einen neuen Bogen, kann also nicht fortgesetzt werden.",
@@ -297,15 +298,15 @@ TEXTS: Final[Texts] = {
         "Der Auftrag wurde ohne Bestätigung des Bedieners gestartet.",
     ),
     "job.stated-by-feed": Text(
-        "Von der automatischen Zufuhr gemeldet: {checks:; }.",
+        "Die automatische Bogenzufuhr hat bestätigt: {checks:; }.",
     ),
     "job.unknown": Text(
         "Auftrag {job} gibt es nicht.",
         "Einen der Aufträge wählen, die GET /api/jobs nennt.",
     ),
     "job.answered": Text(
-        "Das geprüfte Programm von Auftrag {job} wurde wiederverwendet, weil seine Eingaben "
-        "dieselben sind.",
+        "Der Auftrag verwendet das geprüfte Programm von Auftrag {job}, der dieselbe Zeichnung, "
+        "Maschine und Optionen hat.",
     ),
     "job.unknown-checks": Text(
         "Auftrag {job} hat keine Prüfung {unknown:, }.",
@@ -315,8 +316,8 @@ TEXTS: Final[Texts] = {
         "Der Auftrag wurde berechnet und sein Programm geprüft.",
     ),
     "job.tool-changed": Text(
-        "Der Bediener hat in Station {station} ({name}) ein neues Werkzeug eingesetzt; das alte "
-        "hatte {used:.0f} m gearbeitet.",
+        "Der Bediener hat in Station {station} ({name}) ein neues Werkzeug eingesetzt. Das alte "
+        "hatte {used:.0f} m Linien bearbeitet.",
     ),
     "job.worker-silent": Text(
         "Der Prozess {worker}, der den Auftrag berechnet, antwortet im Schritt „{stage:stage}“ "

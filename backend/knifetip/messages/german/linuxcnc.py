@@ -8,7 +8,7 @@ from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
     "linuxcnc.bad-address": Text(
-        "„{address}“ ist nicht die Adresse eines LinuxCNC.",
+        "„{address}“ ist keine gültige Adresse von LinuxCNC.",
         "HOST:PORT schreiben, oder linuxcnc://HOST:PORT/?OPTION=WERT&OPTION=WERT mit den Optionen "
         "{options:, }; Werte haben keine Leerzeichen.",
     ),

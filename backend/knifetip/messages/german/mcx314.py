@@ -8,56 +8,59 @@ from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
     "mcx314.no-wiring": Text(
-        "Die Datei von {machine} nennt nicht, wie die Achsen mit einem MCX314 verbunden sind.",
-        "Der Maschinendatei die Tabelle [controller] hinzufügen.",
+        "Die Maschinendatei von {machine} nennt nicht, wie die Achsen mit dem Bewegungsbaustein "
+        "MCX314 verbunden sind.",
+        "Der Maschinendatei die Tabelle [controller] mit den Impulsen und Geschwindigkeiten der "
+        "Achsen hinzufügen.",
     ),
     "mcx314.bad-rate": Text(
         "{path} ist {value}, muss aber ein Vielfaches von {step} und höchstens {limit} sein",
-        "Einen anderen Wert wählen; das Vielfache der Antriebsgeschwindigkeit bestimmt die "
-        "Schritte.",
+        "Einen anderen Wert wählen. Die Schritte ergeben sich aus dem Vielfachen der "
+        "Antriebsgeschwindigkeit, das [controller] nennt.",
     ),
     "mcx314.axis-too-fast": Text(
-        "{path} braucht {rate:.0f} Impulse je Sekunde, und der Baustein MCX314 macht höchstens "
+        "{path} braucht {rate:.0f} Impulse je Sekunde, aber der Baustein MCX314 macht höchstens "
         "{limit:,}",
-        "Eine niedrigere Geschwindigkeit, weniger Impulse oder ein größeres Vielfaches wählen.",
+        "Eine niedrigere Geschwindigkeit, weniger Impulse je Millimeter oder Grad oder ein "
+        "größeres Vielfaches der Antriebsgeschwindigkeit wählen.",
     ),
     "mcx314.axis-too-long": Text(
-        "{path} fährt {pulses:,} Impulse, und der Baustein MCX314 zählt höchstens {limit:,} in "
+        "{path} ist {pulses:,} Impulse lang, aber der Baustein MCX314 zählt höchstens {limit:,} in "
         "einem Segment",
         "Weniger Impulse je Millimeter oder Grad wählen.",
     ),
     "mcx314.feed-too-slow": Text(
-        "{path} ergibt entlang einer Diagonale {rate:.0f} Impulse je Sekunde, und Programme "
+        "{path} ergibt entlang einer Diagonale {rate:.0f} Impulse je Sekunde, aber Programme "
         "brauchen für einen genauen Vorschub mindestens {limit:.0f}",
         "Einen größeren Vorschub oder mehr Impulse je Millimeter wählen.",
     ),
     "mcx314.tool-not-supported": Text(
-        "{path} ist ein Werkzeug, das während eines Schnitts geschaltet werden muss, was ein "
-        "Programm für einen MCX314 nicht kann",
+        "{path} ist ein Werkzeug, das während eines Schnitts ein- und ausgeschaltet werden muss, "
+        "was ein Programm für einen MCX314 nicht kann",
         "In dieser Station ein Messer, ein Rillrad, ein V-Messer oder einen Fräser verwenden.",
     ),
     "mcx314.spindle-not-supported": Text(
-        "{path} nennt eine Richtung oder eine Drehzahl, und ein Programm für einen MCX314 "
-        "schaltet die Spindel nur ein und aus",
+        "{path} nennt eine Richtung oder eine Drehzahl, aber ein Programm für einen MCX314 kann "
+        "die Spindel nur ein- und ausschalten",
         "spindle und spindle_speed entfernen und am Antrieb einstellen.",
     ),
     "mcx314.four-axes": Text(
-        "{place} bewegt vier Achsen zugleich, und der Baustein MCX314 kann drei bewegen.",
+        "{place} bewegt vier Achsen zugleich, aber der Baustein MCX314 kann nur drei bewegen.",
         "Das Werkzeug drehen lassen, bevor oder nachdem sich seine Tiefe ändert.",
     ),
     "mcx314.speed": Text(
-        "{place} braucht {rate:.0f} Impulse je Sekunde, und der Baustein MCX314 macht {slowest:,} "
-        "bis {fastest:,}.",
+        "{place} braucht {rate:.0f} Impulse je Sekunde, aber der Baustein MCX314 macht nur "
+        "{slowest:,} bis {fastest:,}.",
         "Einen anderen Vorschub für das Werkzeug oder ein anderes Vielfaches der "
         "Antriebsgeschwindigkeit wählen.",
     ),
     "mcx314.too-far": Text(
-        "{place} braucht {pulses:,} Impulse, und der Baustein MCX314 zählt höchstens {limit:,} in "
+        "{place} braucht {pulses:,} Impulse, aber der Baustein MCX314 zählt höchstens {limit:,} in "
         "einem Segment.",
         "Die Kante teilen oder weniger Impulse je Millimeter verwenden.",
     ),
     "mcx314.too-short": Text(
-        "{place} dauert {milliseconds:.3g} ms, und das Schreiben des nächsten Segments in den "
+        "{place} dauert nur {milliseconds:.3g} ms, aber das Schreiben des nächsten Segments in den "
         "Baustein MCX314 bis zu {refill:.3g} ms.",
         "Einen langsameren Vorschub für das Werkzeug wählen oder kurze Kanten aus der Zeichnung "
         "entfernen.",
@@ -80,23 +83,24 @@ TEXTS: Final[Texts] = {
     ),
     "mcx314.no-newline": Text(
         "Die letzte Zeile endet nicht mit einem Zeilenumbruch.",
-        "Das Programm ist vielleicht abgeschnitten.",
+        "Die Datei ist vielleicht unvollständig: das Programm neu erstellen.",
     ),
     "mcx314.no-end": Text(
         "Das Programm endet nicht mit END.",
-        "Das Programm ist vielleicht abgeschnitten.",
+        "Die Datei ist vielleicht unvollständig: das Programm neu erstellen.",
     ),
     "mcx314.after-end": Text(
         "Das Programm geht nach END weiter.",
         "Die Zeilen nach END entfernen.",
     ),
     "mcx314.bad-axes": Text(
-        "Die Zeile bewegt {count} Achsen, und der Baustein MCX314 bewegt eine bis drei.",
-        "Die Bewegung teilen.",
+        "Die Zeile bewegt {count} Achsen zugleich, aber der Baustein MCX314 bewegt eine bis drei.",
+        "Die Bewegung in Bewegungen von höchstens drei Achsen teilen.",
     ),
     "mcx314.out-of-range": Text(
-        "Eine Zahl ist größer als {limit:,}, was der Baustein MCX314 nicht zählen kann.",
-        "Die Bewegung teilen.",
+        "Eine Zahl in der Zeile ist größer als {limit:,}, mehr kann der Baustein MCX314 nicht "
+        "zählen.",
+        "Die Bewegung in kürzere teilen.",
     ),
     "mcx314.unknown-position": Text(
         "Die Zeile bewegt eine Achse um Impulse, aber keine Zeile davor nennt, wo die Achse ist.",
@@ -116,26 +120,29 @@ TEXTS: Final[Texts] = {
         "Den Kreisbogen durch Linien ersetzen.",
     ),
     "mcx314.joins-nothing": Text(
-        "Die Zeile schließt an die davor an, die weder Linie noch Kreisbogen ist.",
+        "Die Anweisung JOIN setzt die Bewegung der Zeile davor fort, aber diese Zeile ist weder "
+        "Linie noch Kreisbogen.",
         "JOIN entfernen.",
     ),
     "mcx314.joins-short": Text(
-        "Die Zeile schließt an ein Segment von {milliseconds:.3g} ms an, und das Schreiben in den "
-        "Baustein dauert bis zu {refill:.3g} ms.",
-        "JOIN entfernen oder längere Segmente verbinden.",
+        "Die Anweisung JOIN folgt auf ein Segment, das nur {milliseconds:.3g} ms dauert, aber das "
+        "Schreiben des nächsten Segments in den Baustein dauert bis zu {refill:.3g} ms.",
+        "JOIN entfernen oder das Segment davor verlängern.",
     ),
     "mcx314.unknown-output": Text(
         "Die Maschine hat keinen Ausgang {output}.",
         "Die Nummer berichtigen.",
     ),
     "mcx314.wrong-dwell": Text(
-        "Die Verweilzeit muss {needed} ms dauern, so lange kommt die gewählte Station zur Ruhe.",
+        "Die Verweilzeit muss {needed} ms dauern, so lange braucht die gewählte Station nach dem "
+        "Schalten.",
         "Die Verweilzeit berichtigen.",
     ),
     "mcx314.not-settled": Text(
-        "Eine Bewegung beginnt {seconds:g} s nach dem Schalten eines Ausgangs oder der "
+        "Eine Bewegung beginnt schon {seconds:g} s nach dem Schalten eines Ausgangs oder der "
         "Oszillation.",
-        "Vor der Bewegung so lange verweilen, bis die Station zur Ruhe gekommen ist.",
+        "Vor der Bewegung eine Verweilzeit einfügen, so lange wie die Station nach dem Schalten "
+        "braucht.",
     ),
     "mcx314.ends-lowered": Text(
         "Am Ende des Programms ist Ausgang {output} an.",
@@ -211,8 +218,7 @@ TEXTS: Final[Texts] = {
         "Die Störung am Antrieb beheben, dann entsperren und eine Referenzfahrt machen.",
     ),
     "mcx314.alarm-chip": Text(
-        "Der Bewegungsbaustein von {name} wurde zu spät beschrieben oder hat ein Segment "
-        "abgelehnt.",
+        "Der Bewegungsbaustein von {name} hat ein Segment zu spät bekommen oder abgelehnt.",
         "Den Bogen auf dem Tisch prüfen, dann entsperren und eine Referenzfahrt machen. In der "
         "Maschinendatei einen langsameren Vorschub oder ein längeres refill wählen.",
     ),

@@ -31,9 +31,9 @@ TEXTS: Final[Texts] = {
         "Die Spindel einschalten (M3), bevor der Fräser in den Karton eintaucht.",
     ),
     "verify.feed-of-other-axis": Text(
-        "Station {station} ist auf einem weiteren Schlitten und fährt mit einem Vorschub (G94), "
-        "den eine Steuerung vielleicht nur auf den Weg des Portals anwendet.",
-        "Die Zeit der Bewegung angeben (G93).",
+        "Station {station} ist auf einem weiteren Schlitten, und ihre Bewegung hat einen Vorschub "
+        "in mm/min (G94). Eine Steuerung wendet ihn vielleicht nur auf den Weg des Portals an.",
+        "Die Dauer der Bewegung im zeitreziproken Modus angeben (G93).",
     ),
     "verify.head-not-located": Text(
         "Ein Schlitten fährt entlang des Portals, während die Position von {other} unbekannt ist.",
@@ -45,8 +45,8 @@ TEXTS: Final[Texts] = {
         "Den nicht benutzten Schlitten vor der Bewegung parken.",
     ),
     "verify.idle-head-low": Text(
-        "{letter} ist auf {height:.2f} mm, während ein anderer Schlitten arbeitet. Seine "
-        "Werkzeuge sind erst ab {needed:.2f} mm über dem Karton.",
+        "Der Schlitten mit Achse {letter} wird nicht benutzt, aber {letter} ist auf {height:.2f} "
+        "mm. Seine Werkzeuge sind erst ab {needed:.2f} mm über dem Karton.",
         "Den Schlitten heben, bevor ein anderer benutzt wird.",
     ),
     "verify.in-zone": Text(

@@ -8,12 +8,12 @@ from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
     "obstacle.asleep": Text(
-        "{name} schläft.",
+        "{name} ist im Ruhezustand.",
         "Den Tisch prüfen, dann „Freigeben“ drücken, um die Steuerung zu wecken. Danach eine "
         "Referenzfahrt machen.",
     ),
     "obstacle.busy": Text(
-        "{name} ist mit etwas beschäftigt, das kein Auftrag ist.",
+        "{name} führt etwas aus, das zu keinem Auftrag gehört.",
         "Warten, bis die Maschine steht. Bleibt es so, „Freigeben“ drücken: Die Maschine hält an "
         "und bewegt keine Achse.",
     ),
@@ -58,7 +58,7 @@ TEXTS: Final[Texts] = {
         "Schalter und sein Kabel prüfen.",
     ),
     "obstacle.moves": Text(
-        "{name} führt etwas aus, das kein Auftrag ist.",
+        "{name} bewegt sich, aber nicht für einen Auftrag.",
         "Warten, bis die Maschine steht, oder „Freigeben“ drücken: Die Maschine hält an und "
         "verwirft den Rest.",
     ),

@@ -32,10 +32,10 @@ TEXTS: Final[Texts] = {
         "Die Maschine einschalten und ihr Gateway starten.",
     ),
     "operation.hands-not-clear": Text(
-        "„{request:request}“ bewegt {machine}, und in den letzten {seconds:g} s hat niemand "
+        "„{request:request}“ bewegt {machine}, aber in den letzten {seconds:g} s hat niemand "
         "bestätigt, dass die Hände frei sind.",
-        "Nachsehen, dass niemand in die Maschine greift, an der Station „Hände frei“ bestätigen, "
-        "dann noch einmal anfordern.",
+        "Nachsehen, dass niemand in die Maschine greift, auf der Seite der Station „Hände frei“ "
+        "drücken, dann noch einmal anfordern.",
     ),
     "operation.jog-ended": Text(
         "Die Tippbewegung {id} ist beendet: Ihre Taste wurde nicht innerhalb von {seconds:g} s "
@@ -59,7 +59,7 @@ TEXTS: Final[Texts] = {
         "Die Schutztür schließen, dann „Freigeben“ drücken.",
     ),
     "operation.nothing-held": Text(
-        "{name} hält nichts, was freizugeben wäre.",
+        "{name} ist nicht angehalten, also gibt es nichts freizugeben.",
         "Sperrt ein Alarm die Maschine, sie entsperren oder eine Referenzfahrt machen.",
     ),
     "operation.no-controller": Text(

@@ -32,7 +32,7 @@ TEXTS: Final[Texts] = {
         "Vor dem Start von Auftrag {job} an der Maschine prüfen:",
     ),
     "output.check-question": Text(
-        "{number} von {count}: {text} Ist das so?",
+        "{number} von {count}: {text} Trifft das zu?",
     ),
     "output.cleaned-edge": Text(
         "{handle} Kante {edge}: {outcome}",
@@ -60,7 +60,7 @@ TEXTS: Final[Texts] = {
         "{title}: Steuerung {controller}, Server {server}",
     ),
     "output.if-so": Text(
-        "Wenn das alles so ist:",
+        "Wenn alles zutrifft, eingeben:",
     ),
     "output.job-board": Text(
         "{machine}, Material {board}",
@@ -72,7 +72,7 @@ TEXTS: Final[Texts] = {
         "Werkzeuge: {tools:, }",
     ),
     "output.kernels": Text(
-        "{compiled} von {total} Kernels kompiliert.",
+        "{compiled} von {total} Programmteilen kompiliert.",
     ),
     "output.key": Text(
         "Schlüssel {id} für {title}: {scopes:, }",
@@ -163,7 +163,7 @@ TEXTS: Final[Texts] = {
     ),
     "output.time-saved": Text(
         "{seconds:.1f} s auf der Maschine, {percent:.0f} % weniger als die {retracted:.1f} s mit "
-        "vollem Abheben",
+        "vollem Abheben zwischen den Schnitten",
     ),
     "output.to-accept": Text(
         'Zum Annehmen: --accept {edges}:{code} --reason "..."',
@@ -215,8 +215,8 @@ TEXTS: Final[Texts] = {
         "Rechenprozess für {database}",
     ),
     "output.worker-stuck": Text(
-        "FEHLER: Dieser Rechenprozess steckt fest: seit {seconds:.0f} s kein Durchgang. Er endet "
-        "mit einem Fehler, damit systemd oder der Container ihn neu startet.",
+        "FEHLER: Dieser Worker steckt fest: Er hat seit {seconds:.0f} s nicht nach Aufträgen "
+        "gesehen. Er endet mit einem Fehler, damit systemd oder der Container ihn neu startet.",
     ),
     "output.written-to": Text(
         "geschrieben nach {file}",

@@ -29,7 +29,7 @@ TEXTS: Final[Texts] = {
         "Drehen des Werkzeugs",
     ),
     "motion.unknown": Text(
-        "Bewegungsart {number}",
+        "unbekannte Bewegungsart {number}",
     ),
     "program.bad-tolerance": Text(
         "Eine Toleranz von {tolerance} mm ist für das Überschleifen (Runden von Ecken) der "
@@ -143,8 +143,8 @@ TEXTS: Final[Texts] = {
         "größere Maschine wählen. Bei Achse Z die Höhen in der Maschinendatei prüfen.",
     ),
     "travel.heads-too-near": Text(
-        "{tool} (Station {station}) ließe bis zum geparkten Schlitten {other} nur {distance:.2f} "
-        "mm{place}. Der kleinste Abstand zweier Schlitten ist {least:g} mm.",
+        "{tool} (Station {station}) käme dem geparkten Schlitten {other} bis auf {distance:.2f} mm "
+        "nahe{place}. Schlitten müssen mindestens {least:g} mm Abstand halten.",
         "Die Zeichnung in Y vom geparkten Schlitten wegschieben oder die Linienart einem Werkzeug "
         "auf dem anderen Schlitten geben.",
     ),
@@ -176,12 +176,12 @@ TEXTS: Final[Texts] = {
         "Andere Ausgänge verwenden oder `output_count` berichtigen.",
     ),
     "language.no-linear-axis": Text(
-        "Schlitten {carriage} hat eine Linearachse {letter}, und {language} hat keine solche "
+        "Schlitten {carriage} hat eine Linearachse {letter}, aber {language} hat keine solche "
         "Achse. Seine Linearachsen sind {known:, }",
         "Den Buchstaben der Achse oder die Sprache (dialect) der Maschine ändern.",
     ),
     "language.no-rotary-axis": Text(
-        "Schlitten {carriage} hat eine Drehachse {letter}, und {language} hat keine solche Achse. "
+        "Schlitten {carriage} hat eine Drehachse {letter}, aber {language} hat keine solche Achse. "
         "Seine Drehachsen sind {known:, }",
         "Den Buchstaben der Achse oder die Sprache (dialect) der Maschine ändern.",
     ),

@@ -22,7 +22,7 @@ TEXTS: Final[Texts] = {
     "queue.claimed": Text(
         "Die Maschine {machine} hat Auftrag {job} aus der Warteschlange genommen, also sind sein "
         "Platz und seine Exemplare nicht mehr zu ändern.",
-        "Den Auftrag zurückstellen, solange er nicht bestätigt ist: Er kommt dann wieder in die "
+        "Ist der Auftrag noch nicht bestätigt, ihn zurückstellen: Er kommt dann wieder in die "
         "Warteschlange.",
     ),
     "queue.copies-changed": Text(
@@ -65,8 +65,8 @@ TEXTS: Final[Texts] = {
         "neu berechnet.",
     ),
     "tool-life.near": Text(
-        "Das Werkzeug {name} in Station {station} hat {used:.0f} m gearbeitet, {percent:.0f} % "
-        "seiner Standzeit von {life:.0f} m.",
+        "Das Werkzeug {name} in Station {station} hat {used:.0f} m Linien bearbeitet, "
+        "{percent:.0f} % seiner Standzeit von {life:.0f} m.",
         "Ein neues Werkzeug bereithalten. Den Wechsel des Werkzeugs auf der Seite der Maschine "
         "eintragen.",
     ),
@@ -75,8 +75,8 @@ TEXTS: Final[Texts] = {
         "Die Nummer einer Station aus der Liste der Werkzeuge der Maschine verwenden.",
     ),
     "tool-life.over": Text(
-        "Das Werkzeug {name} in Station {station} hat {used:.0f} m gearbeitet, {percent:.0f} % "
-        "seiner Standzeit von {life:.0f} m.",
+        "Das Werkzeug {name} in Station {station} hat {used:.0f} m Linien bearbeitet, "
+        "{percent:.0f} % seiner Standzeit von {life:.0f} m.",
         "Das Werkzeug wechseln und den Wechsel eintragen, oder das Werkzeug prüfen und beim "
         "Bestätigen des Auftrags angeben, warum es im Einsatz bleibt.",
     ),

@@ -8,7 +8,8 @@ from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
     "rest.bound-to-sheet": Text(
-        "Auftrag {job} macht den Rest des einen Bogens, der auf der Maschine {machine} liegt.",
+        "Auftrag {job} macht den Bogen fertig, der auf der Maschine {machine} liegt, also sind "
+        "seine Maschine und seine Anzahl nicht zu ändern.",
         "Ein Exemplar mehr vom ganzen Auftrag bestellen. Dafür sind eine andere Maschine und eine "
         "andere Anzahl möglich.",
     ),
@@ -44,7 +45,8 @@ TEXTS: Final[Texts] = {
         "Eine der Stationen aus der Liste der Bahnen wählen.",
     ),
     "rest.no-such-track": Text(
-        "Das Programm hat keine Bahn {track}. Es hat {count} Bahnen.",
+        "Das Programm hat keine Bahn (ununterbrochener Lauf eines Werkzeugs) mit der Nummer "
+        "{track}. Es hat {count} Bahnen.",
         "Eine Bahn aus der Liste der Bahnen wählen.",
     ),
     "rest.no-tracks": Text(

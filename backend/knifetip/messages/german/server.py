@@ -21,7 +21,7 @@ TEXTS: Final[Texts] = {
     ),
     "server.answered": Text(
         "Die Anfrage an {url} ist mit dem HTTP-Status {status} fehlgeschlagen.",
-        "Die Adresse und das Protokoll des Servers prüfen.",
+        "Die Adresse prüfen. Das Protokoll des Servers enthält die Ursache.",
     ),
     "server.busy": Text(
         "Der Server ist ausgelastet: {waiting:# Anfrage wartet|# Anfragen warten} schon, also "
@@ -42,7 +42,8 @@ TEXTS: Final[Texts] = {
         "Den Fehler mit dem Protokoll des Servers melden.",
     ),
     "server.machine-taken": Text(
-        "Ein anderer Server ({holder}) hat die simulierte Maschine {machine} dieser Datenbank.",
+        "Ein anderer Server ({holder}) betreibt die simulierte Maschine {machine} dieser Datenbank "
+        "schon.",
         "Jenen Server anhalten, ein anderes --database verwenden, oder diesen Server mit "
         "--no-simulator starten.",
     ),
@@ -122,7 +123,7 @@ TEXTS: Final[Texts] = {
         "Den Header X-Knifetip mit beliebigem Wert senden.",
     ),
     "request.order-not-tried": Text(
-        "Diese Bestellung wurde nicht versucht, weil eine davor fehlgeschlagen ist. {reason}",
+        "Diese Bestellung wurde nicht bearbeitet, weil eine davor fehlgeschlagen ist. {reason}",
         "Die Anfrage mit demselben Idempotency-Key noch einmal senden: Was gespeichert ist, wird "
         "nicht doppelt bestellt.",
     ),
@@ -131,14 +132,15 @@ TEXTS: Final[Texts] = {
         "Steuerzeichen entfernen und endliche Zahlen verwenden.",
     ),
     "request.outcome-unknown": Text(
-        "Eine Anfrage mit diesem Idempotency-Key wurde begonnen, und ihr Ergebnis ist nicht "
-        "bekannt.",
-        "Nachsehen, ob sie ausgeführt wurde. Wenn nicht, sie mit einem neuen Schlüssel noch "
-        "einmal senden.",
+        "Eine frühere Anfrage mit diesem Idempotency-Key wurde begonnen, aber es ist nicht "
+        "bekannt, ob sie ausgeführt wurde.",
+        "Nachsehen, ob sie ausgeführt wurde. Wenn nicht, die Anfrage mit einem neuen Schlüssel "
+        "noch einmal senden.",
     ),
     "request.secret-not-kept": Text(
-        "Die Anfrage wurde ausgeführt, und ihre Antwort enthielt ein Geheimnis, das nicht "
-        "aufbewahrt wird: siehe {path}.",
+        "Eine Anfrage mit diesem Idempotency-Key wurde schon ausgeführt. Ihre Antwort enthielt ein "
+        "Geheimnis, das der Server nicht speichert, also kann die Antwort nicht wiederholt werden: "
+        "siehe {path}.",
         "Mit POST {path}/rotate-secret ein neues Geheimnis holen.",
     ),
     "request.wrong-media": Text(

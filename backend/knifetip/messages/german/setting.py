@@ -15,8 +15,8 @@ TEXTS: Final[Texts] = {
         "die Steuerung fährt die Achse schneller, als die Maschinendatei erlaubt",
     ),
     "setting.homes-at-other-end": Text(
-        "die Steuerung nimmt den Ort des Schalters als Nullpunkt, am anderen Ende der Achse als "
-        "die Maschinendatei",
+        "die Steuerung setzt ihren Nullpunkt am Referenzschalter, in der Maschinendatei ist er "
+        "aber am anderen Ende der Achse",
     ),
     "setting.inches": Text(
         "Positionen werden in Zoll gemeldet und würden als Millimeter genommen",
@@ -44,13 +44,14 @@ TEXTS: Final[Texts] = {
         "Vorschubhalt an",
     ),
     "setting.no-rate": Text(
-        "die Achse kann sich nicht bewegen",
+        "die höchste Geschwindigkeit der Achse ist 0, sie kann sich also nicht bewegen",
     ),
     "setting.no-soft-limits": Text(
         "die Steuerung lehnt Bewegungen über ihren Verfahrweg hinaus nicht ab",
     ),
     "setting.no-steps": Text(
-        "die Achse hat keine Schritte je Millimeter oder Grad",
+        "die Anzahl der Schritte je Millimeter oder Grad der Achse ist 0, sie kann sich also nicht "
+        "bewegen",
     ),
     "setting.no-work-offset": Text(
         "Positionen werden ohne den Versatz des Werkstücknullpunkts gemeldet, das Gateway weiß "
@@ -68,8 +69,8 @@ TEXTS: Final[Texts] = {
         "also länger als angegeben",
     ),
     "setting.spindle-limit": Text(
-        "die höchste Drehzahl oder Leistung der Steuerung liegt unter der einer Station, die mit "
-        "weniger laufen würde",
+        "die höchste Drehzahl oder Leistung der Steuerung ist niedriger, als eine Station braucht, "
+        "ihr Werkzeug liefe also langsamer oder mit weniger Leistung",
     ),
     "setting.unit-of-angle": Text(
         "die Winkeleinheit der Steuerung ist nicht Grad",

@@ -18,10 +18,10 @@ TEXTS: Final[Texts] = {
         "Maschinendatei.",
     ),
     "lift.not-stated": Text(
-        "Die Maschinendatei von {machine} nennt kein turn_clearance, also ist der geringste Hub "
-        "nicht bekannt.",
-        "Als Hub den Sicherheitsabstand der Maschine wählen oder turn_clearance in der "
-        "Maschinendatei setzen, zum Beispiel auf 0,5 mm für flach liegenden Karton.",
+        "Die Werkzeuge können zwischen Schnitten nicht weniger als sonst abgehoben werden, weil "
+        "die Maschinendatei von {machine} nicht nennt, wie hoch (turn_clearance).",
+        "Die Werkzeuge auf den Sicherheitsabstand der Maschine abheben lassen oder turn_clearance "
+        "in der Maschinendatei setzen, zum Beispiel auf 0,5 mm für flach liegenden Karton.",
     ),
     "sheet.bad-size": Text(
         "„{text}“ ist keine Bogengröße.",

@@ -36,8 +36,8 @@ TEXTS: Final[Texts] = {
         "{unit}; {scale}",
     ),
     "unit.corner-loops": Text(
-        "bei der Einheit {unit:unit} haben {count} Ecken von Konturen Schleifen von {length:mm} "
-        "mm, wie Programme sie für den Strahl eines Lasers zeichnen",
+        "bei der Einheit {unit:unit} haben die Konturen an {count} Ecken kleine Schleifen von "
+        "{length:mm} mm, wie Programme für Laserschneider sie zeichnen",
     ),
     "unit.dimensions-larger": Text(
         "Bemaßungen in der Zeichnung haben verschiedene Maßstäbe: {count:# Maß ist|# Maße sind} "

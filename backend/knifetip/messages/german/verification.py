@@ -33,14 +33,15 @@ TEXTS: Final[Texts] = {
         "Einschränkung annehmen.",
     ),
     "verify.blade-not-parked": Text(
-        "Das Programm lässt das Schleppmesser von Station {station} mit der Richtung "
-        "{heading:.1f}° stehen, und das nächste Programm beginnt mit {park:g}°.",
+        "Am Ende des Programms steht das Schleppmesser von Station {station} in der Richtung "
+        "{heading:.1f}°, aber das nächste Programm erwartet {park:g}°.",
         "Den Auftrag neu berechnen. Bleibt der Befund, ihn mit der Programmdatei als internen "
         "Fehler melden.",
     ),
     "verify.blade-pushed": Text(
-        "Die Spitze des Schleppmessers wird {length:.2f} mm von seiner Achse weggeschoben. Die "
-        "Klinge kann dort zu beiden Seiten umschlagen oder den Karton reißen.",
+        "Eine Bewegung von {length:.2f} mm schiebt die Spitze des Schleppmessers von seiner Achse "
+        "weg, statt sie zu ziehen. Die Klinge kann dabei zu beiden Seiten umschlagen oder den "
+        "Karton reißen.",
         "Den Auftrag neu berechnen. Bleibt der Befund, ihn mit der Programmdatei als internen "
         "Fehler melden.",
     ),
@@ -271,8 +272,8 @@ TEXTS: Final[Texts] = {
         "kreuzen, sie in der Zeichnung an den Kreuzungen teilen.",
     ),
     "verify.made-before": Text(
-        "Station {station} bearbeitet bei X{x:.3f} Y{y:.3f} (Koordinaten des Bogens) {length:.3f} "
-        "mm noch einmal, die ein früheres Programm auf diesem Bogen schon gemacht hat.",
+        "Station {station} bearbeitet {length:.3f} mm bei X{x:.3f} Y{y:.3f} (Koordinaten des "
+        "Bogens), obwohl ein früheres Programm diese Linie auf dem Bogen schon gemacht hat.",
         "Ab einer späteren Kontur fortsetzen oder einen neuen Bogen beginnen.",
     ),
     "verify.narrow-cuts": Text(
@@ -286,8 +287,8 @@ TEXTS: Final[Texts] = {
         "schmale Streifen dazwischen wird zerdrückt oder reißt ab.",
     ),
     "verify.narrow-rim": Text(
-        "Der Rand des Rillrads von {width:g} mm ist für {caliper:g} mm dicken Karton schmal: Er "
-        "kann die Oberseite aufschneiden, statt sie einzudrücken.",
+        "Das Rillrad hat einen Rand von {width:g} mm, der für {caliper:g} mm dicken Karton schmal "
+        "ist: Er kann die Oberseite aufschneiden, statt sie einzudrücken.",
         "Ein Rillrad mit einem Rand von mindestens {least:g} mm einsetzen.",
     ),
     "verify.narrow-slits": Text(
@@ -300,8 +301,9 @@ TEXTS: Final[Texts] = {
         "haben.",
     ),
     "verify.not-acceptable": Text(
-        "Der Befund {code} an Kante {edge} kann nicht angenommen werden, weil er keine "
-        "Einschränkung ist.",
+        "Der Befund {code} an Kante {edge} ist keine Einschränkung, kann also nicht angenommen "
+        "werden. Eine Einschränkung ist eine Linie, die das Werkzeug nicht genau wie gezeichnet "
+        "machen kann.",
         "Die Zeichnung, das Werkzeug oder das Material ändern und den Auftrag neu berechnen.",
     ),
     "verify.not-worked": Text(
@@ -457,10 +459,10 @@ TEXTS: Final[Texts] = {
         ", beginnend {place:.3f} mm ab Anfang der Kante",
     ),
     "verify.where-past-end": Text(
-        ": Das Werkzeug muss den Karton auch hinter dem Ende der Kante bearbeiten",
+        "; das Werkzeug muss den Karton auch hinter dem Ende der Kante bearbeiten",
     ),
     "verify.where-past-start": Text(
-        ": Das Werkzeug muss den Karton auch vor dem Anfang der Kante bearbeiten",
+        "; das Werkzeug muss den Karton auch vor dem Anfang der Kante bearbeiten",
     ),
     "verify.wide-slit": Text(
         "Der Fräser macht {length:.3f} mm des Schlitzes {width:.2f} mm breit, weil seine Mitte "

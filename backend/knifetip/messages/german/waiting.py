@@ -30,11 +30,10 @@ TEXTS: Final[Texts] = {
         "{reason:hint}",
     ),
     "waiting.for-end": Text(
-        "Das ganze Programm wurde an {machine} gesendet, die nicht meldet, wann sie es ausgeführt "
-        "hat.",
-        "Wenn die Maschine fertig ist und steht, dies an der Maschine melden (Befehl end): Das "
-        "Exemplar ist dann fertig. Hat die Maschine das Programm nicht beendet, den Auftrag "
-        "abbrechen.",
+        "Das ganze Programm wurde an {machine} gesendet, die nicht meldet, wann sie fertig ist.",
+        "Wenn die Maschine fertig ist und steht, dies auf der Seite der Station oder mit knifetip "
+        "job end bestätigen: Das Exemplar ist dann fertig. Hat die Maschine das Programm nicht "
+        "beendet, den Auftrag abbrechen.",
     ),
     "waiting.for-gateway": Text(
         "Der Auftrag wartet, weil das Gateway von {machine} (das Programm, das Aufträge an die "

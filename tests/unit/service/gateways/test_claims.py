@@ -701,6 +701,6 @@ def test_a_confirmation_names_the_stations_that_were_checked(store: Store) -> No
     with pytest.raises(WrongState) as refused:
         store.operators.confirm(job.id, checked)
     assert refused.value.message.code == "job.not-checked"
-    assert "station-2 (Station 2 holds Wheel, and it is whole.)" in str(refused.value)
+    assert "station-2 (Station 2 holds Wheel, and the tool is not damaged.)" in str(refused.value)
     assert store.jobs.get(job.id).confirmation == "awaited"
     assert store.operators.confirm(job.id, [*checked, "station-2"]).confirmation == "given"

@@ -225,8 +225,8 @@ def test_a_confirmation_without_one_of_the_checks_is_refused_and_names_it(
     assert checks == {
         "board": "The board on the table is Corrugated, E-flute 1.6 mm, 1.6 mm thick.",
         "sheet": "A sheet that is larger than the drawing lies in its place: the lower left corner "
-        "of the drawing comes to X 20, Y 20 mm.",
-        "station-1": "Station 1 holds Oscillating knife, and it is whole.",
+        "of the drawing lies at X 20, Y 20 mm.",
+        "station-1": "Station 1 holds Oscillating knife, and the tool is not damaged.",
         "table-clear": "Nothing lies on the table except the sheet.",
         "hands-clear": "Hands and people are clear of the machine.",
     }

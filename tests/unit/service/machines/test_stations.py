@@ -310,7 +310,9 @@ def test_a_run_above_the_board_is_shown_and_needs_a_job_that_waits(client: httpx
     }
     report(client, operations=["dry_run", "frame", "hold"], activity=failed)
     shown = client.get(f"/api/machines/{MACHINE}/station").json()["activity"]
-    assert shown.pop("message")["text"].startswith("The program of the job does no work")
+    assert shown.pop("message")["text"].startswith(
+        "The program of the job does not touch the board"
+    )
     del failed["message"]
     assert shown == failed
     for name in ("dry_run", "frame"):

@@ -155,7 +155,7 @@ def test_the_feed_states_its_checks_and_the_rest_is_left_to_a_person(store: Stor
         if event.message is not None and event.message.code == "job.stated-by-feed"
     ]
     text = (
-        "Stated by the automatic feed: sheet (a sheet of the stack lies in its place); "
+        "The automatic sheet feed confirmed: sheet (a sheet of the stack lies in its place); "
         "table-clear (the sheet before it was removed)."
     )
     assert stated == [("operator", text), ("gateway gateway", text)]
