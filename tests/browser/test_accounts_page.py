@@ -127,7 +127,7 @@ def test_an_administrator_manages_users_and_keys(
         expect(users.get_by_role("status")).to_contain_text("User dora created.")
         page.get_by_role("tab", name="API keys").click()
         keys = page.get_by_test_id("keys")
-        keys.get_by_label("Used by").fill("ERP <b>")
+        keys.get_by_label("Title of the key").fill("ERP <b>")
         keys.get_by_role("button", name="Create a key").click()
         secret = page.get_by_test_id("key-secret").inner_text().strip()
         page.screenshot(path=screenshots / "account-keys.png")

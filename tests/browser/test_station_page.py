@@ -438,7 +438,7 @@ def test_a_waiting_job_is_run_above_the_board_by_touch(
     record_view(page, screenshots / f"{name}-8-dry-run-offered.png")
     tap_operation(page, "operation-dry_run")
     expect(state).to_have_text("Dry run")
-    assert_done(page, "Begin dry run")
+    assert_done(page, "Start dry run")
     expect(page.get_by_test_id("station-start")).to_be_disabled()
     expect(page.get_by_test_id("dry-run-progress")).to_be_visible()
     # The page may show the activity before the next report states it.

@@ -6291,7 +6291,7 @@ export const TEXTS = {
     "hint": "Read the findings again: the drawing or the program may have changed since."
   },
   "verify.not-acceptable": {
-    "text": "The finding {code} at edge {edge} is an error, which cannot be accepted. Only shortfalls (lines that the tool cannot make exactly as drawn) can be accepted.",
+    "text": "The finding {code} at edge {edge} is no shortfall, so it cannot be accepted. A shortfall is a line that the tool cannot make exactly as drawn.",
     "hint": "Change the drawing, the tool or the board, and compile the job again."
   },
   "verify.not-worked": {

@@ -6,7 +6,7 @@ const LOOK = { layer: "q7", colour: 5, true_colour: -1, linetype: "dashed", line
 describe("a look", () => {
   test("is named by its layer, or by its lack of a meaning", () => {
     expect(lookTitle(LOOK)).toBe("Layer q7");
-    expect(lookTitle({ ...LOOK, layer: "" })).toBe("Layers without a meaning");
+    expect(lookTitle({ ...LOOK, layer: "" })).toBe("Layers whose name suggests no line type");
   });
 
   test("shows a line width only where widths matter, and a true colour as it is", () => {

@@ -95,7 +95,7 @@ describe("a machine that is held without a job", () => {
   });
   test("holds nothing at rest", () => {
     const free = held({ state: "idle", obstacle: null });
-    expect(reasonAgainst("release", free, MACHINE, undefined)).toBe("Nothing is held.");
+    expect(reasonAgainst("release", free, MACHINE, undefined)).toBe("No program is on hold.");
   });
   test("names the age of an old report", () => {
     expect(ageText(station({}))).toBe("");
@@ -136,9 +136,9 @@ describe("a run above the board", () => {
       reasonAgainst(word, above(state), MACHINE, waits);
     expect([reason("hold", "running"), reason("resume", "running")]).toEqual([
       null,
-      "Nothing is held.",
+      "No program is on hold.",
     ]);
-    expect([reason("hold", "held"), reason("resume", "held")]).toEqual(["Nothing runs.", null]);
+    expect([reason("hold", "held"), reason("resume", "held")]).toEqual(["No program runs.", null]);
     expect(reason("jog", "running")).toContain("above the board");
   });
 });

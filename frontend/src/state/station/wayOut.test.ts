@@ -79,7 +79,7 @@ describe.each(NAMED)("%s", (_, row) => {
     test("names the state unless nothing is in the way", () => {
       if (row.free.code === "") return;
       if (row.state !== "idle") expect(titleOf(station, waiting).title).toBe(row.title);
-      expect(headingOf(station, waiting)).toMatch(/^(Alarm|The machine takes no job)$/);
+      expect(headingOf(station, waiting)).toMatch(/^(Alarm|The machine cannot take a job)$/);
     });
     test("starts nothing before the machine is free", () => {
       if (waiting === undefined) return;
@@ -112,7 +112,7 @@ describe.each(NAMED)("%s", (_, row) => {
     expect(ways).toEqual(row.cut.ways);
     if (row.cut.code !== "") {
       expect(titleOf(station, cut).title).toBe(row.title);
-      expect(headingOf(station, cut)).toBe("The job does not move");
+      expect(headingOf(station, cut)).toBe("The job cannot continue");
     }
   });
 });
