@@ -143,7 +143,7 @@ def import_profile(
         print_line(in_words(Message("output.profile-not-stored")))
         return
     if profile_name in load.names("profiles"):
-        raise LibraryError("profile.shipped-command", name=profile_name)
+        raise LibraryError("library.shipped", shelf="profile", name=profile_name)
     from knifetip.service.store import Store
 
     store = Store(url)

@@ -31,7 +31,7 @@ def check_name(name: str) -> str:
         The name is not valid.
     """
     if not is_name(name):
-        raise ProfileError("profile.bad-name", name=name[:80], source=("name",))
+        raise ProfileError("library.bad-name", shelf="profile", name=name[:80], source=("name",))
     return name
 
 

@@ -144,7 +144,7 @@ class _ShapeReader:
     def _not_read(self, one: ProjectShape, matrix: Matrix, layer: str) -> Message:
         """Return the reason for leaving out a shape of another type; keep the words of a text."""
         if one.kind == "Bitmap":
-            return Message("import.picture")
+            return Message("import.image")
         if one.kind != "Text":
             return Message("import.lightburn-shape", kind=one.kind[:40])
         words = one.attributes.get("Str", "").strip()

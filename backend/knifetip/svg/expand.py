@@ -66,12 +66,12 @@ _NOT_DRAWN: Final = frozenset(
     )
 )
 _TEXT: Final = Message("import.text")
-_PICTURE: Final = Message("import.picture")
+_IMAGE: Final = Message("import.image")
 _REASONS: Final = {
     "text": _TEXT,
     "flowRoot": _TEXT,
-    "image": _PICTURE,
-    "video": _PICTURE,
+    "image": _IMAGE,
+    "video": _IMAGE,
     "foreignObject": Message("import.not-svg"),
     "script": Message("import.script"),
 }

@@ -78,7 +78,7 @@ def test_every_command_finds_a_stored_profile(
     [
         ("wrong.toml", "title = 'x'\n[[rule]]\ntype = 'glue'", "rule 1 → type is 'glue'"),
         ("latin.toml", "title = 'M\xfcller'", "not UTF-8 text"),
-        ("a b.toml", ACME, "is not a valid profile name"),
+        ("a b.toml", ACME, "is not a valid name of a profile"),
     ],
 )
 def test_an_invalid_profile_is_refused(

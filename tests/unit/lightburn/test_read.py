@@ -224,7 +224,7 @@ def test_texts_and_pictures_are_left_out() -> None:
     assert len(drawing) == 1
     assert list(report_reasons(drawing)) == [
         "the object is a text, which is not cut",
-        "the object is a picture, which is not cut",
+        "the object is an image, which is not cut",
         "the object was imported unchanged",
     ]
     (words,) = drawing.annotations

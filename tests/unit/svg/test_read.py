@@ -477,7 +477,7 @@ def test_damaged_elements_are_reported_and_the_others_are_read() -> None:
     assert reason["f"] == "the object lies outside the visible area of the page"
     assert reason["g"].startswith("a coordinate of the object is 2E300")
     assert reason["h"] == "the radius of the object is 0, but must be greater than 0"
-    assert reason["j"] == "the object is a picture, which is not cut"
+    assert reason["j"] == "the object is an image, which is not cut"
     assert reason["k"] == "the content of the object is not SVG"
     assert reason["l"] == "the object is in another file, 'other.svg#x', which is not loaded"
     assert (

@@ -449,9 +449,6 @@ MESSAGES: Final[Entries] = {
     "import.partly-outside-page": entry(
         "a part of the object lies outside the visible area of the page",
     ),
-    "import.picture": entry(
-        "the object is a picture, which is not cut",
-    ),
     "import.picture-block": entry(
         "the block {block} with {entities:# object|# objects} is the graphic of a dimension or "
         "a hatch, which is not cut",

@@ -130,11 +130,6 @@ MESSAGES: Final[Entries] = {
         job="text",
         lines="count",
     ),
-    "job.gateway-fell-silent": entry(
-        "The gateway {gateway} stopped responding.",
-        "Check the computer of the gateway and its network connection.",
-        gateway="text",
-    ),
     "job.gateway-lost": entry(
         "The gateway {gateway} stopped responding.",
         "Check the computer of the gateway and its network connection.",

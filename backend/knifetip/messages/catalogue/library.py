@@ -193,18 +193,6 @@ MESSAGES: Final[Entries] = {
         name="text",
         detail="text",
     ),
-    "profile.bad-name": entry(
-        "{name!r} is not a valid profile name.",
-        "Use up to 64 lower-case letters, digits, hyphens and underscores. Write other "
-        "characters into the title of the profile.",
-        name="text",
-    ),
-    "profile.exists": entry(
-        "A profile with the name {name} already exists, at version {version}.",
-        'Send If-Match: "{version}" to replace this profile, or choose another name.',
-        name="text",
-        version="count",
-    ),
     "profile.invalid-field": entry(
         "The profile cannot be read: {fault}.",
         "See ProfileIn in /api/openapi.json for the expected fields.",
@@ -237,30 +225,6 @@ MESSAGES: Final[Entries] = {
         "The file {name} is not UTF-8 text.",
         "Save the file as UTF-8.",
         name="text",
-    ),
-    "profile.not-utf8-byte": entry(
-        "The profile {name!r} is not UTF-8 text: byte {byte} is invalid.",
-        "Save the file as UTF-8.",
-        name="text",
-        byte="count",
-    ),
-    "profile.shipped": entry(
-        "The profile {name!r} is part of knifetip and cannot be changed.",
-        "Save your profile under another name. It can extend {name!r}.",
-        name="text",
-    ),
-    "profile.shipped-command": entry(
-        "The profile {name!r} is part of knifetip and cannot be changed.",
-        "Choose another name with --name.",
-        name="text",
-    ),
-    "profile.stale": entry(
-        "Another user has changed the profile {name}: it is now at version {version}, but your "
-        "change is based on version {given}.",
-        'Load the profile again and check it. Then send your change with If-Match: "{version}".',
-        name="text",
-        version="count",
-        given="count",
     ),
     "profile.too-long": entry(
         "The profile {name!r} has a size of {size} kB, but the limit is {limit} kB.",

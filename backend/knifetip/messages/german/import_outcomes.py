@@ -411,9 +411,6 @@ TEXTS: Final[Texts] = {
     "import.partly-outside-page": Text(
         "ein Teil des Objekts liegt außerhalb des sichtbaren Bereichs der Seite",
     ),
-    "import.picture": Text(
-        "das Objekt ist ein Bild und wird nicht geschnitten",
-    ),
     "import.picture-block": Text(
         "der Block {block} mit {entities:# Objekt|# Objekten} ist die Darstellung einer Bemaßung "
         "oder Schraffur und wird nicht geschnitten",

@@ -108,10 +108,6 @@ TEXTS: Final[Texts] = {
         "Den Tisch prüfen. Ist der Bogen vollständig, den Auftrag als fertig melden, sonst ihn "
         "verwerfen.",
     ),
-    "job.gateway-fell-silent": Text(
-        "Das Gateway {gateway} antwortet nicht mehr.",
-        "Den Rechner des Gateways und seine Netzwerkverbindung prüfen.",
-    ),
     "job.gateway-lost": Text(
         "Das Gateway {gateway} antwortet nicht mehr.",
         "Den Rechner des Gateways und seine Netzwerkverbindung prüfen.",

@@ -120,15 +120,6 @@ TEXTS: Final[Texts] = {
         "{shelf:shelf} „{name}“ kann nicht gelesen werden: {detail}.",
         "Die TOML-Datei berichtigen.",
     ),
-    "profile.bad-name": Text(
-        "„{name}“ ist kein gültiger Profilname.",
-        "Bis zu 64 Kleinbuchstaben, Ziffern, Binde- und Unterstriche verwenden. Andere Zeichen "
-        "gehören in den Titel des Profils.",
-    ),
-    "profile.exists": Text(
-        "Ein Profil mit dem Namen {name} gibt es schon, in Version {version}.",
-        'Zum Ersetzen If-Match: "{version}" senden oder einen anderen Namen wählen.',
-    ),
     "profile.invalid-field": Text(
         "Das Profil kann nicht gelesen werden: {fault}.",
         "Die erwarteten Felder stehen unter ProfileIn in /api/openapi.json.",
@@ -153,24 +144,6 @@ TEXTS: Final[Texts] = {
     "profile.not-utf8": Text(
         "Die Datei {name} ist kein UTF-8-Text.",
         "Die Datei als UTF-8 speichern.",
-    ),
-    "profile.not-utf8-byte": Text(
-        "Das Profil „{name}“ ist kein UTF-8-Text: Byte {byte} ist ungültig.",
-        "Die Datei als UTF-8 speichern.",
-    ),
-    "profile.shipped": Text(
-        "Das Profil „{name}“ ist Teil von knifetip und kann nicht geändert werden.",
-        "Das eigene Profil unter anderem Namen speichern. Es kann „{name}“ erweitern.",
-    ),
-    "profile.shipped-command": Text(
-        "Das Profil „{name}“ ist Teil von knifetip und kann nicht geändert werden.",
-        "Mit --name einen anderen Namen wählen.",
-    ),
-    "profile.stale": Text(
-        "Ein anderer Benutzer hat das Profil {name} geändert: Es hat jetzt Version {version}, "
-        "Ihre Änderung beruht auf Version {given}.",
-        'Das Profil noch einmal laden und prüfen. Dann die Änderung mit If-Match: "{version}" '
-        "senden.",
     ),
     "profile.too-long": Text(
         "Das Profil „{name}“ ist {size} kB groß, erlaubt sind {limit} kB.",

@@ -109,6 +109,6 @@ NAMES: Final[Names] = {
         "lift": "Werkzeug heben",
         "feed_override": "Vorschub ändern",
     },
-    "shelf": {"machine": "Maschine", "board": "Material", "tool": "Werkzeug"},
+    "shelf": {"machine": "Maschine", "board": "Material", "tool": "Werkzeug", "profile": "Profil"},
     "kind": {"drawing": "Zeichnung", "job": "Auftrag"},
 }

@@ -37,4 +37,4 @@ def customer_rules(service: Service, name: str) -> str:
 def require_customer_profile(service: Service, name: str) -> None:
     """Raise WrongState if the profile ``name`` belongs to the library and so cannot be changed."""
     if name in load.names("profiles") and service.store.profiles.get(name) is None:
-        raise WrongState("profile.shipped", name=name)
+        raise WrongState("library.shipped", shelf="profile", name=name)

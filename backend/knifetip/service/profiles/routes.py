@@ -242,7 +242,9 @@ def _text(name: str, body: bytes) -> str:
     try:
         return body.decode("utf-8-sig")
     except UnicodeDecodeError as reason:
-        raise ProfileError("profile.not-utf8-byte", name=name, byte=reason.start) from reason
+        raise ProfileError(
+            "library.not-utf8", shelf="profile", name=name, byte=reason.start
+        ) from reason
 
 
 def _shipped_out(name: str) -> ProfileOut:

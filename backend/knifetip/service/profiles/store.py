@@ -127,5 +127,13 @@ class ProfileStore:
         if found is None:
             return NotFound("profile.not-kept", name=short(name))
         if version is None:
-            return WrongState("profile.exists", name=short(name), version=found.version)
-        return StaleVersion("profile.stale", name=short(name), version=found.version, given=version)
+            return WrongState(
+                "library.exists", shelf="profile", name=short(name), version=found.version
+            )
+        return StaleVersion(
+            "library.stale",
+            shelf="profile",
+            name=short(name),
+            version=found.version,
+            given=version,
+        )

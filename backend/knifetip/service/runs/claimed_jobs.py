@@ -167,7 +167,7 @@ def silent_gateway_message(gateway: str) -> Message:
     gateway
         Name of the gateway.
     """
-    return Message("job.gateway-fell-silent", gateway=gateway)
+    return Message("job.gateway-lost", gateway=gateway)
 
 
 def is_claimed(row: Job) -> bool:
