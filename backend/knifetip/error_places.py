@@ -25,7 +25,7 @@ _SHOWN: Final = 10
 def located_errors(
     drawing: Drawing, cleaned: Cleaned | None = None, offset: tuple[float, float] = (0.0, 0.0)
 ) -> Iterator[None]:
-    """Return a context whose errors get the drawn edges that they concern, and places there.
+    """Return a context that adds to errors the drawn edges that they concern and positions on them.
 
     The rows of edges in ``error.edges`` and in the message become rows of the drawing, and
     ``error.source`` the handles of their entities.

@@ -234,7 +234,7 @@ def fault_message(
 
 
 def _kind(fault: ErrorDetails) -> str:
-    """Return the kind of an error; the length of a text is one of characters, not of values."""
+    """Return the kind of an error; texts that are too short or too long have kinds of their own."""
     kind = fault["type"]
     if kind in ("too_short", "too_long") and isinstance(fault.get("input"), str):
         return f"string_{kind}"

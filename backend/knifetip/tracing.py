@@ -105,7 +105,7 @@ class Exporter(Protocol):
     def span(
         self, name: str, kind: str, parent: str | None, attributes: Attributes
     ) -> AbstractContextManager[Span]:
-        """Return a context whose current span is a new one, which ends with it.
+        """Return a context in which a new span is the current one; the span ends with the context.
 
         Parameters
         ----------

@@ -66,7 +66,7 @@ def follow_answers(drawing: Drawing, decided: Dieline, dieline: Dieline, overrid
     doubtful = np.bincount(look[other], minlength=count) > 0
     # An edge whose shape suggests another line type stays open, unless the user has refused this
     # suggestion for an edge of its look.
-    guess = _suggested(decided)
+    guess = _suggested_types(decided)
     refused = np.zeros((count, len(LineType)), np.bool_)
     refused[look[answered], guess[answered]] = True
     agrees = (guess == LineType.UNCLASSIFIED) | (guess == kind[look]) | refused[look, guess]
@@ -84,7 +84,7 @@ def follow_answers(drawing: Drawing, decided: Dieline, dieline: Dieline, overrid
     )
 
 
-def _suggested(dieline: Dieline) -> U8:
+def _suggested_types(dieline: Dieline) -> U8:
     """Return the line type that the drawing suggests for each open edge, (n,) uint8; 0 for none."""
     first = np.array([one[0] if one else 0 for one in dieline.alternatives] or [0], np.uint8)
     suggested: U8 = np.where(dieline.rule >= 0, first[np.maximum(dieline.rule, 0)], 0)

@@ -38,7 +38,7 @@ _FAR: Final = 1e9
 
 
 class Extent(IntEnum):
-    """How much is cleaned; each extent leaves out a step of the next one."""
+    """How much cleaning may change; each extent omits one step of the extent after it."""
 
     NOTHING = 0  #: all edges stay as they are drawn
     SEPARATE = 1  #: edges that nearly coincide stay two edges

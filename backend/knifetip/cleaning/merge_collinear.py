@@ -495,7 +495,7 @@ def _longest_fit(
     if i + 1 < count:
         carried = run[i, 5]
         if abs(bulge) < BULGE:
-            end = longest_line(run, i, count, _remaining(join, fitted, carried))
+            end = longest_line(run, i, count, _permitted_move(join, fitted, carried))
             if end > best:
                 best, bulge, far = end, 0.0, greatest_distance(run, i, end, 0.0)
         else:
@@ -510,7 +510,7 @@ def _longest_fit(
                 code = math.tan(sum_)
                 off = greatest_distance(run, i, end + 1, code)
                 carried = max(carried, run[end, 5])
-                if off > _remaining(join, fitted, carried):
+                if off > _permitted_move(join, fitted, carried):
                     break
                 end += 1
                 best, bulge, far = end, code, off
@@ -539,8 +539,10 @@ def _longest_fit(
 
 
 @inline_kernel
-def _remaining(join: float, fitted: float, carried: float) -> float:
-    """Return by how much an edge may be moved that is ``carried`` mm away from a curve (mm)."""
+def _permitted_move(join: float, fitted: float, carried: float) -> float:
+    """Return the distance by which an edge may still be moved (mm).  ``carried`` is its distance
+    from the curve that it replaces (mm).
+    """
     return min(join, fitted - carried) if carried > 0.0 else join
 
 

@@ -227,7 +227,7 @@ def _duplicates(ends: F64, bulge: F64, kind: U8) -> I64:
 
 
 @inline_kernel
-def _covered(
+def _find_covered_stretch(
     rows: F64_2,
     e: int,
     piece: F64_2,
@@ -312,9 +312,9 @@ def _add_stretch(
 
 
 @inline_kernel
-def _within(apart: float, same: float) -> float:
-    """Return the length of an edge beyond the end of another one, ``apart`` mm beside it, that is
-    still within ``same`` mm of this end.
+def _length_beyond_end(apart: float, same: float) -> float:
+    """Return how far an edge that runs ``apart`` mm beside another edge continues past the end of
+    that edge before it is more than ``same`` mm away from this end (mm).
     """
     return math.sqrt(max(same * same - apart * apart, 0.0))
 
@@ -372,7 +372,9 @@ def _remove(
                 continue
             for p in range(first[f], last[f]):
                 claim = reserve_f64_2(claim, claims + 1)
-                claims += _covered(rows, e, piece, p, length, same, is_near, claim[claims])
+                claims += _find_covered_stretch(
+                    rows, e, piece, p, length, same, is_near, claim[claims]
+                )
         piece = reserve_f64_2(piece, pieces + claims + 1)
         owner = reserve_i64_2(owner, pieces + claims + 1)
         cover = reserve_f64_2(cover, stretches + 2 * claims + 3)
@@ -406,7 +408,7 @@ def _remove(
                     ex, ey = rows[e, 0], rows[e, 1]
             neglected = same
             if is_near and here > 0.0 and step < claims:
-                neglected = _within(apart, same)
+                neglected = _length_beyond_end(apart, same)
             if (low - here) * length > neglected and math.hypot(ex - x, ey - y) > neglected:
                 piece[pieces, 0] = x
                 piece[pieces, 1] = y
@@ -422,7 +424,7 @@ def _remove(
                 # A remainder below the tolerance is added to the previous stretch.
                 reached = 1.0
                 if is_near:
-                    reached = min(1.0, here + _within(moved, same) / length)
+                    reached = min(1.0, here + _length_beyond_end(moved, same) / length)
                 cover[stretches - 1, 1] = reached
                 if (1.0 - reached) * length > POINT:
                     stretches = _add_stretch(cover, source, stretches, reached, 1.0, e, -1, True)
@@ -431,7 +433,7 @@ def _remove(
             if step < claims and high > here:
                 high = min(high, 1.0)
                 if is_near and here == 0.0 and low > 0.0:
-                    begin = max(0.0, low - _within(apart, same) / length)
+                    begin = max(0.0, low - _length_beyond_end(apart, same) / length)
                     if begin * length > POINT:
                         stretches = _add_stretch(cover, source, stretches, 0.0, begin, e, -1, True)
                         here = begin

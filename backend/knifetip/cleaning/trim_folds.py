@@ -69,7 +69,7 @@ class _Contours:
     doubtful: F64  #: (4,) mm, rectangle around these signs: least x and y, greatest x and y
 
     def is_doubtful(self, points: F64) -> Bool:
-        """Return the mask of the points in the rectangle around the signs of open outlines, (m,).
+        """Return the mask of the points near which the outline of a panel may be open, (m,).
 
         ``points`` is (m, 2) mm.
         """
@@ -201,7 +201,7 @@ def _find_contours(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> tuple[_Cont
     ``folds`` (m, 2, 2) mm and (m,): ends and bulges of the folds that no cut divides.
     Raises ``PlanError``: the bounding boxes of more than five million pairs of cuts overlap.
     """
-    exact = _with_doubts(*split_at_crossings(ends, bulge)[:2], folds)
+    exact = _mark_doubtful_area(*split_at_crossings(ends, bulge)[:2], folds)
     links = closing_links(ends, bulge, find_dangling_ends(ends, bulge), CONTOUR_GAP)
     links = links[np.hypot(*(links[:, 1] - links[:, 0]).T) <= _NEAR]
     if len(links) == 0:
@@ -209,10 +209,10 @@ def _find_contours(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> tuple[_Cont
     pieces, bent, _ = split_at_crossings(
         np.concatenate([ends, links]), np.concatenate([bulge, np.zeros(len(links))])
     )
-    return _with_doubts(pieces, bent, folds), exact
+    return _mark_doubtful_area(pieces, bent, folds), exact
 
 
-def _with_doubts(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> _Contours:
+def _mark_doubtful_area(ends: F64, bulge: F64, folds: tuple[F64, F64]) -> _Contours:
     """Return the contours that pieces of cuts form, with the rectangle in which panels are
     doubtful.
 
@@ -336,7 +336,8 @@ def _find_dropped(ends: F64, bulge: F64, parts: _Parts, on_panel: Bool, in_waste
 def _without_doubtful_passages(
     ends: F64, bulge: F64, parts: _Parts, overshoot: Bool, passage: Bool
 ) -> Bool:
-    """Return the mask of the dropped pieces, (q,), without passages beside overshoots in form.
+    """Return the mask of the pieces to drop, (q,), without doubtful passages.  A passage is
+    doubtful if it lies beside a remaining piece that looks like an overshoot.
 
     These are remaining pieces of folds that are short and have an end that no other piece touches.
     A passage that is not dropped may touch such ends of other folds, so they are searched again.

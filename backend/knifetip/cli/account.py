@@ -48,7 +48,7 @@ def _opened(database: str) -> Iterator[Store]:
 
 
 @contextmanager
-def _changing(database: str, action: str) -> Iterator[Store]:
+def _open_for_change(database: str, action: str) -> Iterator[Store]:
     """Open a database for a change that gets an entry in the audit log, as a request does.
 
     ``database``: URL of the database.
@@ -79,7 +79,7 @@ def _password() -> str:
 def add_user(name: UserName, role: Role = AccessScope.VIEWER, *, chosen: DatabaseSettings) -> None:
     """Add a user; the password is read from a prompt or from stdin."""
     password = _password()
-    with _changing(chosen.url, "create_user") as store:
+    with _open_for_change(chosen.url, "create_user") as store:
         row = store.users.add(name, password, role, "command line")
     typer.echo(f"{row.name}: {row.role}")
 
@@ -106,7 +106,7 @@ def list_users(as_json: Json = False, *, chosen: DatabaseSettings) -> None:
 def set_password(name: UserName, *, chosen: DatabaseSettings) -> None:
     """Set a new password, read from a prompt or from stdin; the user's sessions end."""
     password = _password()
-    with _changing(chosen.url, "change_user") as store:
+    with _open_for_change(chosen.url, "change_user") as store:
         store.users.change(name, password=password)
 
 
@@ -117,19 +117,19 @@ def set_role(
     chosen: DatabaseSettings,
 ) -> None:
     """Set the role of a user; the user's sessions end."""
-    with _changing(chosen.url, "change_user") as store:
+    with _open_for_change(chosen.url, "change_user") as store:
         store.users.change(name, role=role)
 
 
 def disable_user(name: UserName, *, chosen: DatabaseSettings) -> None:
     """Disable a user; the user's sessions end."""
-    with _changing(chosen.url, "change_user") as store:
+    with _open_for_change(chosen.url, "change_user") as store:
         store.users.change(name, active=False)
 
 
 def enable_user(name: UserName, *, chosen: DatabaseSettings) -> None:
     """Enable a disabled user."""
-    with _changing(chosen.url, "change_user") as store:
+    with _open_for_change(chosen.url, "change_user") as store:
         store.users.change(name, active=True)
 
 
@@ -170,7 +170,7 @@ def create_key(
     from knifetip.service.database.key_limits import KeyLimits  # imports the database
 
     expires = None if days is None else time.time() + days * _DAY
-    with _changing(chosen.url, "create_key") as store, ExitStack() as stack:
+    with _open_for_change(chosen.url, "create_key") as store, ExitStack() as stack:
         for name in machine or ():
             store.library.definition(Shelf.MACHINES, name)
         limits = KeyLimits(customer, frozenset(machine or ()))
@@ -227,7 +227,7 @@ def rotate_key(
     chosen: DatabaseSettings,
 ) -> None:
     """Give an API key a new secret, and print it or write it to a file; it keeps its jobs."""
-    with _changing(chosen.url, "rotate_key_secret") as store, ExitStack() as stack:
+    with _open_for_change(chosen.url, "rotate_key_secret") as store, ExitStack() as stack:
         new_file = None
         if file is not None:
             from knifetip.cli.key_file import NewKeyFile  # imports the database
@@ -247,7 +247,7 @@ def revoke_key(
     chosen: DatabaseSettings,
 ) -> None:
     """Revoke an API key."""
-    with _changing(chosen.url, "revoke_key") as store:
+    with _open_for_change(chosen.url, "revoke_key") as store:
         store.keys.revoke(id)
 
 

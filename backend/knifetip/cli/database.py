@@ -47,7 +47,7 @@ def register(app: typer.Typer) -> None:
 
 def show_schema(chosen: DatabaseSettings) -> None:
     """Print the revision of the tables, and the version of knifetip that made them."""
-    with closing(_open_existing(chosen)) as database:
+    with closing(_open_existing_database(chosen)) as database:
         print_line(in_words(_describe(database.schema())))
 
 
@@ -58,7 +58,7 @@ def check_schema(chosen: DatabaseSettings) -> None:
     """
     from knifetip.service.database.schema import require_known
 
-    with closing(_open_existing(chosen)) as database:
+    with closing(_open_existing_database(chosen)) as database:
         found = database.schema()
         require_known(found, database.url)
         print_line(in_words(_describe(found)))
@@ -150,7 +150,7 @@ def _describe(found: Schema) -> Message:
     return Message(code, revision=found.revision, writer=writer, newest=found.newest)
 
 
-def _open_existing(chosen: DatabaseSettings) -> Database:
+def _open_existing_database(chosen: DatabaseSettings) -> Database:
     """Return a database; a missing SQLite database is not created."""
     from knifetip.service.database.engine import Database
     from knifetip.service.database.url import sqlite_file

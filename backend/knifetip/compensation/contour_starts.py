@@ -75,7 +75,7 @@ def _knife_starts(operation: Operation, closed: Bool) -> ContourStarts:
     shortest = np.maximum(SHORTEST_START, _OVERRUN_FACTOR * blade.lead(1.0) * depth)
     allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth, operation.endable))
     allowed[paths.first[:-1]] |= ~closed
-    rows = _limited(_as_fixed(allowed, operation), paths)
+    rows = _limit_starts(_keep_chosen_starts(allowed, operation), paths)
     entry, leave = np.empty((len(rows), 3)), np.empty((len(rows), 3))
     in_middle = (smooth & (operation.starts < 0))[owner[rows]]
     middles = np.flatnonzero(in_middle)
@@ -111,7 +111,7 @@ def _disc_starts(operation: Operation, cutter: DiscTool, closed: Bool) -> Contou
     smooth = closed & (np.bincount(owner[corner], minlength=len(paths)) == 0)
     allowed = corner | (smooth[owner] & _long_segments(paths, shortest, smooth, operation.endable))
     allowed[paths.first[:-1]] |= ~closed
-    rows = _limited(_as_fixed(allowed, operation), paths)
+    rows = _limit_starts(_keep_chosen_starts(allowed, operation), paths)
     last = paths.first[1:][owner[rows]] - 1
     entry = _middles(paths, rows)
     entry[:, 2] = 0.0
@@ -141,9 +141,9 @@ def _long_segments(paths: Paths, shortest: F64, mask: Bool, endable: Bool) -> Bo
     return long
 
 
-def _as_fixed(allowed: Bool, operation: Operation) -> Bool:
-    """Return a mask of n segments, (n,), with only the start that the user has chosen in each path
-    with such a start.
+def _keep_chosen_starts(allowed: Bool, operation: Operation) -> Bool:
+    """Return the mask of the n segments with which paths may start, (n,).  If the user has chosen a
+    start for a path, only this start remains.
     """
     chosen = operation.fixed[operation.fixed >= 0]
     if len(chosen) == 0:
@@ -153,7 +153,7 @@ def _as_fixed(allowed: Bool, operation: Operation) -> Bool:
     return result
 
 
-def _limited(allowed: Bool, paths: Paths) -> I32:
+def _limit_starts(allowed: Bool, paths: Paths) -> I32:
     """Return the allowed segments, evenly reduced to ``_MOST_STARTS`` per path, (k,).
 
     ``allowed`` is the mask of the n segments, with at least one for each path.  The segments are

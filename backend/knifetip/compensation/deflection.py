@@ -189,8 +189,8 @@ def _has_jump(paths: Paths, before: I32, after: I32) -> Bool:
     return jump
 
 
-def _soonest(rows: I64, left: F64, before: I32, following: I32) -> I32:
-    """Return those of k segments that have no length left sooner than their neighbours.
+def _first_to_vanish(rows: I64, left: F64, before: I32, following: I32) -> I32:
+    """Return those of k segments that shrink to nothing before their neighbours do.
 
     ``rows`` (k,): indices of segments that have no length left after the shift.
     ``left`` (n,): length of each segment after the shift, divided by its length before; negative
@@ -288,7 +288,7 @@ class _ShiftedSegments:
             # Where two segments do not meet, the shift has consumed the shorter one.
             shorter = length[previous] < length[joints]
             left[np.where(shorter, previous, joints)[~met]] = -np.inf
-            dropped = _soonest(
+            dropped = _first_to_vanish(
                 np.flatnonzero(kept & (left * length <= POINT)), left, before, following
             )
             if len(dropped) == 0:

@@ -108,14 +108,14 @@ def knife_toolpath(operation: Operation) -> Toolpath:
         # The head of a drag knife swings around its tip; without a trail it only turns.
         swing=np.where(down, 0.0, np.tan(np.radians(turned) / 4.0)) * (blade.trail > 0.0),
         motion=motion,
-        slowing=_slowing(start_pose, end_pose, paths.bulge, blade),
+        slowing=_feed_fractions(start_pose, end_pose, paths.bulge, blade),
         drags=blade.free,
         swivel_z=swivel_z,
     ).to_toolpath(operation)
 
 
-def _slowing(start: F64, end: F64, bulge: F64, blade: Knife) -> F64:
-    """Return the part of the feed with which the head moves along each of n segments, (n,).
+def _feed_fractions(start: F64, end: F64, bulge: F64, blade: Knife) -> F64:
+    """Return the fraction of the feed at which the head moves along each of n segments, (n,).
 
     Below ``slow_radius`` it falls in proportion to the radius, so that a blade which the machine
     turns does not turn faster.

@@ -27,7 +27,8 @@ class TurnLimits(NamedTuple):
 
 
 def lifts_to_unwind(c_start: F64, c_end: F64, length: F64, down: Bool, limits: TurnLimits) -> Bool:
-    """Return the mask of n segments before which a knife plunges, with further ones to unwind C.
+    """Return the mask of n segments before which a knife plunges.  It adds plunges to ``down``
+    where the knife must be lifted to unwind C.
 
     Passes that fit stay as they are.  A segment that does not fit alone remains beyond the limits.
 
@@ -45,7 +46,7 @@ def lifts_to_unwind(c_start: F64, c_end: F64, length: F64, down: Bool, limits: T
     least, greatest = np.minimum(c_start, c_end), np.maximum(c_start, c_end)
     first = np.flatnonzero(down)
     low, high = np.minimum.reduceat(least, first), np.maximum.reduceat(greatest, first)
-    wide = np.flatnonzero(~_fit(low, high, limits))
+    wide = np.flatnonzero(~_passes_that_fit(low, high, limits))
     if len(wide) == 0:
         return down
     result = down.copy()
@@ -62,7 +63,7 @@ def lifts_to_unwind(c_start: F64, c_end: F64, length: F64, down: Bool, limits: T
     return result
 
 
-def _fit(low: F64, high: F64, limits: TurnLimits) -> Bool:
+def _passes_that_fit(low: F64, high: F64, limits: TurnLimits) -> Bool:
     """Return the mask of the passes that fit, from their least and greatest headings (degrees)."""
     turns = np.floor((limits.high - high) / limits.period)
     result: Bool = low + turns * limits.period >= limits.low - _ROUNDING
@@ -83,11 +84,11 @@ def _first_part(least: F64, greatest: F64, length: F64, turned: F64, limits: Tur
     """
     count = len(length)
     low, high = np.minimum.accumulate(least), np.maximum.accumulate(greatest)
-    before = _fit(low, high, limits)
+    before = _passes_that_fit(low, high, limits)
     if before[-1]:
         return count
     low, high = np.minimum.accumulate(least[::-1]), np.maximum.accumulate(greatest[::-1])
-    after = _fit(low, high, limits)[::-1]
+    after = _passes_that_fit(low, high, limits)[::-1]
     sufficient = np.flatnonzero(before[:-1] & after[1:]) + 1
     if len(sufficient) == 0:
         return max(1, int(before.sum()))

@@ -68,7 +68,7 @@ def charge(seconds: float) -> None:
 
 @contextmanager
 def pause() -> Iterator[None]:
-    """Do not end the reading in the body of the ``with`` statement, whose time does not count.
+    """Suspend the limit in the body of the ``with`` statement, whose processor time does not count.
 
     It is for what must not be left half done, such as the removal of temporary files.
     """

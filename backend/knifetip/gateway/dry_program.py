@@ -101,26 +101,26 @@ class _DryWriter:
         """Return the dry line of a program line; ``number`` is its number, for errors."""
         text = strip_comments(line)
         if _LINE.fullmatch(text) is None:
-            raise _refused(line, number)
+            raise _refusal(line, number)
         found = [(word[1], float(word[2])) for word in _WORD.finditer(text)]
         commands = {word for word in found if word[0] in (b"G", b"M")}
         numbers = {letter: value for letter, value in found if letter not in (b"G", b"M")}
         switched = any(letter == b"M" and code in _SWITCHES for letter, code in commands)
         if switched:
             if len(commands) > 1 or not numbers.keys() <= {b"P", b"S"}:
-                raise _refused(line, number)
+                raise _refusal(line, number)
             return b""
         moves = not numbers.keys().isdisjoint({*self._velocity, b"Z", b"I", b"J"})
         motions = {code for letter, code in commands if letter == b"G" and code in _MOTIONS}
         if moves or motions:
             return self._move(line, number, commands, numbers)
         if not commands <= _MODES or not numbers.keys() <= {b"P", b"Q", b"T", b"F"}:
-            raise _refused(line, number)
+            raise _refusal(line, number)
         self._read_modes(commands, numbers)
         if (b"G", 4.0) in commands:
             # Only that the machine comes to rest matters here: nothing is switched.
             if len(found) != 2:
-                raise _refused(line, number)
+                raise _refusal(line, number)
             return b"G4 P0"
         return _without_feed(text)
 
@@ -143,13 +143,13 @@ class _DryWriter:
         allowed = {(b"G", code) for code in (*_MOTIONS, 93.0, 94.0)}
         words = {*self._velocity, b"Z", b"I", b"J", b"F"}
         if not commands <= allowed or not numbers.keys() <= words:
-            raise _refused(line, number)
+            raise _refusal(line, number)
         self._read_modes(commands, numbers)
         self._motion = next((code for _, code in commands if code in _MOTIONS), self._motion)
         if not self._lifted:
             # Every program begins with a lift straight up, because a tool may be in the board.
             if self._motion != 0.0 or numbers.keys() != {b"Z"}:
-                raise _refused(line, number)
+                raise _refusal(line, number)
             self._lifted = True
             return b"G0 Z%.4f" % self._height
         axes = [letter for letter in self._velocity if letter in numbers]
@@ -168,7 +168,7 @@ class _DryWriter:
             feed = _feed_word(self._share * self._feed)
             parts = [b"%s G%d" % (mode, self._motion), *targets, feed]
         else:
-            raise _refused(line, number)
+            raise _refusal(line, number)
         return b" ".join(parts)
 
 
@@ -181,7 +181,7 @@ def _without_feed(text: bytes) -> bytes:
     return b" ".join(word[0] for word in _WORD.finditer(text) if word[1] != b"F")
 
 
-def _refused(line: bytes, number: int) -> ControllerError:
+def _refusal(line: bytes, number: int) -> ControllerError:
     return ControllerError(
         "dry-run.unknown-line", line=number, text=line[:80].decode("ascii", "replace")
     )
@@ -241,7 +241,7 @@ def _read(text: bytes, start: Pose, tools: Mapping[int, Pose] | None) -> Iterato
         try:
             yield interpreter.read(line)
         except LineRefused:
-            raise _refused(line, number) from None
+            raise _refusal(line, number) from None
 
 
 def _lifts(move: Move, height: float) -> bool:

@@ -80,7 +80,9 @@ class HeldJogs:
         watcher.add_done_callback(self._watchers.discard)
 
     def renew(self, id: str, stated: float) -> None:
-        """Let a jog move on that was held at a time; one that has ended does not begin again."""
+        """Extend a jog whose button was still held at the time ``stated``; an ended jog stays
+        ended.
+        """
         if not self.is_released(id):
             self._ends[id] = max(self._ends[id], stated + JOG_RENEWAL)
 
@@ -97,7 +99,7 @@ class HeldJogs:
         self._sent.add(id)
 
     def accept(self, id: str, operation: Operation, start: Pose) -> None:
-        """Record that a machine that was at rest executes a jog: earlier ones have ended.
+        """Record that a machine, which was at rest, executes a new jog; earlier jogs have ended.
 
         Parameters
         ----------

@@ -47,7 +47,7 @@ async def end_of(
 
     if left.outcome:
         return end(left.outcome, left.cause, left.line, left.copies_done, left.line_at_most)
-    found = _found(left, controller)
+    found = _find_shown_program(left, controller)
     unbegun = not left.copy_begun or (found is not None and not found.begun)
     if unbegun and left.copies_done == 0:
         return end("returned", Message("gateway.switched-off-before-begin"), 0, 0, 0)
@@ -55,7 +55,7 @@ async def end_of(
     if left.copies_done >= left.copies:
         return end("done", ended, left.line, left.copies_done, left.line)
     off = Message("gateway.switched-off")
-    executed = None if found is None else await _executed(left, found, server, machine)
+    executed = None if found is None else await _count_executed_lines(left, found, server, machine)
     if executed is None:
         # Between two copies nothing was sent of the next one.
         at_most = left.sent_at_most if left.copy_begun else 0
@@ -68,7 +68,7 @@ async def end_of(
     return end("done", ended, left.lines, done, left.lines)
 
 
-def _found(left: Unfinished, controller: object) -> Found | None:
+def _find_shown_program(left: Unfinished, controller: object) -> Found | None:
     """Return what a controller shows of the program that ran last; None if it shows another one."""
     found = controller.found if isinstance(controller, Recalls) else None
     if found is None or not left.program or found.program != left.program:
@@ -76,7 +76,7 @@ def _found(left: Unfinished, controller: object) -> Found | None:
     return found
 
 
-async def _executed(
+async def _count_executed_lines(
     left: Unfinished, found: Found, server: JobServer, machine: Machine
 ) -> int | None:
     """Return how many lines of the copy that ran last were executed; None if not known."""

@@ -65,7 +65,7 @@ def obstacle_in_job(status: Status, name: str) -> Message | None:
 
 
 def notice_of(status: Status, name: str) -> Message | None:
-    """Return what a person should know of a machine that may work all the same; None for nothing.
+    """Return a notice about a machine that can take jobs all the same; None if there is none.
 
     Parameters
     ----------

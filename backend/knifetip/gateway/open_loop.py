@@ -52,7 +52,7 @@ class OpenLoop:
         raise NotImplementedError
 
     async def withdraw(self) -> ControllerError:
-        """Keep the machine from beginning what it has not begun; return what a person must do.
+        """Prevent the machine from starting what it has not started; return what a person must do.
 
         The method is called after a program was handed over partly or completely.
         """

@@ -107,7 +107,7 @@ def number(value: float) -> str:
 
 
 def equal_to(wanted: float) -> Callable[[str], str]:
-    """Return an ``expected`` for one permitted number."""
+    """Return a condition for ``Requirement.expected``: the setting must have one value."""
     return between(wanted, wanted, wanted)
 
 

@@ -97,12 +97,12 @@ def is_from_web_server(line: str) -> bool:
 
 def schemes() -> list[str]:
     """Return the schemes of all transports, of this package and of entry points."""
-    return sorted({*_own_schemes(), *entry_points(group=GROUP).names})
+    return sorted({*_built_in_schemes(), *entry_points(group=GROUP).names})
 
 
 def find_opener(scheme: str) -> Opener | None:
     """Return the function that opens connections to addresses of a scheme; None if unknown."""
-    if scheme in _own_schemes():
+    if scheme in _built_in_schemes():
         opener: Opener = importlib.import_module(f"{_PACKAGE}.{scheme}").open_transport
         return opener
     candidates = tuple(entry_points(group=GROUP, name=scheme))
@@ -110,6 +110,6 @@ def find_opener(scheme: str) -> Opener | None:
 
 
 @cache
-def _own_schemes() -> frozenset[str]:
+def _built_in_schemes() -> frozenset[str]:
     package = importlib.import_module(_PACKAGE)
     return frozenset(module.name for module in pkgutil.iter_modules(package.__path__))

@@ -397,7 +397,7 @@ def _evaluate_grid(
 
 
 def _wanted_pieces(place: F64, ahead: F64, tolerance: float) -> F64:
-    """Return how many pieces the cells of n spans need, (n, c - 1), as fractions of a piece.
+    """Return into how many pieces each cell of n spans should be divided, (n, c - 1), as fractions.
 
     ``place``, ``ahead`` (n, c, 2): points and derivatives of each span at the borders of its cells.
     ``tolerance`` mm: largest distance of a biarc from the curve.

@@ -24,7 +24,7 @@ GROUP = "knifetip.languages"
 
 def language_names() -> list[str]:
     """Return the names of all controller languages, of this package and of entry points."""
-    return sorted({*_own_names(), *entry_points(group=GROUP).names})
+    return sorted({*_built_in_names(), *entry_points(group=GROUP).names})
 
 
 @cache
@@ -36,7 +36,7 @@ def find_language(name: str) -> Language:
     LibraryError
         There is no language with this name, or another package registers an invalid record for it.
     """
-    if name in _own_names():
+    if name in _built_in_names():
         language = importlib.import_module(f"{__package__}.{name}").LANGUAGE
     else:
         candidates = tuple(entry_points(group=GROUP, name=name))
@@ -77,7 +77,7 @@ def with_language(machine: Machine, name: str) -> Machine:
 
 
 @cache
-def _own_names() -> frozenset[str]:
+def _built_in_names() -> frozenset[str]:
     """Return the names of the controller languages that are modules of this package."""
     package = importlib.import_module(__package__)
     modules = {module.name for module in pkgutil.iter_modules(package.__path__)}

@@ -38,7 +38,7 @@ def read_toml(text: str) -> dict[str, Any]:
     fields = tomllib.loads(text)
     level: list[Any] = [fields]
     for _ in range(_MAX_DEPTH):
-        level = [inner for value in level for inner in _inner(value)]
+        level = [inner for value in level for inner in _nested_values(value)]
         if any(isinstance(one, int) and abs(one) >= _INTEGER_LIMIT for one in level):
             raise LibraryError("library.large-integer")
         if not level:
@@ -61,7 +61,7 @@ def _is_key_deep(text: str) -> bool:
     return False
 
 
-def _inner(value: Any) -> Iterable[Any]:
+def _nested_values(value: Any) -> Iterable[Any]:
     """Return the values in a table or a list; none for another value."""
     if isinstance(value, dict):
         return value.values()

@@ -85,7 +85,7 @@ class Message:
     def located(
         self, row_of: Callable[[int], int], shift: tuple[float, float] = (0.0, 0.0)
     ) -> Message:
-        """Return the message with other rows of edges and other positions, also in its arguments.
+        """Return the message with converted edges and positions, also in messages in its arguments.
 
         Planning counts cleaned edges at their position on the table; users know the drawn ones.
 
@@ -134,7 +134,9 @@ def from_json(plain: Mapping[str, Any] | str) -> Message:
     if kinds is None or kinds.keys() != given.keys():
         text = str(plain.get("text", "")) or _unrendered(plain)
         return Message(STORED, text=text, hint=str(plain.get("hint", "")))
-    return Message(plain["code"], **{name: _restored(value) for name, value in given.items()})
+    return Message(
+        plain["code"], **{name: _restore_argument(value) for name, value in given.items()}
+    )
 
 
 def _unrendered(plain: Mapping[str, Any]) -> str:
@@ -152,11 +154,11 @@ def _rebuild(code: str, arguments: Mapping[str, Any]) -> Message:
     return Message(code, **arguments)
 
 
-def _restored(value: Any) -> Any:
+def _restore_argument(value: Any) -> Any:
     if isinstance(value, Mapping):
         return from_json(value)
     if isinstance(value, list):
-        return [_restored(item) for item in value]
+        return [_restore_argument(item) for item in value]
     return value
 
 

@@ -60,7 +60,7 @@ def render(message: Message, language: str = ENGLISH.tag) -> str:
         knifetip has no messages in this language.
     """
     chosen = _language(message, language)
-    return _formatted(message, chosen.texts[message.code].text, chosen)
+    return _format_value(message, chosen.texts[message.code].text, chosen)
 
 
 def hint(message: Message, language: str = ENGLISH.tag) -> str:
@@ -79,7 +79,7 @@ def hint(message: Message, language: str = ENGLISH.tag) -> str:
         knifetip has no messages in this language.
     """
     chosen = _language(message, language)
-    text = _formatted(message, chosen.texts[message.code].hint, chosen)
+    text = _format_value(message, chosen.texts[message.code].hint, chosen)
     return text.strip()  # a hint may begin or end with the empty hint of an argument
 
 
@@ -136,7 +136,7 @@ def _inner(message: Message) -> list[Message]:
     return found
 
 
-def _formatted(message: Message, template: str, language: Language) -> str:
+def _format_value(message: Message, template: str, language: Language) -> str:
     kinds = CODES[message.code]
     arguments = {
         name: Position(value) if kinds[name] in ("x", "y") else value
@@ -157,8 +157,8 @@ class _Formatter(Formatter):
             case Message():
                 template = language.texts[value.code]
                 if format_spec == "hint":
-                    return _formatted(value, template.hint, language).strip()
-                return _formatted(value, template.text, language)
+                    return _format_value(value, template.hint, language).strip()
+                return _format_value(value, template.text, language)
             case tuple():
                 return self._list(value, format_spec)
             case _ if format_spec in NAMED:

@@ -43,7 +43,7 @@ class ChosenEdges:
         return values[self.index]
 
     def on_cleaned(self, cleaned: Cleaned) -> ChosenEdges:
-        """Return what is chosen for the cleaned edges; these are those of the drawn edges.
+        """Convert the choices for drawn edges to choices for the cleaned edges that replace them.
 
         Raises
         ------
@@ -90,7 +90,7 @@ def chosen_work(options: VerifiedOptions, dieline: Dieline) -> ChosenWork:
 
 
 def work_on_cleaned(work: ChosenWork, cleaned: Cleaned) -> ChosenWork:
-    """Return what is chosen for the cleaned edges; see ``ChosenEdges.on_cleaned``."""
+    """Convert choices for drawn edges to those for cleaned edges; see ``ChosenEdges.on_cleaned``."""
     return {kind: chosen.on_cleaned(cleaned) for kind, chosen in work.items()}
 
 

@@ -71,7 +71,8 @@ class Toolpath:
         return len(self.bulge)
 
     def with_moves(self, rows: I64, pose: F64) -> Toolpath:
-        """Return a toolpath with m moves that are like given moves of this one, between new poses.
+        """Return a toolpath of m moves between new poses; each has the properties of a move of this
+        one.
 
         ``rows`` (m,) is, for each new move, the move with the same bulge, motion, feed, source,
         tool and track; moves may be repeated or left out.  ``pose`` (m + 1, 4) are the poses; the

@@ -136,7 +136,9 @@ def _with_starts(operation: Operation, starts: Sequence[ChosenStart]) -> list[Op
         before = reverse.setdefault(path, (against, start.edge))
         if before[0] != against:
             raise _conflict(start.edge, before[1])
-    operation = _reversed(operation, [path for path, (against, _) in reverse.items() if against])
+    operation = _reverse_closed_paths(
+        operation, [path for path, (against, _) in reverse.items() if against]
+    )
     at_path: dict[int, int] = {}
     for start in starts:
         if start.begins:
@@ -194,7 +196,7 @@ def _tangent(paths: Paths, segment: int, point: F64) -> F64:
     return result
 
 
-def _reversed(operation: Operation, paths: Sequence[int]) -> Operation:
+def _reverse_closed_paths(operation: Operation, paths: Sequence[int]) -> Operation:
     """Return an operation without a side, some of whose closed paths are reversed."""
     if not paths:
         return operation
@@ -233,21 +235,21 @@ def _begin_at(operation: Operation, segment: int, path: int, start: ChosenStart)
         if not operation.endable[segment]:
             raise PlanError("start.not-last", edge=start.edge, at_edges=[start.edge])
         half = _PIECE * room / size
-        return _divided(operation, segment, path, (place - half, place + half), 1)
+        return _split_segment(operation, segment, path, (place - half, place + half), 1)
     if room > JOIN:
-        return _divided(operation, segment, path, (place,), 1)
+        return _split_segment(operation, segment, path, (place,), 1)
     following = first + (segment + 1 - first) % (last - first)
-    return _fixed(operation, path, segment if place < 0.5 else following)
+    return _begin_with_segment(operation, path, segment if place < 0.5 else following)
 
 
-def _fixed(operation: Operation, path: int, segment: int) -> Operation:
+def _begin_with_segment(operation: Operation, path: int, segment: int) -> Operation:
     """Return an operation in which a closed path must begin with a segment."""
     fixed = operation.starts.copy()
     fixed[path] = segment
     return replace(operation, fixed=fixed)
 
 
-def _divided(
+def _split_segment(
     operation: Operation, segment: int, path: int, places: tuple[float, ...], piece: int
 ) -> Operation:
     """Return an operation in which a segment is divided, and its path must begin with one piece.

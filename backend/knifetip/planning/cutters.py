@@ -84,7 +84,7 @@ def with_best_cutter(
     best: _Trial[Compiled] | None = None
     for station in carried:
         try:
-            trial = _trial(attempt, machine, station)
+            trial = _compile_with_cutter(attempt, machine, station)
         except (PlanError, CompensationError):
             if station is carried[-1] and best is None:
                 raise
@@ -104,14 +104,14 @@ def with_best_cutter(
                 thickest=carried[0].tool.diameter,
             )
         )
-    hint = _hint(attempt, machine, best, cutters()) if any(best.rank) else None
+    hint = _thinner_cutter_note(attempt, machine, best, cutters()) if any(best.rank) else None
     return best.compiled, notes if hint is None else [*notes, hint]
 
 
-def _trial(
+def _compile_with_cutter(
     attempt: Callable[[Machine], Compiled], machine: Machine, station: Station
 ) -> _Trial[Compiled]:
-    """Compile with the cutter of a station, which replaces the one with the same number."""
+    """Compile with a cutter in place of the cutter that has the same station number."""
     others = (one for one in machine.stations if one.number != station.number)
     compiled = attempt(replace(machine, stations=(station, *others)))
     found = [finding for finding in compiled.verdict.findings if finding.refuses]
@@ -124,7 +124,7 @@ def _trial(
     )
 
 
-def _hint(
+def _thinner_cutter_note(
     attempt: Callable[[Machine], Compiled],
     machine: Machine,
     best: _Trial[Compiled],
@@ -147,7 +147,7 @@ def _hint(
     reached: tuple[int, str, Cutter] | None = None
     for title, tool in thinner if best.unreached else ():
         try:
-            trial = _trial(attempt, machine, replace(best.station, tool=tool))
+            trial = _compile_with_cutter(attempt, machine, replace(best.station, tool=tool))
         except (PlanError, CompensationError):
             continue
         left = best.unreached if reached is None else reached[0]

@@ -50,9 +50,9 @@ def join_contours(
     one, other = _neighbours(ends[rows])
     one, other = rows[one], rows[other]
     count = int(part.max(initial=-1)) + 1
-    whole = _connect(part[one], part[other], count)
+    whole = _connect_numbers(part[one], part[other], count)
     same = layer[one] == layer[other]
-    joined = _connect(part[one[same]], part[other[same]], count)
+    joined = _connect_numbers(part[one[same]], part[other[same]], count)
     is_open = np.zeros(count, np.bool_)
     is_open[whole[joined != whole]] = True
     if is_open.any():
@@ -76,7 +76,7 @@ def _neighbours(ends: F64) -> tuple[I64, I64]:
     return order[first] // 2, order[first + 1] // 2
 
 
-def _connect(one: I64, other: I64, count: int) -> I64:
+def _connect_numbers(one: I64, other: I64, count: int) -> I64:
     """Return the lowest number of those connected with each of ``count`` numbers, (count,)."""
     parent = np.arange(count)
     for a, b in zip(one.tolist(), other.tolist(), strict=True):

@@ -27,7 +27,7 @@ LONG: Final = 1.5
 
 
 def track_levels(layer: I64, stretches: Stretches, track: I64, length: F64) -> I64:
-    """Return the level of each of t tracks, (t,); of one layer, the tracks of lower levels come
+    """Return the level of each of t tracks, (t,).  Within a layer, tracks of lower levels are made
     first.
 
     Parameters
@@ -66,8 +66,9 @@ def track_levels(layer: I64, stretches: Stretches, track: I64, length: F64) -> I
 
 
 def releasing_cuts(rank: I64, stretches: Stretches) -> Bool:
-    """Return the mask of the cuts along whose whole length a piece of board lies on one side, and
-    board that the sheet holds on the other side, when they are made, (n,).
+    """Return the mask of the cuts that release a piece of board, (n,).  When such a cut is made, a
+    piece of board lies on one side along its whole length, and board that the sheet holds lies on
+    the other side.
 
     Parameters
     ----------

@@ -42,8 +42,8 @@ MIN_EXTENT: Final = 11.0
 def layers_at_necks(
     ends: F64, bulge: F64, layer: I64, stretches: Stretches, closing: F64, tips: I64
 ) -> I64:
-    """Return new layers of n cuts, (n,), in which the cuts inside a piece that hangs on necks have
-    a higher layer than the last cut round it; the cuts of higher layers are made first.
+    """Return the layers of n cuts, (n,), changed where a piece of board hangs on necks.  Cuts
+    inside such a piece get a higher layer than the last cut round it, so they are made first.
 
     Cuts of different layers remain in their order.  If there is no such piece, ``layer`` is
     returned.
@@ -136,8 +136,8 @@ def _are_wide(face: I64_2, box: F64_2, count: int) -> Any:
 
 
 def _find_removable_links(face: I64, narrow: Bool, link: I64, length: F64) -> Bool:
-    """Return the mask of the pieces of links that are removed, (p,): those of the longest link
-    beside each narrow face.
+    """Return the mask of the pieces of links to remove, (p,).  Each narrow face loses the longest
+    link beside it.
 
     Several links may cross one neck.  Of the narrow faces between them each loses one link, so that
     at least one link remains across the neck.
@@ -228,8 +228,8 @@ def _face_widths(ends: F64, bulge: F64, face: I64, count: int) -> F64:
 
 @kernel
 def _merged_faces(one: I64_1, other: I64_1, count: int) -> Any:
-    """Return the number of each of ``count`` faces after the faces ``one`` and ``other`` of each of
-    k pairs, (k,) each, were merged, (count,); it is the least number of the merged faces.
+    """Return the number of each of ``count`` faces after k pairs of faces were merged, (count,).
+    Merged faces get the least of their numbers.  ``one`` and ``other``, (k,) each, are the pairs.
     """
     parent = np.arange(count)
     for k in range(len(one)):

@@ -63,7 +63,7 @@ def _picture(ends: F64, bulge: F64, length: F64, line_type: U8) -> str:
     paths = []
     for kind, colour in _COLOURS.items():
         rows = np.flatnonzero(line_type == kind).tolist()
-        steps = "".join(_step(points[row], radius[row], bulge[row]) for row in rows)
+        steps = "".join(_edge_path_data(points[row], radius[row], bulge[row]) for row in rows)
         if steps:
             style = f'stroke="{colour}" vector-effect="non-scaling-stroke"'
             paths.append(f'<path d="{steps}" {style}/>')
@@ -75,7 +75,7 @@ def _picture(ends: F64, bulge: F64, length: F64, line_type: U8) -> str:
     )
 
 
-def _step(points: F64, radius: float, bulge: float) -> str:
+def _edge_path_data(points: F64, radius: float, bulge: float) -> str:
     """Return the path data of one edge: a line, or an arc with a bulge other than 0.
 
     ``points`` (2, 2) are the start and the end of the edge.

@@ -112,7 +112,7 @@ class _BladeTurner:
         start[3] = heading + turn
         if abs(turn) < _LEAST_TURN:
             return
-        entry = self._swung(start, heading)
+        entry = self._turn_about_tip(start, heading)
         row = track.plunge
         above = pose[row, :2].copy()
         while row >= free_from and np.array_equal(pose[row, :2], above):
@@ -138,7 +138,7 @@ class _BladeTurner:
         end_above = np.array([end[0], end[1], height, end[3]])
         if height > end[2]:
             self._inserted.append(_Move(row, end_above, Motion.LIFT))
-        parked = self._swung(end_above, heading + turn)
+        parked = self._turn_about_tip(end_above, heading + turn)
         self._inserted.append(_Move(row, parked, Motion.FEED, _bulge(turn)))
         behind = row + 1
         while behind < len(pose) and np.array_equal(pose[behind, :2], end[:2]):
@@ -151,7 +151,7 @@ class _BladeTurner:
         depth = self._blade.swivel_depth
         return max(cut, self._top - depth) if depth > 0.0 else cut
 
-    def _swung(self, pose: F64, heading: float) -> F64:
+    def _turn_about_tip(self, pose: F64, heading: float) -> F64:
         """Return a pose with another heading and the tip at the same point."""
         here, there = math.radians(float(pose[3])), math.radians(heading)
         e = self._blade.trail

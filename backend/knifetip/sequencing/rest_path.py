@@ -59,7 +59,7 @@ def keep_tracks(toolpath: Toolpath, kept: I64, machine: Machine, face: float) ->
         parts += head.change_station(station)
         parts += head.rise()
         poses = toolpath.pose[[begin, end + 1]]
-        entry, leave = _raised(poses, station, face, machine.clearance)
+        entry, leave = _raise_poses(poses, station, face, machine.clearance)
         parts += head.move_above(entry)
         parts.append(single_move(entry, station, Motion.RAPID))
         parts += _chain_moves(toolpath, begin, end, station, (entry, leave))
@@ -102,7 +102,7 @@ def _chain_moves(
     return parts
 
 
-def _raised(pose: F64, station: Station, face: float, clearance: float) -> F64:
+def _raise_poses(pose: F64, station: Station, face: float, clearance: float) -> F64:
     """Return n poses, (n, 4), lifted along the tool's axis at least to the height at which plunges
     begin.
 

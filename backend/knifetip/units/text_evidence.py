@@ -101,7 +101,7 @@ def text_evidence(drawing: Drawing, lengths: Lengths) -> TextEvidence:
                 numbers.setdefault(key, number)
     evidence = [
         UnitEvidence(
-            unit, Message("unit.text-states", text=_shortened(line)), weights.STATEMENT, "words"
+            unit, Message("unit.text-states", text=_shorten(line)), weights.STATEMENT, "words"
         )
         for unit, line in statements.items()
     ]
@@ -273,5 +273,5 @@ def _dimension_scale_warnings(numbers: Sequence[_Number]) -> list[Message]:
     return [Message(code, count=len(groups[1]), others=len(groups[0]), factor=times)]
 
 
-def _shortened(text: str) -> str:
+def _shorten(text: str) -> str:
     return f"{text[:60].strip()}{'…' if len(text) > 60 else ''}"

@@ -62,11 +62,11 @@ def join_work(
     for work, traced in zip(earlier, earlier_paths, strict=True):
         ranges = work.lines + work.repeated if with_repeated else work.lines
         kept = traced.select(_are_in_ranges(traced, ranges))
-        parts.append(_renumbered(kept, lines_before, tracks))
+        parts.append(_renumber(kept, lines_before, tracks))
         lines_before += work.text.count(b"\n") + 1
         tracks += int(traced.track.max(initial=-1)) + 1
     earlier_count = sum(len(part.z) for part in parts)
-    parts.append(_renumbered(paths, lines_before, tracks))
+    parts.append(_renumber(paths, lines_before, tracks))
     columns = {
         field.name: np.concatenate([getattr(part, field.name) for part in parts])
         for field in fields(TipPaths)
@@ -85,7 +85,7 @@ def _are_in_ranges(paths: TipPaths, ranges: Sequence[tuple[int, int]]) -> Bool:
     return inside
 
 
-def _renumbered(paths: TipPaths, lines: int, tracks: int) -> TipPaths:
+def _renumber(paths: TipPaths, lines: int, tracks: int) -> TipPaths:
     """Return tip paths whose program lines and tracks are numbered higher by ``lines`` and
     ``tracks``.
     """

@@ -186,8 +186,8 @@ def check_pushes(moves: Moves, blade: TrailingBlade, findings: Findings) -> None
 def check_park_headings(
     moves: Moves, blade: TrailingBlade, machine: Machine, findings: Findings
 ) -> None:
-    """Add a finding for each free blade that the program leaves with another heading than the one
-    with which a program begins.
+    """Add a finding for each free blade whose heading at the end of the program is not its park
+    heading.
 
     The rounding of coordinates, by ``moves.resolution``, turns the blade, too.
     """

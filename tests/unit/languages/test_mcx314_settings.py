@@ -30,7 +30,11 @@ def test_the_shipped_machine_has_its_wiring() -> None:
         ("corner = 5.0", "corner = 91.0", "corner is 91"),
         ("velocity = 3600.0", "velocity = 7200.0", "needs 720,000 pulses per second"),
         ("x = 200.0, y", "x = 20000.0, y", "needs 20,000,000 pulses per second"),
-        ("low = -1080.0, high = 1080.0", "low = -90000.0, high = 90000.0", "is 18,000,000 pulses long"),
+        (
+            "low = -1080.0, high = 1080.0",
+            "low = -90000.0, high = 90000.0",
+            "is 18,000,000 pulses long",
+        ),
         ("plunge = 3000.0", "plunge = 300.0", "577 pulses per second along a diagonal"),
         ("output = 2", "output = 16", "output is 16"),
         ("output = 0", 'output = 0\nspindle = "M4"', "spindle states a direction"),

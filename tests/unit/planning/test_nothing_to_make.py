@@ -37,7 +37,9 @@ def test_a_file_without_lines_is_refused_with_what_was_left_out() -> None:
     point = entity("POINT", (10, 0), (20, 0))
     error = refusal(pipeline.read(dxf(*texts, point)), LineType.CUT)
     assert error.message.code == "drawing.no-lines"
-    assert "All 3 objects were left out: the object is a text, which is not cut (2 objects)" in str(error)
+    assert "All 3 objects were left out: the object is a text, which is not cut (2 objects)" in str(
+        error
+    )
 
 
 def test_an_empty_file_is_refused() -> None:

@@ -79,7 +79,7 @@ def find_facing_arrows(graph: PlanarGraph, fork: I64, unit: float) -> I64:
     ]
     found: set[int] = set()
     for one, two in combinations(heads, 2):
-        if _face(one, two, unit):
+        if _are_facing(one, two, unit):
             found.update((one.shaft, *one.sides, two.shaft, *two.sides))
     return np.array(sorted(found), np.int64)
 
@@ -117,7 +117,7 @@ def _heads_at(
     return heads
 
 
-def _face(one: _Head, two: _Head, unit: float) -> bool:
+def _are_facing(one: _Head, two: _Head, unit: float) -> bool:
     """Return whether two heads are the ends of one dimension."""
     apart = two.tip - one.tip
     across = abs(apart[0] * one.along[1] - apart[1] * one.along[0])

@@ -170,7 +170,7 @@ class ShapeFeatures:
         return ShapeFeatures(**columns)
 
     def like(self, rows: I64, host: I64) -> ShapeFeatures:
-        """Return the features in which some edges have the features of others.
+        """Return a copy of the record in which some edges get the features of other edges.
 
         ``rows`` (k,) are the indices of the edges, and ``host`` (k,) those of the other edges.
         """
@@ -452,7 +452,8 @@ class _Extraction(NamedTuple):
 
 
 def _further_faces(graph: PlanarGraph, faces: Faces, longest: I32) -> I32:
-    """Return edges and the faces beside their pieces, where these are not the faces ``longest``.
+    """Return, for each piece whose faces differ from those in ``longest``, its edge and its two
+    faces.
 
     ``graph``, ``faces``: planar graph of n edges, and its faces.
     ``longest`` (n, 2): faces on both sides of the longest piece of each edge.

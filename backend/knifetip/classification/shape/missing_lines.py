@@ -141,7 +141,8 @@ def find_missing_lines(
 
 
 def _divide_equally(lines: F64, blanks: int, unit: float) -> list[F64]:
-    """Return lines that exist once for each of some equal blanks in a row, divided among them.
+    """Divide missing lines equally among blanks of one shape in a row; return the lines of each
+    blank.
 
     ``lines`` (k, 2, 2) are the lines of all ``blanks`` together, the shortest first.
     """

@@ -21,7 +21,8 @@ _MAX_SIDE: Final = 0.25
 
 
 def find_open_flaps(graph: PlanarGraph, role: U8, length: F64, edge_role: U8) -> Bool:
-    """Return the mask of edges of an outline with equal lines at both ends, (n,).
+    """Return the mask of edges of an outline that may close an open flap, (n,).  A line of the same
+    length begins at each end of such an edge.
 
     The lines begin at the ends of the edge, lie outside the blank, and lead nowhere.
 

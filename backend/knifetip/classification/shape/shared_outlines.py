@@ -86,7 +86,7 @@ def mark_shared_outlines(
         sides = np.column_stack([faces.left[rest], faces.right[rest]])
         label = label_connected_faces(len(faces.area), sides)
         is_carton = len(own) >= count * _FEWEST_PANELS
-        if is_carton and _repeat(label[own], faces.area[own], count):
+        if is_carton and _groups_repeat(label[own], faces.area[own], count):
             role[shared] = Role.OUTLINE
             blanks[component] = count
         else:
@@ -124,7 +124,7 @@ def _steps_of_blanks(panels: Panels) -> tuple[F64, int]:
     return np.array(steps), int(np.count_nonzero(label == label[largest]))
 
 
-def _repeat(label: I64, area: F64, count: int) -> bool:
+def _groups_repeat(label: I64, area: F64, count: int) -> bool:
     """Return whether each group of panels exists ``count`` times, or a multiple of it.
 
     Single panels that are repeated otherwise may be waste between the blanks, if they are small.

@@ -73,7 +73,9 @@ class _Pieces:
     least: F64  #: (n,) least duration (s): that of a chord which the feed would make too short
 
     def select(self, kept: I64, joined: Bool) -> _Pieces:
-        """Return the pieces that end where given pieces end; those between them are left out."""
+        """Return longer pieces, which end where the pieces ``kept`` end; pieces between them are
+        merged.
+        """
         ends = np.concatenate([[0], kept + 1])
         return _Pieces(
             self.pose[ends],
@@ -251,7 +253,8 @@ def _durations(pieces: _Pieces, toolpath: Toolpath, machine: Machine, wiring: Wi
 def _merge(
     pieces: _Pieces, seconds: F64, toolpath: Toolpath, wiring: Wiring, deviation: float
 ) -> I64:
-    """Return the pieces at whose ends segments end: each lasts long enough to write the next.
+    """Return the pieces at whose ends segments end, merged so that each lasts until the next is
+    written.
 
     A line that is too short is merged with the lines that join it, if the line that replaces them
     deviates from their ends by at most ``deviation`` (mm, degrees).

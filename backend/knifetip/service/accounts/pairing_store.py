@@ -62,7 +62,7 @@ class PairingStore:
         return code, expires
 
     def pair(self, code: str, title: str = "") -> tuple[ApiKey, str] | None:
-        """Use a code up; return the key of the new device with its secret.
+        """Use up a pairing code; return the key of the new device with its secret.
 
         The result is None if there is no such code, or if it has expired or was used.
 

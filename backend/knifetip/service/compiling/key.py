@@ -87,7 +87,7 @@ def _parts(value: object) -> Iterator[bytes]:
 
 @cache
 def _code_version() -> str:
-    """Return a hash of the files of knifetip, which the number of a version does not replace."""
+    """Return a hash of knifetip's files, which also changes between two builds of one version."""
     digest = hashlib.sha256()
     root = Path(knifetip.__file__).parent
     for path in sorted(path for path in root.rglob("*") if path.suffix in _SOURCES):

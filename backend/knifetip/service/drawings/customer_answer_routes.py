@@ -1,4 +1,6 @@
-"""Routes for what earlier drawings of a customer teach: list it, take it back, use it again."""
+"""Routes for answers that are learned from drawings of a customer: list them, switch them off or
+on.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +32,7 @@ router = ScopedRouter(prefix="/drawings", tags=["drawings"])
 @router.get("/{id}/customer-answers")
 @requires(AccessScope.VIEWER)
 def list_customer_answers(service: ServiceDep, id: DrawingId) -> list[TaughtLookOut]:
-    """List what other drawings of the customer of a drawing teach, also what was taken back.
+    """List the answers learned from other drawings of the same customer, also those switched off.
 
     The list is empty for a drawing without a customer.
     """
@@ -53,7 +55,7 @@ def list_customer_answers(service: ServiceDep, id: DrawingId) -> list[TaughtLook
 def use_customer_answer(
     service: ServiceDep, response: Response, id: DrawingId, patch: LookPatch, match: IfMatch = None
 ) -> DrawingOut:
-    """Set whether other drawings of the customer decide edges of a look; read this one again.
+    """Switch a learned answer of a customer on or off, and classify the drawing again.
 
     It applies to this drawing and to drawings that are uploaded later.
     """

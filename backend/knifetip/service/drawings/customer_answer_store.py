@@ -86,13 +86,13 @@ class CustomerAnswerStore:
             ]
 
     def refused(self, customer: str) -> frozenset[Look]:
-        """Return the looks about which the drawings of a customer teach nothing."""
+        """Return the looks for which a user has switched off the learned answers of a customer."""
         query = sa.select(RefusedLook.look).where(RefusedLook.customer == customer)
         with self._db.reading() as session:
             return frozenset(Look(**look) for look in session.scalars(query))
 
     def set_refused(self, customer: str, look: Look, refused: bool) -> None:
-        """Set whether the drawings of a customer teach nothing about a look."""
+        """Switch the learned answers of a customer for a look off or on."""
         fields = asdict(look)
         token = hashlib.sha256(json.dumps(fields, sort_keys=True).encode()).hexdigest()
         same = sa.and_(RefusedLook.customer == customer, RefusedLook.token == token)

@@ -181,7 +181,7 @@ class Stream:
         self._sent_progress = progress
         messages += self._stations()
         if events or time.monotonic() - self._refreshed >= _REFRESH:
-            messages += self._queued({event.subject for event in events})
+            messages += self._queue_events({event.subject for event in events})
             messages += self._library_changed()
         self._last = self._gaps.read(self._last, {event.id for event in events})
         return messages
@@ -207,7 +207,7 @@ class Stream:
             for view in changed
         ]
 
-    def _queued(self, sent: Collection[str]) -> list[Change]:
+    def _queue_events(self, sent: Collection[str]) -> list[Change]:
         """Return one event for each queued job whose reason to wait changed since the last call.
 
         The reason is in the fields ``waiting_for`` and ``message`` of a job.  It can change without
@@ -285,12 +285,12 @@ class Stream:
                 self._last, self._sent_progress = newest, {}
                 await _read(self._find_gaps, newest)
                 # The client has just fetched jobs and stations: their present state is not sent.
-                await _read(self._queued, ())
+                await _read(self._queue_events, ())
                 await _read(self._stations)
                 await _read(self._library_changed)
             if after is not None and after < self._last:
                 last = self._last
-                missed, read = await _read(self._missed, after, last)
+                missed, read = await _read(self._missed_messages, after, last)
             self._listeners[queue] = limits
             self._has_listeners.set()
         watch = asyncio.create_task(self._disconnect_when_refused(queue, permission))
@@ -302,7 +302,7 @@ class Stream:
                 for change in missed:
                     if change.is_for(limits):
                         yield change.sent
-                missed, read = await _read(self._missed, read, last)
+                missed, read = await _read(self._missed_messages, read, last)
             while (news := await queue.get()) is not None:
                 yield news
         finally:
@@ -318,7 +318,7 @@ class Stream:
         self._gaps = EventGaps()
         self._gaps.read(before, {event.id for event in recent if event.id <= newest})
 
-    def _missed(self, after: int, last: int) -> tuple[list[Change], int]:
+    def _missed_messages(self, after: int, last: int) -> tuple[list[Change], int]:
         """Return messages about the first changes after one, and the number of the last of them.
 
         There are none if ``after`` is ``last``, the number of the last change of all.

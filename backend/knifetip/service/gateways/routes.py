@@ -227,7 +227,9 @@ async def report_station(
             asked: list[Asked] = []
             looked, jog = watched, None
             if not gone:
-                asked, looked, jog = await threads.reports(_poll_station, service, station.machine)
+                asked, looked, jog = await threads.reports(
+                    _requests_of_persons, service, station.machine
+                )
             remaining = began + station.wait - time.monotonic()
             # A person who begins to look at the machine should not see an old report.
             renewed = jog is not None and jog.age < time.monotonic() - began
@@ -277,8 +279,10 @@ def _store_report(service: Service, station: StationIn) -> bool:
     return service.store.stations.is_watched(station.machine)
 
 
-def _poll_station(service: Service, machine: str) -> tuple[list[Asked], bool, HeldJog | None]:
-    """Return what persons want of a machine.
+def _requests_of_persons(
+    service: Service, machine: str
+) -> tuple[list[Asked], bool, HeldJog | None]:
+    """Return what the persons at a machine have requested.
 
     Returns the operations that wait for it, whether a person looks at it, and the jog that a person
     holds.

@@ -76,7 +76,7 @@ async def answer_once(
     key = RequestKey(text, fingerprint(scope["method"], scope["path"], scope["query_string"], body))
     service: Service = scope["app"].state.service
     answers = service.store.answers
-    earlier = await service.threads.reports(_unaudited, answers.begin, key)
+    earlier = await service.threads.reports(_run_unaudited, answers.begin, key)
     if earlier is not None:
         await _replay(earlier, send)
         return
@@ -86,15 +86,15 @@ async def answer_once(
         is_secret = "no-store" in answer.headers.get("cache-control", "")
         kept = b"" if is_secret else bytes(answer.body)
         await service.threads.reports(
-            _unaudited, answers.end, key, answer.status, answer.headers, kept
+            _run_unaudited, answers.end, key, answer.status, answer.headers, kept
         )
     elif answer.status < 500 or answer.status in _UNCHANGED:
-        await service.threads.reports(_unaudited, answers.forget, key)
+        await service.threads.reports(_run_unaudited, answers.forget, key)
     for event in answer.events:
         await send(event)
 
 
-def _unaudited(call: Callable[P, T], *args: P.args, **named: P.kwargs) -> T:
+def _run_unaudited(call: Callable[P, T], *args: P.args, **named: P.kwargs) -> T:
     """Execute a call outside the request, whose first transaction writes its audit entry."""
     return Context().run(partial(call, *args, **named))
 

@@ -53,18 +53,18 @@ def add_definition_files(schemas: dict[str, Any]) -> None:
         own.pop("$schema", None)
         parts = own.pop("$defs", {})
         for name, schema in {"": own, **parts}.items():
-            moved = _moved(schema, _COMPONENTS + _name(shelf))
+            moved = _with_moved_references(schema, _COMPONENTS + _name(shelf))
             for field, described in moved.get("properties", {}).items():
                 described.setdefault("description", f"The field `{field}` of the TOML file")
             schemas[_name(shelf) + name] = moved
 
 
-def _moved(part: Any, place: str) -> Any:
+def _with_moved_references(part: Any, place: str) -> Any:
     """Return a part of a schema whose references point to components."""
     if isinstance(part, dict):
-        return {name: _moved(value, place) for name, value in part.items()}
+        return {name: _with_moved_references(value, place) for name, value in part.items()}
     if isinstance(part, list):
-        return [_moved(value, place) for value in part]
+        return [_with_moved_references(value, place) for value in part]
     if isinstance(part, str) and part.startswith(_DEFINITIONS):
         return place + part.removeprefix(_DEFINITIONS)
     return part

@@ -38,7 +38,7 @@ def changes_since_compile(session: Session, jobs: Sequence[Job]) -> dict[str, li
     newest = {(entry.shelf, entry.name): entry.version for entry in found}
     changes = {
         id: [
-            _change(shelf, name, version, newest.get((shelf.value, name)))
+            _change_message(shelf, name, version, newest.get((shelf.value, name)))
             for shelf, name, version in entries
             if newest.get((shelf.value, name)) != version
         ]
@@ -67,7 +67,7 @@ def newest_versions(session: Session, row: Job) -> tuple[int, int]:
     return newest[0], newest[1]
 
 
-def _change(shelf: Shelf, name: str, version: int, newest: int | None) -> Message:
+def _change_message(shelf: Shelf, name: str, version: int, newest: int | None) -> Message:
     """Return the message that an entry has changed since ``version``; None: it was deleted."""
     if newest is None:
         return Message("library.deleted-since", shelf=shelf.word, name=name, version=version)

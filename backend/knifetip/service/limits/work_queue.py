@@ -191,7 +191,7 @@ class WorkQueue:
             All clients have gone while the call waited; it was not executed.
         """
         client = client or Client()
-        ticket = None if identity is None else await self._repeated(identity)
+        ticket = None if identity is None else await self._find_earlier_call(identity)
         if ticket is None:
             self._check_places(client.name)
             ticket = self._new_ticket(call, client.name, identity)
@@ -207,8 +207,10 @@ class WorkQueue:
             watch.cancel()
             self._leave(ticket, visit)
 
-    async def _repeated(self, identity: RequestIdentity) -> _Ticket | None:
-        """Return the call of a request that a request repeats, None if there is none."""
+    async def _find_earlier_call(self, identity: RequestIdentity) -> _Ticket | None:
+        """Return the waiting or running call of an identical earlier request; None if there is
+        none.
+        """
         for ticket in tuple(self._repeatable.get(identity.digest, ())):
             repeats = identity.has_key or await ticket.is_abandoned()
             # It may have ended or been dropped meanwhile.

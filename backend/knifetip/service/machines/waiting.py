@@ -64,17 +64,17 @@ def _waiting(store: Store, row: Job, queue: Queue | None, station: StationView |
     library = store.library
     if row.confirmation == Confirmation.AWAITED:
         machine, board = library.titles(row)
-        code = "waiting.for-start" if _begins(row) else "waiting.unconfirmed-run"
+        code = "waiting.for-start" if _is_copy_unsent(row) else "waiting.unconfirmed-run"
         required: dict[str, str | Message | None] = {
             "machine": machine,
             "board": board,
-            "sheet": _sheet(row),
-            "tools": _tools(row),
+            "sheet": _sheet_message(row),
+            "tools": _tools_message(row),
         }
-        if row.rest is not None and _begins(row):
+        if row.rest is not None and _is_copy_unsent(row):
             return Waiting("confirmation", Message("waiting.for-rest", job=row.resumes, **required))
-        if _begins(row):
-            required["unfinished"] = _unfinished(store.gateways.unfinished_sheet(row))
+        if _is_copy_unsent(row):
+            required["unfinished"] = _unfinished_sheet_message(store.gateways.unfinished_sheet(row))
         return Waiting("confirmation", Message(code, **required))
     if row.confirmation == Confirmation.SHEET:
         message = Message(
@@ -82,7 +82,7 @@ def _waiting(store: Store, row: Job, queue: Queue | None, station: StationView |
             copy=row.copies_done,
             copies=row.copies,
             board=library.titles(row)[1],
-            sheet=_sheet(row),
+            sheet=_sheet_message(row),
         )
         return Waiting("sheet", message)
     if row.state == State.HELD and row.awaits_end:
@@ -92,17 +92,17 @@ def _waiting(store: Store, row: Job, queue: Queue | None, station: StationView |
     return Waiting()
 
 
-def _begins(row: Job) -> bool:
+def _is_copy_unsent(row: Job) -> bool:
     """Return whether nothing of the present copy of a job was sent to its machine."""
     return row.state == State.QUEUED or (row.state == State.HELD and row.line == 0)
 
 
-def _unfinished(job: str) -> Message | None:
+def _unfinished_sheet_message(job: str) -> Message | None:
     """Return a message about the unfinished sheet of a job; None for "" (there is none)."""
     return Message("waiting.unfinished-sheet", job=job) if job else None
 
 
-def _sheet(row: Job) -> Message | None:
+def _sheet_message(row: Job) -> Message | None:
     """Return a message with the size of a job's sheet; None if the sheet was not cut to size."""
     sheet = row.options.sheet
     if sheet is None:
@@ -112,7 +112,7 @@ def _sheet(row: Job) -> Message | None:
     return Message("waiting.sheet-size", width=sheet.size[0], height=sheet.size[1])
 
 
-def _tools(row: Job) -> Message | None:
+def _tools_message(row: Job) -> Message | None:
     """Return a message that lists the stations which a job's program uses; None if it uses none."""
     tools = [
         Message("waiting.tool", name=tool["name"], station=tool["station"]) for tool in row.tools

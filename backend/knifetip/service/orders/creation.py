@@ -106,7 +106,7 @@ async def create_stored(
     while isinstance(found, str):
         async with service.answered.lock_of(found):
             if found not in service.answered:
-                await service.work.run(partial(_answer, service, order), client)
+                await service.work.run(partial(_require_answers, service, order), client)
         # The drawing may have been changed meanwhile.
         found = await service.orders.run(partial(_create_answered, service, order, key), client)
     return found
@@ -157,7 +157,7 @@ def place_order(service: Service, order: JobIn, key: RequestKey | None) -> Job:
     KnifetipError
         The drawing, the machine or the board is unknown, or the order is not permitted.
     """
-    return _store(service, _answer(service, order), key)
+    return _store(service, _require_answers(service, order), key)
 
 
 def _prepare(service: Service, order: JobIn, *columns: str) -> PreparedOrder:
@@ -171,7 +171,7 @@ def _prepare(service: Service, order: JobIn, *columns: str) -> PreparedOrder:
     return PreparedOrder(order, drawing, _interpretation(service, order, drawing), machine, board)
 
 
-def _answer(service: Service, order: JobIn) -> PreparedOrder:
+def _require_answers(service: Service, order: JobIn) -> PreparedOrder:
     """Return an order about whose drawing no question is open, or raise ``OpenQuestions``."""
     prepared = _prepare(service, order)
     if prepared.questions_key in service.answered:
@@ -202,7 +202,7 @@ def _store(service: Service, prepared: PreparedOrder, key: RequestKey | None) ->
         copies=order.copies,
         priority=order.priority,
         release=order.release,
-        exceptions=_exceptions(service, order.exceptions),
+        exceptions=_exceptions_of_order(service, order.exceptions),
         machine_version=prepared.machine.version,
         board_version=prepared.board.version,
         details=details_columns(order),
@@ -210,7 +210,7 @@ def _store(service: Service, prepared: PreparedOrder, key: RequestKey | None) ->
     return service.store.jobs.add(prepared.drawing, ordered, key)
 
 
-def _exceptions(service: Service, ordered: ExceptionsIn | None) -> Exceptions | None:
+def _exceptions_of_order(service: Service, ordered: ExceptionsIn | None) -> Exceptions | None:
     """Return the exceptions that an order contains, None for none; they are accepted now."""
     if ordered is None:
         return None

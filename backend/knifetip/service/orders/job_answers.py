@@ -68,7 +68,7 @@ def _job_out(
             "reason": render(message) if message else "",
             "hint": hint(message) if message else "",
             "actions": allowed_actions(row, now),
-            "stopped_at": _stop(row),
+            "stopped_at": _stop_place_out(row),
             "verdict": row.verdict_summary,
             "progress": progress(row),
             "is_rest": row.rest is not None,
@@ -80,7 +80,7 @@ def _job_out(
     )
 
 
-def _stop(row: Job) -> dict[str, Any] | None:
+def _stop_place_out(row: Job) -> dict[str, Any] | None:
     """Return the place where the machine stopped a job, and how far it is known."""
     if row.stopped_at is None:
         return None

@@ -95,7 +95,7 @@ def _batch(session: Session, order: _Order) -> _Order:
 
 
 def _descendants(session: Session, ids: Collection[str]) -> dict[str, list[_Order]]:
-    """Return the jobs that continue jobs or make them again, by the job that each one names."""
+    """Return the later jobs that continue or repeat some jobs, by the job that each one names."""
     children: defaultdict[str, list[_Order]] = defaultdict(list)
     found: Iterable[str] = ids
     while found:

@@ -73,7 +73,7 @@ def interruption(
             "job.interrupted-unobserved",
             line=at,
             lines=row.lines,
-            most=_most(most, row.lines),
+            most=_most_lines_message(most, row.lines),
             copy=copy,
             cause=cause,
         )
@@ -96,7 +96,7 @@ def _waits_for_sheet(row: Job) -> bool:
     return row.requested_action != "resume" and row.confirmation == Confirmation.SHEET
 
 
-def _most(most: int, lines: int) -> Message:
+def _most_lines_message(most: int, lines: int) -> Message:
     """Return a message about the last line that a machine may have executed."""
     if most >= lines:
         return Message("job.may-have-ended")

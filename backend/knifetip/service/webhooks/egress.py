@@ -104,7 +104,7 @@ def is_permitted(address: Address, *, private: bool) -> bool:
     private
         Whether loopback and private addresses are permitted.
     """
-    address = _inner(address)
+    address = _embedded_ipv4(address)
     if address in _METADATA or address.is_link_local:
         return False
     if address.is_loopback:
@@ -114,7 +114,7 @@ def is_permitted(address: Address, *, private: bool) -> bool:
     return private or address.is_global
 
 
-def _inner(address: Address) -> Address:
+def _embedded_ipv4(address: Address) -> Address:
     """Return the IPv4 address that an IPv6 address contains, otherwise the address itself."""
     if isinstance(address, ipaddress.IPv4Address) or address.is_loopback or address.is_unspecified:
         return address

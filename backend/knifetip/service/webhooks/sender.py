@@ -180,7 +180,7 @@ async def _post(claimed: ClaimedDelivery, now: float, private: bool) -> tuple[in
     # An address that does not answer leaves time for the next one.
     limits = httpx.Timeout(TIME_LIMIT, connect=TIME_LIMIT / (len(others) + 1))
     async with httpx.AsyncClient(
-        verify=_trusted(), trust_env=False, timeout=limits, follow_redirects=False
+        verify=_tls_settings(), trust_env=False, timeout=limits, follow_redirects=False
     ) as client:
         for address in others:
             with suppress(httpx.ConnectError, httpx.ConnectTimeout):
@@ -221,7 +221,7 @@ async def _post_to(
 
 
 @cache
-def _trusted() -> ssl.SSLContext:
+def _tls_settings() -> ssl.SSLContext:
     """Return the settings of TLS; certificates of the authorities of the system are accepted.
 
     The certificate of an authority of the shop itself is found as by other programs: in the store

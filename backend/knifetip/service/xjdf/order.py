@@ -179,19 +179,19 @@ def _attributes(root: Element, name: str, attribute: str) -> list[str]:
 
 def _one(values: list[str], place: str) -> str:
     """Return the only value that is not empty, "" if there is none."""
-    found = {_readable(value, place) for value in values} - {""}
+    found = {_check_readable(value, place) for value in values} - {""}
     if len(found) > 1:
         raise RequestError("xjdf.twice", place=place)
     return found.pop() if found else ""
 
 
 def _required(value: str, place: str) -> str:
-    if not (readable := _readable(value, place)):
+    if not (readable := _check_readable(value, place)):
         raise RequestError("xjdf.missing", place=place)
     return readable
 
 
-def _readable(value: str, place: str) -> str:
+def _check_readable(value: str, place: str) -> str:
     """Return a value without blanks around it; refuse one with control characters."""
     if control_character(value, TextKind.LINE):
         raise RequestError("xjdf.bad-value", place=place, value=printable(value)[:100])

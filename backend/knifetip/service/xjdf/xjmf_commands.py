@@ -148,13 +148,13 @@ async def _modify(context: MessageContext, message: XjmfMessage) -> list[Element
     if not rows:
         raise _Refusal(ReturnCode.UNKNOWN_ENTRY, "The filter selects no entry of the queue.")
     changed = [
-        await run(partial(_changed, context, change, operation, row.id), context.client)
+        await run(partial(_change_entry, context, change, operation, row.id), context.client)
         for row in rows
     ]
     return [queue_entry(row) for row in changed]
 
 
-def _changed(
+def _change_entry(
     context: MessageContext, change: Callable[[MessageContext, Job], None], operation: str, id: str
 ) -> Job:
     """Change one entry and return it as it is then."""

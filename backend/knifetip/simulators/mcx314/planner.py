@@ -166,7 +166,7 @@ class Planner:
         left = stretch.steps - step
         if stopping:
             way = math.ceil(max(speed * speed - rest * rest, 0.0) / (2.0 * self._steepness))
-            count = self._capped(max(way, self._least(rest)), left, speed)
+            count = self._limit_steps(max(way, self._least_steps(rest)), left, speed)
             return self._piece(stretch, step, count, speed, rest)
         end = self._whole(self._exit(stretch, ahead))
         top = self._whole(stretch.rate)
@@ -174,11 +174,13 @@ class Planner:
         peak = self._whole(min(top, reached))
         brake = max(math.ceil((peak * peak - end * end) / (2.0 * self._steepness)), 0)
         if peak > end:
-            brake = max(brake, self._least(peak))
+            brake = max(brake, self._least_steps(peak))
         cruise = left - brake
-        if peak <= end or cruise < self._least(peak):
-            return self._piece(stretch, step, self._capped(left, left, max(speed, end)), speed, end)
-        count = self._capped(cruise, cruise, peak)
+        if peak <= end or cruise < self._least_steps(peak):
+            return self._piece(
+                stretch, step, self._limit_steps(left, left, max(speed, end)), speed, end
+            )
+        count = self._limit_steps(cruise, cruise, peak)
         return self._piece(stretch, step, count, speed, peak)
 
     def _piece(
@@ -191,13 +193,15 @@ class Planner:
             end = math.sqrt(min(speed * speed + change * stretch.most, rate * rate))
         return Piece(stretch, step, step + count, rate, end)
 
-    def _capped(self, count: int, left: int, rate: float) -> int:
-        """Return a number of steps of at most ``LONGEST``, which leaves none or enough steps."""
+    def _limit_steps(self, count: int, left: int, rate: float) -> int:
+        """Return ``count`` limited to ``LONGEST``; the steps that remain are none, or enough for a
+        piece.
+        """
         count = min(count, left)
-        most = max(int(rate * LONGEST), self._least(rate))
+        most = max(int(rate * LONGEST), self._least_steps(rate))
         if count > most:
             count = most
-        return left if left - count < self._least(rate) else count
+        return left if left - count < self._least_steps(rate) else count
 
     def _exit(self, stretch: ProgramSegment, ahead: Sequence[ProgramSegment]) -> float:
         """Return the greatest rate at the end of a stretch, from which the rest can be driven."""
@@ -230,7 +234,7 @@ class Planner:
     def _steepness(self) -> float:
         return float(self._wiring.acceleration)
 
-    def _least(self, rate: float) -> int:
+    def _least_steps(self, rate: float) -> int:
         """Return the steps that last long enough to write the next piece."""
         return math.ceil(SPARE * self._wiring.refill * rate)
 

@@ -85,7 +85,7 @@ class StretchBuilder:
         ]
 
     def _limit(self, way: list[int] | Joints) -> float:
-        """Return the greatest rate of a way with all axes within theirs (pulses/s)."""
+        """Return the greatest rate at which no axis exceeds its limit along a way (pulses/s)."""
         seconds = max(abs(pulses) / self._fastest(axis) for axis, pulses in enumerate(way))
         return max(map(abs, way)) / seconds
 

@@ -99,7 +99,7 @@ def are_trimmed_folds(drawn: Dieline, after: Dieline, parts: Stretches, dropped:
     group, count = _group_stretches(stretches)
     fine = np.ones(count, np.bool_)
     fine[group[~waste]] = False
-    fine &= _have_right_form(stretches, group, kept, worked, count)
+    fine &= _look_like_trims(stretches, group, kept, worked, count)
     result[folds] = fine[group]
     return result
 
@@ -156,10 +156,10 @@ def _are_in_waste(stretches: Edges, cuts: Edges, kept: Edges) -> Bool:
     whole = ~_touch_cuts(kept, cuts, JOIN_DISTANCE)
     whole[_continuing_ends(stretches, kept)[1] // 2] = False
     folds = kept.select(np.flatnonzero(whole))
-    linked = _with_doubts(pieces, is_cut, folds)
+    linked = _mark_doubtful_area(pieces, is_cut, folds)
     exact = linked
     if len(is_cut) < len(pieces):
-        exact = _with_doubts(pieces.select(is_cut), np.arange(len(is_cut)), folds)
+        exact = _mark_doubtful_area(pieces.select(is_cut), np.arange(len(is_cut)), folds)
     middle = point_at(stretches.curve, 0.5 * stretches.curve[:, 5])
     count = linked.count_around(middle)
     in_hole = (exact.count_around(middle) % 2 == 0) & ~exact.is_doubtful(middle)
@@ -168,7 +168,7 @@ def _are_in_waste(stretches: Edges, cuts: Edges, kept: Edges) -> Bool:
     return result
 
 
-def _with_doubts(pieces: Edges, is_cut: I64, folds: Edges) -> _Contours:
+def _mark_doubtful_area(pieces: Edges, is_cut: I64, folds: Edges) -> _Contours:
     """Return the contours of pieces of cuts, with the rectangle in which outlines may be open.
 
     The rectangle contains the cuts in the waste that enclose nothing, and the folds in the waste.
@@ -217,8 +217,9 @@ def _continuing_ends(edges: Edges, others: Edges) -> tuple[I64, I64]:
     return one[straight], other[straight]
 
 
-def _have_right_form(stretches: Edges, group: I64, kept: Edges, worked: Edges, count: int) -> Bool:
-    """Return the mask of the ``count`` groups that have the form of overshoots or passages.
+def _look_like_trims(stretches: Edges, group: I64, kept: Edges, worked: Edges, count: int) -> Bool:
+    """Return the mask of the ``count`` groups that look like overshoots, or like passages between
+    panels.
 
     ``stretches``, ``group`` n edges and (n,): the dropped stretches, and the group of each.
     ``kept``, ``worked``: the folds and all edges that remain after cleaning.

@@ -304,7 +304,7 @@ class StationCheck(ABC):
         work, edge = overlaps.curve[best], overlaps.edge[best]
         chords = np.zeros(len(self.edges), np.bool_) if chorded is None else chorded
         worst = self._heading_errors(overlaps, best, chords, turn)
-        wrong = np.flatnonzero(_swing(reach[work], worst) > self.tolerance)
+        wrong = np.flatnonzero(_swing_lengths(reach[work], worst) > self.tolerance)
         if len(wrong):
             worst[wrong] = self._least_errors(overlaps, best[wrong], worst[wrong], chords, turn)
         # A shift of the tip by rounding turns the direction of an arc by this shift / radius.
@@ -384,7 +384,7 @@ class StationCheck(ABC):
         """
         if "C" not in self.context.programmed:
             return
-        swing = _swing(reach, np.maximum(error - slack, 0.0))
+        swing = _swing_lengths(reach, np.maximum(error - slack, 0.0))
         for row in np.flatnonzero(swing > self.tolerance)[:MAX_FINDINGS]:
             self.add_finding(
                 "heading",
@@ -512,7 +512,7 @@ class StationCheck(ABC):
         return low - before, edge, before, np.where(line >= 0, line, previous)
 
 
-def _swing(reach: F64, turned: F64) -> F64:
+def _swing_lengths(reach: F64, turned: F64) -> F64:
     """Return the lengths by which points at distances from the tip swing, (k,) mm.
 
     ``reach`` is the distance of each point, (k,) mm; ``turned`` is its angle, (k,) degrees.

@@ -90,7 +90,7 @@ class CreaseCheck(StationCheck):
         self.depth_tolerance[curved] = CURVED_DEPTH_TOLERANCE + self.context.height_resolution
         self._report_short_creases(expected.refused, wheel)
         self._note_stops(parts)
-        overlaps = self._without_crossed(self.match_edges(), expected.pressed)
+        overlaps = self._drop_crossings(self.match_edges(), expected.pressed)
         self.check_position(overlaps)
         check_stray_work(self, overlaps, self.curve[:, 5])
         planned = np.maximum(self.high - self.low, 0.0)
@@ -101,8 +101,8 @@ class CreaseCheck(StationCheck):
         self.check_heading(overlaps, contact, 180.0)
         check_bends(self, overlaps, all_creases, contact, wheel)
 
-    def _without_crossed(self, overlaps: Overlaps, pressed: Bool) -> Overlaps:
-        """Return the overlaps without those of a press with a crease that it does not make.
+    def _drop_crossings(self, overlaps: Overlaps, pressed: Bool) -> Overlaps:
+        """Return the overlaps without those of presses that only cross another crease.
 
         The wheel presses a short crease at one point.  If other creases pass this point, the press
         makes the short crease in the direction of the wheel.

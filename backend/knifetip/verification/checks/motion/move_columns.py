@@ -85,8 +85,8 @@ def tool_columns(machine: Machine, resolution: float) -> ToolColumns:
 
 
 def _turn_error(tool: ExpectedTool, resolution: float) -> float:
-    """Return the turn of a free blade that coordinates in units of ``resolution`` (mm) and the
-    chords of its tip may add, 0 for other tools (degrees).
+    """Return the greatest turn of a free blade that rounding can cause (degrees); 0 for other
+    tools.  Coordinates are rounded to ``resolution`` (mm).
     """
     return math.degrees((resolution + _POSITION_ERROR) / -tool.ahead) if tool.trails else 0.0
 
