@@ -12,10 +12,15 @@ from knifetip.cli.access_key import KeyOptions
 from knifetip.cli.checks import computer, machine, server, storage
 from knifetip.cli.checks.check_result import CheckResult, Grade, run
 from knifetip.cli.options import expand
-from knifetip.cli.terminal import print_json, print_line
+from knifetip.cli.terminal import advice, in_words, print_json, print_line
+from knifetip.messages import Message
 from knifetip.service.settings import StorageSettings
 
-_WORDS: Final = {Grade.OK: "OK", Grade.WARNING: "warning", Grade.PROBLEM: "problem"}
+_WORDS: Final = {
+    Grade.OK: Message("doctor.grade-ok"),
+    Grade.WARNING: Message("doctor.grade-warning"),
+    Grade.PROBLEM: Message("doctor.grade-problem"),
+}
 _COLOURS: Final = {Grade.OK: "green", Grade.WARNING: "yellow", Grade.PROBLEM: "red"}
 
 
@@ -55,10 +60,10 @@ def doctor(
     if as_json:
         print_json(
             {
-                "result": _WORDS[worst].lower(),
+                "result": worst.name.lower(),
                 "findings": [
                     {
-                        "grade": _WORDS[finding.grade].lower(),
+                        "grade": finding.grade.name.lower(),
                         "subject": finding.subject,
                         "text": finding.text,
                         "advice": finding.advice,
@@ -89,11 +94,11 @@ def _findings(
 
 
 def _print(finding: CheckResult) -> None:
-    word = typer.style(f"{_WORDS[finding.grade]:8}", fg=_COLOURS[finding.grade])
+    word = typer.style(f"{in_words(_WORDS[finding.grade]):8}", fg=_COLOURS[finding.grade])
     typer.echo(word, nl=False)
-    print_line(f"{finding.subject}: {finding.text}")
-    if finding.advice:
-        print_line(f"        {finding.advice}")
+    print_line(f"{finding.subject}: {in_words(finding.message)}")
+    if what := advice(finding.message):
+        print_line(f"        {what}")
 
 
 def register(app: typer.Typer) -> None:

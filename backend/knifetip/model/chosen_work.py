@@ -90,7 +90,7 @@ def chosen_work(options: VerifiedOptions, dieline: Dieline) -> ChosenWork:
 
 
 def work_on_cleaned(work: ChosenWork, cleaned: Cleaned) -> ChosenWork:
-    """Convert choices for drawn edges to those for cleaned edges; see ``ChosenEdges.on_cleaned``."""
+    """Convert choices for drawn edges to those for cleaned ones; see ``ChosenEdges.on_cleaned``."""
     return {kind: chosen.on_cleaned(cleaned) for kind, chosen in work.items()}
 
 

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import IntEnum
 
+from knifetip.messages import Message, hint, render
+
 
 class Grade(IntEnum):
     """Severity of a result; the value is the exit code of ``knifetip doctor``."""
@@ -17,27 +19,36 @@ class Grade(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class CheckResult:
-    """The result of a check: its grade, a line of text, and what to do."""
+    """The result of a check: its grade, and a message with a hint if there is something to do."""
 
     grade: Grade
     subject: str  #: what was checked, such as ``disk``
-    text: str
-    advice: str = ""  #: empty if there is nothing to do
+    message: Message
+
+    @property
+    def text(self) -> str:
+        """English text of the message."""
+        return render(self.message)
+
+    @property
+    def advice(self) -> str:
+        """What to do, in English; empty if there is nothing to do."""
+        return hint(self.message)
 
 
-def ok(subject: str, text: str) -> CheckResult:
+def ok(subject: str, message: Message) -> CheckResult:
     """Return the result of a check without a fault."""
-    return CheckResult(Grade.OK, subject, text)
+    return CheckResult(Grade.OK, subject, message)
 
 
-def warning(subject: str, text: str, advice: str) -> CheckResult:
+def warning(subject: str, message: Message) -> CheckResult:
     """Return the result of a check of a subject that works with a restriction."""
-    return CheckResult(Grade.WARNING, subject, text, advice)
+    return CheckResult(Grade.WARNING, subject, message)
 
 
-def problem(subject: str, text: str, advice: str) -> CheckResult:
+def problem(subject: str, message: Message) -> CheckResult:
     """Return the result of a check of a subject that does not work."""
-    return CheckResult(Grade.PROBLEM, subject, text, advice)
+    return CheckResult(Grade.PROBLEM, subject, message)
 
 
 def run(subject: str, check: Callable[[], Iterator[CheckResult]]) -> Iterator[CheckResult]:
@@ -45,5 +56,5 @@ def run(subject: str, check: Callable[[], Iterator[CheckResult]]) -> Iterator[Ch
     try:
         yield from check()
     except Exception as reason:
-        text = f"the check failed: {type(reason).__name__}: {reason}"
-        yield problem(subject, text, "Report this error, with the output of knifetip doctor.")
+        cause = f"{type(reason).__name__}: {reason}"
+        yield problem(subject, Message("doctor.failed", reason=cause))

@@ -13,6 +13,7 @@ from typing import Final
 
 from knifetip.cli.checks.check_result import CheckResult, ok, problem, warning
 from knifetip.formats import FORMATS
+from knifetip.messages import Message
 
 _OLDEST: Final = (3, 11)
 #: Modules with compiled code, which another processor or system library may not be able to load.
@@ -27,7 +28,6 @@ _NATIVE: Final = (
     ),
 )
 _REQUIREMENT: Final = re.compile(r"([A-Za-z0-9._-]+)(?:\[[^]]*\])?\s*([^;]*)(;.*)?")
-_REINSTALL: Final = "Install knifetip again: pip install --force-reinstall knifetip"
 _FULL: Final = 256 << 20  # bytes below which a server refuses uploads
 _LITTLE: Final = 2 << 30
 
@@ -36,9 +36,9 @@ def check_python(found: Sequence[int] = tuple(sys.version_info[:3])) -> Iterator
     """Check the version of Python."""
     text = ".".join(map(str, found[:3]))
     if tuple(found[:2]) < _OLDEST:
-        yield problem("python", f"version {text}", "Install Python 3.11 or newer.")
+        yield problem("python", Message("doctor.python-old", version=text))
     else:
-        yield ok("python", f"version {text} ({sys.executable})")
+        yield ok("python", Message("doctor.python", version=text, path=sys.executable))
 
 
 def check_packages(
@@ -54,16 +54,17 @@ def check_packages(
         Imports a module.
     """
     needed = metadata.requires("knifetip") if requirements is None else requirements
-    faults = [fault for text in needed or () if (fault := _fault(text))]
+    faults = [fault for text in needed or () if (fault := _fault(text)) is not None]
     for module in _NATIVE:
         try:
             load(module)
         except Exception as reason:  # of the loader, of the package, or of the system
-            faults.append(f"{module} cannot be loaded: {reason}")
+            faults.append(Message("doctor.package-unloadable", module=module, reason=str(reason)))
     if faults:
-        yield problem("packages", "; ".join(faults), _REINSTALL)
+        yield problem("packages", Message("doctor.packages-faulty", faults=faults))
     else:
-        yield ok("packages", f"knifetip {metadata.version('knifetip')} and all that it needs")
+        version = metadata.version("knifetip")
+        yield ok("packages", Message("doctor.packages", version=version))
 
 
 def check_converters() -> Iterator[CheckResult]:
@@ -72,26 +73,31 @@ def check_converters() -> Iterator[CheckResult]:
         if one.converter is None:
             continue
         found = one.converter.find()
-        text = f"{one.converter.title} is not installed, so {one.title} files are refused"
+        program = one.converter.title
+        message = Message("doctor.converter-missing", program=program, format=one.title)
         if found is not None:
-            used = f"{one.converter.title} {found.version}".strip()
-            text = f"{used} ({found.path}) converts {one.title} files"
-        yield ok("converters", text)
+            message = Message(
+                "doctor.converter",
+                program=f"{program} {found.version}".strip(),
+                path=str(found.path),
+                format=one.title,
+            )
+        yield ok("converters", message)
 
 
-def _fault(requirement: str) -> str:
-    """Return what is wrong with the package that a requirement names, or ""."""
+def _fault(requirement: str) -> Message | None:
+    """Return what is wrong with the package that a requirement names; None for nothing."""
     match = _REQUIREMENT.match(requirement)
     if match is None or match[3] is not None:
-        return ""  # an extra, or a package for another system
+        return None  # an extra, or a package for another system
     name, bounds = match[1], match[2].strip()
     try:
         version = metadata.version(name)
     except metadata.PackageNotFoundError:
-        return f"{name} is not installed"
+        return Message("doctor.package-missing", name=name)
     if all(_within(version, bound) for bound in bounds.split(",") if bound):
-        return ""
-    return f"{name} {version} is installed, {bounds} is needed"
+        return None
+    return Message("doctor.package-version", name=name, version=version, bounds=bounds)
 
 
 def _within(version: str, bound: str) -> bool:
@@ -113,14 +119,11 @@ def check_kernels() -> Iterator[CheckResult]:
 
     missing = missing_parts()
     if not missing:
-        yield ok("kernels", "all compiled functions have machine code")
+        yield ok("kernels", Message("doctor.kernels"))
         return
     count = sum(part.kernels for part in missing)
-    yield warning(
-        "kernels",
-        f"{count} functions in {len(missing)} modules have no current machine code",
-        "The first server or worker compiles them, which takes some minutes; orders wait for it.",
-    )
+    message = Message("doctor.kernels-missing", count=count, modules=len(missing))
+    yield warning("kernels", message)
 
 
 def check_disks(
@@ -150,11 +153,11 @@ def _check_disk(folder: Path, free: Callable[[Path], int]) -> CheckResult:
             file.flush()
         space = free(folder)
     except OSError as reason:
-        text = f"{folder} cannot be written: {reason.strerror or reason}"
-        return problem("disk", text, "Let the user of the server write to it, or mend the disk.")
-    text = f"{folder}: {space >> 20} MB free"
+        cause = str(reason.strerror or reason)
+        return problem("disk", Message("doctor.disk-unwritable", folder=str(folder), reason=cause))
+    megabytes = space >> 20
     if space < _FULL:
-        return problem("disk", text, "Make room: a server refuses uploads and orders now.")
+        return problem("disk", Message("doctor.disk-full", folder=str(folder), free=megabytes))
     if space < _LITTLE:
-        return warning("disk", text, "Make room soon: see --keep-jobs and --keep-drawings.")
-    return ok("disk", text)
+        return warning("disk", Message("doctor.disk-low", folder=str(folder), free=megabytes))
+    return ok("disk", Message("doctor.disk", folder=str(folder), free=megabytes))

@@ -8,6 +8,7 @@ from urllib.parse import urlsplit
 
 from knifetip.cli.checks.check_result import CheckResult, ok, problem
 from knifetip.errors import KnifetipError
+from knifetip.messages import Message
 
 
 def check_ports(
@@ -27,13 +28,12 @@ def check_ports(
 
     names = (ports or port_names)()
     if not names:
-        yield ok("serial ports", "this computer has none")
+        yield ok("serial ports", Message("doctor.ports-none"))
     for name in names:
         if (may_open or _may_open)(name):
-            yield ok("serial ports", f"{name} may be opened")
+            yield ok("serial ports", Message("doctor.port", port=name))
         else:
-            advice = "Add the user to the group of the port: sudo usermod -aG dialout USER"
-            yield problem("serial ports", f"this user may not open {name}", advice)
+            yield problem("serial ports", Message("doctor.port-refused", port=name))
 
 
 def _may_open(name: str) -> bool:
@@ -61,20 +61,21 @@ def check_machine(
     try:
         machine = load.machine(name)
     except KnifetipError as reason:
-        yield problem("machine", reason.text, reason.hint)
+        yield problem("machine", reason.message)
         return
-    yield ok("machine", f"{name}: {machine.title}, {len(machine.stations)} stations")
+    count = len(machine.stations)
+    yield ok("machine", Message("doctor.machine", name=name, title=machine.title, count=count))
     if not controller:
         return
     try:
         find_driver(machine, controller)
     except KnifetipError as reason:
-        yield problem("controller", reason.text, reason.hint)
+        yield problem("controller", reason.message)
         return
     parts = urlsplit(controller)
     port = parts.netloc + parts.path
     if parts.scheme == "serial" and port not in (ports or port_names)():
-        advice = "Connect the controller, switch it on, or name another port."
-        yield problem("controller", f"there is no serial port {port}", advice)
+        yield problem("controller", Message("doctor.port-missing", port=port))
     else:
-        yield ok("controller", f"{controller} is an address for {machine.dialect}")
+        message = Message("doctor.controller", address=controller, language=machine.dialect)
+        yield ok("controller", message)

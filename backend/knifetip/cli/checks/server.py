@@ -7,6 +7,7 @@ from importlib.metadata import version
 from typing import Any
 
 from knifetip.cli.checks.check_result import CheckResult, ok, problem, warning
+from knifetip.messages import Message
 
 _PATIENCE = 10.0  # seconds
 
@@ -19,16 +20,15 @@ def check_server(url: str, headers: Mapping[str, str]) -> Iterator[CheckResult]:
         with httpx.Client(base_url=url, headers=dict(headers), timeout=_PATIENCE) as client:
             health = client.get("/healthz")
             if not health.is_success:
-                text = f"{url} answers {health.status_code} at /healthz"
-                yield problem("server", text, "Check the URL, and the proxy before the server.")
+                status = health.status_code
+                yield problem("server", Message("doctor.server-unhealthy", url=url, status=status))
                 return
-            yield ok("server", f"{url} answers")
+            yield ok("server", Message("doctor.server", url=url))
             yield _version(_body(health).get("version"))
             yield _ready(client.get("/readyz"))
             yield _key(client.get("/api/v1/service"), bool(headers))
     except (httpx.HTTPError, httpx.InvalidURL) as reason:
-        advice = "Start the server with knifetip serve; check the URL and the network."
-        yield problem("server", f"{url} cannot be reached: {reason}", advice)
+        yield problem("server", Message("doctor.server-unreachable", url=url, reason=str(reason)))
 
 
 def _body(answer: Any) -> dict[str, Any]:
@@ -42,26 +42,23 @@ def _body(answer: Any) -> dict[str, Any]:
 def _version(theirs: object) -> CheckResult:
     ours = version("knifetip")
     if theirs == ours:
-        return ok("version", f"{ours}, as here")
-    text = f"the server has version {theirs}, this is {ours}"
-    return warning("version", text, "Install the same version on all computers.")
+        return ok("version", Message("doctor.version", version=ours))
+    return warning("version", Message("doctor.version-differs", theirs=str(theirs), ours=ours))
 
 
 def _ready(answer: Any) -> CheckResult:
     if answer.is_success:
-        return ok("readiness", "the server is ready")
+        return ok("readiness", Message("doctor.ready"))
     checks = _body(answer).get("checks")
     faults = checks if isinstance(checks, dict) else {}
     text = ", ".join(f"{name}: {fault}" for name, fault in faults.items() if fault != "ok")
-    advice = "Mend it at the server; run knifetip doctor there."
-    return problem("readiness", f"the server is not ready: {text or answer.status_code}", advice)
+    cause = text or str(answer.status_code)
+    return problem("readiness", Message("doctor.not-ready", reason=cause))
 
 
 def _key(answer: Any, given: bool) -> CheckResult:
     if answer.is_success:
-        return ok("key", "the server accepts the key" if given else "no key is necessary here")
+        return ok("key", Message("doctor.key" if given else "doctor.key-unneeded"))
     if answer.status_code in (401, 403):
-        text = "the server refuses the key" if given else "the server requires a key"
-        create = "knifetip key create TITLE --scope viewer --file FILE"
-        return problem("key", text, f"Create one at the server: {create}; give --key-file FILE.")
-    return problem("key", f"the server answers {answer.status_code}", "Read the log of the server.")
+        return problem("key", Message("doctor.key-refused" if given else "doctor.key-required"))
+    return problem("key", Message("doctor.key-unchecked", status=answer.status_code))

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Final
 
 from knifetip.cli.checks.check_result import CheckResult, ok, problem, warning
 from knifetip.errors import StoreError
+from knifetip.messages import Message
 
 if TYPE_CHECKING:
     from knifetip.service.database.schema import Schema
@@ -57,12 +58,10 @@ def check_database(
     try:
         file = sqlite_file(options.url)
     except StoreError as reason:
-        yield problem("database", reason.text, reason.hint)
+        yield problem("database", reason.message)
         return
     if file is not None and not file.is_file():
-        yield warning(
-            "database", f"there is no file {file} yet", "knifetip serve creates it, or --database."
-        )
+        yield warning("database", Message("doctor.database-missing", file=str(file)))
         return
     try:
         with closing(Store(options.url, objects=options.store)) as store:
@@ -80,33 +79,38 @@ def check_database(
             yield from _unbound_keys(store, now())
             yield from _gateways(store)
     except StoreError as reason:
-        yield problem("database", reason.text, reason.hint)
+        yield problem("database", reason.message)
     except sqlalchemy.exc.SQLAlchemyError as reason:
         if is_damaged(reason):
             yield _damaged(options, str(reason).splitlines()[0])
             return
-        text = f"{options.shown} does not answer: {str(reason).splitlines()[0]}"
-        advice = "Start the database server; check the URL, the password and the network."
-        yield problem("database", text, advice)
+        cause = str(reason).splitlines()[0]
+        message = Message("doctor.database-silent", url=options.shown, reason=cause)
+        yield problem("database", message)
 
 
 def _damaged(options: ServerOptions, fault: str) -> CheckResult:
     reason = StoreError("database.damaged", file=options.shown, reason=fault)
-    return problem("database", reason.text, reason.hint)
+    return problem("database", reason.message)
 
 
 def _schema(found: Schema, shown: str, *, is_file: bool) -> CheckResult:
     from knifetip.service.database.schema import unknown_revision
 
-    text = f"{shown}, revision {found.revision or 'none'}"
+    revision = found.revision or "–"
     if found.is_current:
-        return ok("database", text)
+        return ok("database", Message("doctor.database", url=shown, revision=revision))
     if (unknown := unknown_revision(found, shown)) is not None:
-        return problem("database", unknown.text, unknown.hint)
-    text = f"{text}, {found.newest} is needed"
+        return problem("database", unknown.message)
     if is_file or found.is_empty:
-        return warning("database", text, "knifetip serve migrates it; back it up before.")
-    return problem("database", text, "Stop the servers, back it up, and run: knifetip db upgrade")
+        return warning(
+            "database",
+            Message("doctor.database-old", url=shown, revision=revision, newest=found.newest),
+        )
+    return problem(
+        "database",
+        Message("doctor.database-old-shared", url=shown, revision=revision, newest=found.newest),
+    )
 
 
 def _write(store: Store) -> CheckResult:
@@ -119,76 +123,60 @@ def _write(store: Store) -> CheckResult:
         write_probe(store.database)
     except sqlalchemy.exc.SQLAlchemyError as reason:
         if is_disk_full(reason):
-            return problem("writing", "the disk of the database is full", "Make room on it.")
-        text = f"the database cannot be written: {str(reason).splitlines()[0]}"
-        return problem("writing", text, "Check the rights of the file, or whether it is a copy.")
-    return ok("writing", "the database stores changes")
+            return problem("writing", Message("doctor.writing-disk-full"))
+        cause = str(reason).splitlines()[0]
+        return problem("writing", Message("doctor.writing-refused", reason=cause))
+    return ok("writing", Message("doctor.writing"))
 
 
 def _clock(store: Store, now: float, *, is_file: bool) -> CheckResult:
     if is_file:
-        return ok("clock", "the database has the clock of this computer")
+        return ok("clock", Message("doctor.clock-own"))
     difference = abs(store.database.server_time() - now)
-    text = f"{difference:.1f} s between this computer and the database"
     if difference < _CLOCKS[0]:
-        return ok("clock", text)
-    advice = "Synchronise both with NTP."
+        return ok("clock", Message("doctor.clock", seconds=difference))
     grade = problem if difference >= _CLOCKS[1] else warning
-    return grade("clock", text, advice)
+    return grade("clock", Message("doctor.clock-differs", seconds=difference))
 
 
 def _contents(store: Store, url: str) -> CheckResult:
     outside = store.contents.has_outside()
     if not url:
         if outside:
-            text = "large values are in a folder or bucket, but none is given"
-            return problem("store", text, "Give --store as for the server.")
-        return ok("store", "large values are in the database")
+            return problem("store", Message("doctor.store-missing"))
+        return ok("store", Message("doctor.store-own"))
     try:
         store.contents.probe()
     except StoreError as reason:
-        return problem("store", reason.text, reason.hint)
-    return ok("store", f"{url} can be written and read")
+        return problem("store", reason.message)
+    return ok("store", Message("doctor.store", url=url))
 
 
 def _accounts(store: Store, options: ServerOptions) -> CheckResult:
     from knifetip.service.accounts.access_rules import is_loopback
 
-    create = "Create an administrator: knifetip user add NAME --role admin"
     if store.users.has_admin():
-        return ok("accounts", "there is an administrator")
+        return ok("accounts", Message("doctor.accounts"))
     if is_loopback(options.host):
-        text = "there is no administrator: every program on this computer may do everything"
-        return warning("accounts", text, create)
+        return warning("accounts", Message("doctor.accounts-local"))
     if options.has_key:
-        text = "there is no administrator; one key gives access to everything"
-        return warning("accounts", text, create)
-    text = f"there is neither administrator nor key: a server does not listen on {options.host}"
-    return problem("accounts", text, create)
+        return warning("accounts", Message("doctor.accounts-key"))
+    return problem("accounts", Message("doctor.accounts-closed", host=options.host))
 
 
 def _unbound_keys(store: Store, now: float) -> Iterator[CheckResult]:
     for row in store.keys.all():
         is_valid = row.revoked is None and (row.expires is None or row.expires > now)
         if is_valid and row.any_machine and "gateway" in row.scopes:
-            create = "knifetip key create TITLE --scope gateway --machine MACHINE"
-            yield warning(
-                "keys",
-                f"the key {row.title} of a gateway is for any machine",
-                f"Create one for each machine: {create}; then knifetip key revoke {row.id}.",
-            )
+            yield warning("keys", Message("doctor.key-unbound", title=row.title, id=row.id))
 
 
 def _gateways(store: Store) -> Iterator[CheckResult]:
     connected = store.machines.connected_machines(_SILENT)
     waiting = store.machines.machines_with_queue()
     for machine in sorted(connected):
-        yield ok("gateways", f"{machine} is connected")
+        yield ok("gateways", Message("doctor.gateway", machine=machine))
     for machine in sorted(waiting - connected):
-        yield warning(
-            "gateways",
-            f"jobs wait for {machine}, whose gateway is not connected",
-            f"Start it beside the machine: knifetip gateway --machine {machine} --server URL",
-        )
+        yield warning("gateways", Message("doctor.gateway-absent", machine=machine))
     if not connected | waiting:
-        yield ok("gateways", "none is connected and no job waits")
+        yield ok("gateways", Message("doctor.gateways-none"))

@@ -17,6 +17,7 @@ from knifetip.messages.catalogue import (
     controller,
     corner,
     database,
+    doctor,
     drawing,
     dry_run,
     edge_choice,
@@ -96,6 +97,7 @@ _AREAS: Final = (
     webhook,
     xjdf,
     output,
+    doctor,
 )
 
 MESSAGES: Final[Entries] = {code: found for area in _AREAS for code, found in area.MESSAGES.items()}

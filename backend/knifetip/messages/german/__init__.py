@@ -17,6 +17,7 @@ from knifetip.messages.german import (
     controller,
     corner,
     database,
+    doctor,
     drawing,
     dry_run,
     edge_choice,
@@ -97,6 +98,7 @@ _AREAS: Final = (
     webhook,
     xjdf,
     output,
+    doctor,
 )
 
 GERMAN: Final = Language(
