@@ -211,7 +211,7 @@ def fault_message(
     """
     kind, context = _kind(fault), fault.get("ctx", {})
     if kind in CODES:
-        given = {"value": _shown(fault), **context, "path": path}
+        given = {"value": _shown_value(fault), **context, "path": path}
         return Message(kind, **{name: given[name] for name in CODES[kind]})
     if kind == "extra_forbidden":
         near = difflib.get_close_matches(str(fault["loc"][-1]), names(), 1)
@@ -221,12 +221,12 @@ def fault_message(
             else Message("field.unknown", path=path)
         )
     if kind not in _CODES:
-        return Message("field.other", path=path, value=_shown(fault), fault=kind)
+        return Message("field.other", path=path, value=_shown_value(fault), fault=kind)
     if kind == "union_tag_invalid":
         path += f".{str(context['discriminator']).strip(chr(39))}"
     given = {
         **context,
-        "value": _shown(fault),
+        "value": _shown_value(fault),
         "known": _QUOTED.findall(str(context.get("expected", context.get("expected_tags", "")))),
     }
     code, named = _CODES[kind]
@@ -241,7 +241,7 @@ def _kind(fault: ErrorDetails) -> str:
     return kind
 
 
-def _shown(fault: ErrorDetails) -> str:
+def _shown_value(fault: ErrorDetails) -> str:
     """Return the value that a pydantic error concerns, shortened, as text."""
     if fault["type"] == "union_tag_invalid":
         return repr(fault["ctx"]["tag"])[:80]

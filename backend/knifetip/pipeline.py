@@ -283,7 +283,7 @@ def compile(
             toolpath = _toolpath(cleaned, offset, machine, board, options, chosen, progress)
         job = PlacedJob(checked, offset, machine, board, options, chosen=work)
         with located_errors(drawing):
-            return _compiled(job, toolpath, notes, progress)
+            return _write_and_verify(job, toolpath, notes, progress)
 
     compiled, found = with_best_cutter(attempt, machine, load.cutters)
     verdict = compiled.verdict
@@ -335,7 +335,7 @@ def compile_rest(
     with located_errors(drawing):
         toolpath = keep_tracks(rest.toolpath, rest.tracks, machine, board.caliper)
         job = PlacedJob(checked, offset, machine, board, options, rest.earlier, work)
-        return _compiled(job, toolpath, notes, progress)
+        return _write_and_verify(job, toolpath, notes, progress)
 
 
 def rest_of(compiled: Compiled, choice: RestChoice, executed: int = 0) -> Rest:
@@ -478,7 +478,7 @@ def _with_starts(operation: Operation, machine: Machine) -> Operation:
     )
 
 
-def _compiled(
+def _write_and_verify(
     job: PlacedJob, toolpath: Toolpath, notes: Sequence[str], progress: Progress
 ) -> Compiled:
     """Return the program of a toolpath, with its verdict and its machine time.

@@ -55,10 +55,10 @@ class ExportedSpan:
         self._span.update_name(name)
 
     def set(self, **attributes: Any) -> None:
-        self._span.set_attributes(_named(attributes))
+        self._span.set_attributes(_trace_names(attributes))
 
     def event(self, name: str, **attributes: Any) -> None:
-        self._span.add_event(name, _named(attributes))
+        self._span.add_event(name, _trace_names(attributes))
 
     def fail(self, error: str = "") -> None:
         # Without a description: texts of errors contain names of files and persons.
@@ -112,7 +112,7 @@ class Telemetry:
             name,
             None if parent is None else _context(parent),
             SpanKind[kind.upper()],
-            _named(attributes),
+            _trace_names(attributes),
         )
         try:
             with trace.use_span(span, record_exception=False, set_status_on_exception=False):
@@ -155,6 +155,6 @@ def _context(traceparent: str) -> Context:
     return _W3C.extract({"traceparent": traceparent}, Context())
 
 
-def _named(attributes: Mapping[str, Any]) -> dict[str, Any]:
+def _trace_names(attributes: Mapping[str, Any]) -> dict[str, Any]:
     """Return attributes under the names that they have in traces."""
     return {_NAMES.get(name, f"knifetip.{name}"): value for name, value in attributes.items()}

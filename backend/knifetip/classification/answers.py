@@ -55,7 +55,7 @@ def follow_answers(drawing: Drawing, decided: Dieline, dieline: Dieline, overrid
         return dieline
     meant = swapped_answers(decided, overrides)
     by_swap = is_open & (meant != NO_OVERRIDE)
-    look = _looks(drawing)
+    look = _number_looks(drawing)
     count = int(look.max()) + 1
     open_edges = np.bincount(look[is_open], minlength=count)
     answers = np.bincount(look[answered], minlength=count)
@@ -91,7 +91,7 @@ def _suggested_types(dieline: Dieline) -> U8:
     return suggested
 
 
-def _looks(drawing: Drawing) -> I64:
+def _number_looks(drawing: Drawing) -> I64:
     """Return the number of the look of each of n edges, (n,).
 
     A look has one line width, unless the widths of its edges differ by chance.

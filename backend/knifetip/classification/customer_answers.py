@@ -20,7 +20,7 @@ from knifetip.classification.numbered_layers import find_numbered_layers
 from knifetip.geometry.columns import I64, U8
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message, printable
-from knifetip.model.customer_answers import LearnedAnswer, Look, Use
+from knifetip.model.customer_answers import LearnedAnswer, Look, LookUse
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
 from knifetip.model.interpretation import NO_OVERRIDE
@@ -36,7 +36,7 @@ _NAMED: Final = 3
 _MOST_LOOKS: Final = 200
 
 
-def collect_uses(drawing: Drawing, dieline: Dieline, overrides: U8) -> tuple[Use, ...]:
+def collect_uses(drawing: Drawing, dieline: Dieline, overrides: U8) -> tuple[LookUse, ...]:
     """Return what a drawing teaches: the line types that its user gave to open edges.
 
     The line types of decided edges of the same looks are included, because they may contradict.
@@ -65,7 +65,7 @@ def collect_uses(drawing: Drawing, dieline: Dieline, overrides: U8) -> tuple[Use
         key = int(look[row]), reasons[int(rule[row]) + 1], int(given[row])
         edges[key] += int(count[at])
     return tuple(
-        Use(looks[number], reason, LineType(kind), total)
+        LookUse(looks[number], reason, LineType(kind), total)
         for (number, reason, kind), total in edges.items()
     )[:_MOST_LOOKS]
 

@@ -63,7 +63,7 @@ def reattach(ends: F64, bulge: F64, place: I64, merged: MergedLines) -> F64:
     touched = _touched(lines, boxes[order], np.ascontiguousarray(points), JOIN)
     row, end = order[touched[:, 0]], touched[:, 1]
     on = merged.target[row]
-    foot = _foot(ends[on, 0], ends[on, 1], bulge[on], points[end])
+    foot = _nearest_point(ends[on, 0], ends[on, 1], bulge[on], points[end])
     gap = np.hypot(*(foot - points[end]).T)
     apart = np.flatnonzero((gap > JOIN) & (gap <= GAP + POINT))
     # The nearest of several lines, once per point.
@@ -116,7 +116,7 @@ def _touched(lines: F64_2, boxes: F64_2, points: F64_2, distance: float) -> Any:
     return found[:size].copy()
 
 
-def _foot(start: F64, end: F64, bulge: F64, point: F64) -> F64:
+def _nearest_point(start: F64, end: F64, bulge: F64, point: F64) -> F64:
     """Return the point nearest to each of n points on the line or arc given for it, (n, 2) mm."""
     return arc.point_at(start, end, bulge, arc.nearest_fraction(start, end, bulge, point))
 

@@ -36,7 +36,7 @@ _DAY = 86_400.0
 
 
 @contextmanager
-def _opened(database: str) -> Iterator[Store]:
+def _opened_store(database: str) -> Iterator[Store]:
     from knifetip.service.store import Store  # imported here: slow, and the help does not need it
 
     store = Store(database)
@@ -57,7 +57,7 @@ def _open_for_change(database: str, action: str) -> Iterator[Store]:
     from knifetip.service.database.acting import Acting, acting_as  # imports the database
 
     with (
-        _opened(database) as store,
+        _opened_store(database) as store,
         acting_as(Acting(kind="command", name="command line", id="", action=action)),
     ):
         yield store
@@ -86,7 +86,7 @@ def add_user(name: UserName, role: Role = AccessScope.VIEWER, *, chosen: Databas
 
 def list_users(as_json: Json = False, *, chosen: DatabaseSettings) -> None:
     """List the users with their roles."""
-    with _opened(chosen.url) as store:
+    with _opened_store(chosen.url) as store:
         rows = store.users.all()
     if as_json:
         names = ("name", "role", "active", "created", "created_by", "signed_in")
@@ -195,7 +195,7 @@ def create_key(
 
 def list_keys(as_json: Json = False, *, chosen: DatabaseSettings) -> None:
     """List the API keys with their scopes and last use, without their secrets."""
-    with _opened(chosen.url) as store:
+    with _opened_store(chosen.url) as store:
         rows = store.keys.all()
     if as_json:
         names = (

@@ -93,8 +93,8 @@ def knife_toolpath(operation: Operation) -> Toolpath:
         limits = TurnLimits(*operation.turn_limits, blade.period)
         down = lifts_to_unwind(c_start, c_end, length, down, limits)
     height = operation.caliper + operation.clearance
-    start_pose = np.column_stack([_head(paths.start, c_start, blade), z, c_start])
-    end_pose = np.column_stack([_head(paths.end, c_end, blade), z, c_end])
+    start_pose = np.column_stack([_head_positions(paths.start, c_start, blade), z, c_start])
+    end_pose = np.column_stack([_head_positions(paths.end, c_end, blade), z, c_end])
     return Strokes(
         start=start_pose,
         end=end_pose,
@@ -144,7 +144,7 @@ def _without_short_cuts(operation: Operation, blade: Knife) -> Operation:
     return operation.with_paths(np.flatnonzero(~short).astype(np.int32))
 
 
-def _head(tip: F64, c: F64, blade: Knife) -> F64:
+def _head_positions(tip: F64, c: F64, blade: Knife) -> F64:
     """Return the positions of the head, (n, 2) mm, from n positions of the tip and n headings.
 
     The head of a drag knife is ahead of the tip by the blade's ``trail``; otherwise it is at the

@@ -141,21 +141,21 @@ def assemble(
     ends = segments.ends * size
     ends += 0.0
     return Drawing(
-        ends=_owned(ends),
-        bulge=_owned(segments.bulge + 0.0),
-        fit_error=_owned(segments.fit_error * size),
-        entity=_owned(segments.row),
-        layer=_owned(attributes[:, 0].take(segments.style)),
-        colour=_owned(attributes[:, 2].take(segments.style)),
-        true_colour=_owned(attributes[:, 3].take(segments.style)),
-        linetype=_owned(attributes[:, 4].take(segments.style)),
-        line_width=_owned(attributes[:, 5].take(segments.style)),
+        ends=_make_read_only(ends),
+        bulge=_make_read_only(segments.bulge + 0.0),
+        fit_error=_make_read_only(segments.fit_error * size),
+        entity=_make_read_only(segments.row),
+        layer=_make_read_only(attributes[:, 0].take(segments.style)),
+        colour=_make_read_only(attributes[:, 2].take(segments.style)),
+        true_colour=_make_read_only(attributes[:, 3].take(segments.style)),
+        linetype=_make_read_only(attributes[:, 4].take(segments.style)),
+        line_width=_make_read_only(attributes[:, 5].take(segments.style)),
         layers=layers,
         linetypes=linetypes,
         import_report=ImportReport(
-            _sealed(sheet.handle),
-            _sealed(sheet.kind),
-            _sealed(sheet.layer),
+            _as_tuple(sheet.handle),
+            _as_tuple(sheet.kind),
+            _as_tuple(sheet.layer),
             outcome,
             reason,
             kept_length * size,
@@ -169,7 +169,7 @@ def assemble(
     )
 
 
-def _owned(column: NDArray[Any]) -> NDArray[Any]:
+def _make_read_only(column: NDArray[Any]) -> NDArray[Any]:
     """Make the array ``column`` read-only in place, and return it.
 
     Records copy writable arrays; a read-only array is used without a copy.
@@ -178,7 +178,7 @@ def _owned(column: NDArray[Any]) -> NDArray[Any]:
     return column
 
 
-def _sealed(words: Sequence[str]) -> Sequence[str]:
+def _as_tuple(words: Sequence[str]) -> Sequence[str]:
     return tuple(words) if isinstance(words, list) else words
 
 

@@ -73,7 +73,7 @@ def annotation(
     else:
         measure = math.nan
     if kind in _CODED:
-        written = _CODE.sub(_decoded, written)
+        written = _CODE.sub(_decode_escape, written)
     if "%%" in written:
         written = _SIGN.sub(lambda match: _SIGNS.get(match[1].lower(), ""), written)
     if "\\" in written:
@@ -163,7 +163,7 @@ def annotation_of_lines(kind: str, layer: str, data: bytes, encoding: str) -> An
     return annotation_of_tags(kind, layer, zip(codes, lines[1::2], strict=True), encoding)
 
 
-def _decoded(match: re.Match[str]) -> str:
+def _decode_escape(match: re.Match[str]) -> str:
     if match["gap"]:
         return " "
     if match["stack"]:

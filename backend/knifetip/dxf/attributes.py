@@ -107,14 +107,14 @@ class Styles:
 
     def hidden(self, layer: str) -> Message | None:
         """Return the reason for leaving out an object on the layer ``layer``, None if visible."""
-        return object_on_layer(layer, self._of(layer).state)
+        return object_on_layer(layer, self._find_layer(layer).state)
 
     def hidden_insert(self, layer: str) -> Message | None:
         """Return the reason for leaving out an INSERT on the layer ``layer`` with its content.
 
         None if the layer does not hide all content of the block.
         """
-        return insert_on_layer(self._of(layer).state)
+        return insert_on_layer(self._find_layer(layer).state)
 
     def entity_style(self, entity: DXFGraphic, insert_style: Style | None = None) -> Style:
         """Return the style of an ezdxf entity.
@@ -163,7 +163,7 @@ class Styles:
         block = insert_style or _SHEET
         if insert_style is not None and name == "0":
             name = insert_style.layer
-        layer = self._of(name)
+        layer = self._find_layer(name)
         if written == _BYLAYER:
             colour, true_colour = layer.colour, layer.true_colour
         elif written == _BYBLOCK:
@@ -184,7 +184,7 @@ class Styles:
             line_width = layer.line_width
         return Style(name, colour, true_colour, linetype, line_width)
 
-    def _of(self, layer: str) -> Layer:
+    def _find_layer(self, layer: str) -> Layer:
         return self._layers.get(layer.lower(), _UNLISTED)
 
 

@@ -51,7 +51,7 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
     if unit:
         factor(unit)  # refuses an unknown one
     limits.admit(len(data))
-    data, lines_before = _stripped(data)
+    data, lines_before = _strip_start(data)
     try:
         with np.errstate(all="ignore"):
             drawing = read_fast(data, unit or "", limits)
@@ -71,7 +71,7 @@ def read(data: bytes, unit: str | None = None, *, limits: Limits = Limits()) -> 
         raise NotADrawing("reading.damaged", format="DXF", reason=reason) from error
 
 
-def _stripped(data: bytes) -> tuple[bytes, int]:
+def _strip_start(data: bytes) -> tuple[bytes, int]:
     """Return the content of a file without byte order mark and without leading blank lines.
 
     Content in UTF-16 is converted to UTF-8.  The second value is the number of lines removed.

@@ -132,7 +132,7 @@ class Beginning:
 def is_svg(file: Beginning) -> bool:
     """Return whether a file is an SVG file, which may be compressed with gzip (.svgz)."""
     if file.head.startswith(_GZIP):
-        return _unpacked(file.data).startswith(b"<")
+        return _unpack_beginning(file.data).startswith(b"<")
     if not file.head.startswith(b"<"):
         return False
     root = _root_element(file.data)
@@ -202,7 +202,7 @@ def foreign_kind(file: Beginning) -> Message | None:
     return None if is_text or is_dxf else Message("file.binary")
 
 
-def _unpacked(data: bytes) -> bytes:
+def _unpack_beginning(data: bytes) -> bytes:
     """Return the first 4 KB of the decompressed content of a gzip file; b"" if it is damaged."""
     try:
         content = zlib.decompressobj(31).decompress(data, _HEAD)

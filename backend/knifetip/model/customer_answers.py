@@ -24,7 +24,7 @@ class Look:
 
 
 @dataclass(frozen=True, slots=True)
-class Use:
+class LookUse:
     """Edges of one look in one drawing that have one line type for one reason."""
 
     look: Look
@@ -41,7 +41,7 @@ class TaughtDrawing:
 
     name: str  #: file name
     sha256: str  #: of the file
-    uses: tuple[Use, ...]
+    uses: tuple[LookUse, ...]
     unit: str = ""  #: that a user gave to the file, see ``model.unit``; "" for none
 
 
@@ -58,7 +58,7 @@ class LearnedAnswer:
     """The line type that a customer's drawings give to the open edges of a look."""
 
     look: Look
-    reason: str  #: as in ``Use``; "" for all reasons
+    reason: str  #: as in ``LookUse``; "" for all reasons
     line_type: LineType
     drawings: tuple[str, ...]  #: names of the files whose answers agree, the newest first
     #: whether these drawings suffice; otherwise the shape of the edges must suggest the same
@@ -80,14 +80,14 @@ class LearnedAnswer:
         )
 
 
-def use_json(use: Use) -> dict[str, Any]:
+def use_json(use: LookUse) -> dict[str, Any]:
     """Return a use as JSON data; the line type is a word."""
     return {**asdict(use), "line_type": use.line_type.word}
 
 
-def use_from_json(plain: dict[str, Any]) -> Use:
+def use_from_json(plain: dict[str, Any]) -> LookUse:
     """Return the use from the JSON data that ``use_json`` returned."""
-    return Use(
+    return LookUse(
         Look(**plain["look"]),
         plain["reason"],
         LineType.from_word(plain["line_type"]),

@@ -234,7 +234,7 @@ class Machine:
 
         The knives that suit the board are the first, so that one of them makes the cuts.
         """
-        limited = [_limited(station, board) for station in self.stations]
+        limited = [_limit_to_board(station, board) for station in self.stations]
         stations = tuple(sorted(limited, key=lambda station: not suits(station.tool, board)))
         return self if stations == self.stations else replace(self, stations=stations)
 
@@ -274,7 +274,7 @@ def suits(tool: Tool, board: Board) -> bool:
     return not blade or tool.oscillating == (blade == "oscillating")
 
 
-def _limited(station: Station, board: Board) -> Station:
+def _limit_to_board(station: Station, board: Board) -> Station:
     """Return a station whose tool works within the limits of a board."""
     tool: Any = station.tool
     for limits in board.limits:

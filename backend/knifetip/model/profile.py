@@ -32,17 +32,17 @@ class LineRule:
         """The conditions of the rule, such as ``layer "FOLDS", colour 3``."""
         conditions = []
         if self.layer:
-            conditions.append(Message("rule.layer", patterns=map(_quoted, self.layer)))
+            conditions.append(Message("rule.layer", patterns=map(_quote_pattern, self.layer)))
         if self.colour or self.true_colour:
             colours = [str(index) for index in self.colour]
             colours += [f"#{colour:06x}" for colour in self.true_colour]
             conditions.append(Message("rule.colour", colours=colours))
         if self.linetype:
-            conditions.append(Message("rule.linetype", patterns=map(_quoted, self.linetype)))
+            conditions.append(Message("rule.linetype", patterns=map(_quote_pattern, self.linetype)))
         if self.entity:
             conditions.append(Message("rule.entity", kinds=self.entity))
         if self.block:
-            conditions.append(Message("rule.block", patterns=map(_quoted, self.block)))
+            conditions.append(Message("rule.block", patterns=map(_quote_pattern, self.block)))
         if not conditions:
             return Message("rule.everything")
         return Message("rule.conditions", conditions=conditions)
@@ -57,7 +57,7 @@ class LineRules:
     rules: tuple[LineRule, ...]
 
 
-def _quoted(pattern: str) -> str:
+def _quote_pattern(pattern: str) -> str:
     return f'"{pattern}"'
 
 

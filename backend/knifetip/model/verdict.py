@@ -81,7 +81,7 @@ class Finding:
         return render(self.located_message)
 
 
-def _none() -> F64:
+def _empty_column() -> F64:
     return np.zeros(0)
 
 
@@ -95,8 +95,8 @@ class Samples:
     edge: I32 = field(
         default_factory=lambda: np.zeros(0, np.int32)
     )  #: (m,) row of the edge in the dieline
-    place: F64 = field(default_factory=_none)  #: (m,) position along the edge, 0 … 1
-    deviation: F64 = field(default_factory=_none)  #: (m,) mm to the left of the edge
+    place: F64 = field(default_factory=_empty_column)  #: (m,) position along the edge, 0 … 1
+    deviation: F64 = field(default_factory=_empty_column)  #: (m,) mm to the left of the edge
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -110,11 +110,11 @@ class Unreached:
     """q areas in the waste that the cutter cannot reach, bounded by m lines and arcs in total."""
 
     ends: F64 = field(default_factory=lambda: np.zeros((0, 2, 2)))  #: (m, 2, 2) mm
-    bulge: F64 = field(default_factory=_none)  #: (m,) tan(sweep / 4)
+    bulge: F64 = field(default_factory=_empty_column)  #: (m,) tan(sweep / 4)
     first: I32 = field(
         default_factory=lambda: np.zeros(1, np.int32)
     )  #: (q + 1,) first row of each contour
-    area: F64 = field(default_factory=_none)  #: (q,) mm²
+    area: F64 = field(default_factory=_empty_column)  #: (q,) mm²
 
     def __post_init__(self) -> None:
         put = object.__setattr__
@@ -145,26 +145,30 @@ class Verdict:
     setback: F64  #: (n,) length not machined by plan, such as crease ends (mm)
     findings: tuple[Finding, ...]
     seconds: float  #: nominal machine time of the program: lengths over feeds
-    width: F64 = field(default_factory=_none)  #: (n,) width of a V-groove (mm), or 0
-    web: F64 = field(default_factory=_none)  #: (n,) board left below a groove (mm), or 0
-    flank: F64 = field(default_factory=_none)  #: (n,) maximum deviation of the flanks (mm)
-    unreached: F64 = field(default_factory=_none)  #: (n,) length no cutter can reach (mm)
-    bottom_uncut: F64 = field(default_factory=_none)  #: (n,) length not cut in the bottom face (mm)
+    width: F64 = field(default_factory=_empty_column)  #: (n,) width of a V-groove (mm), or 0
+    web: F64 = field(default_factory=_empty_column)  #: (n,) board left below a groove (mm), or 0
+    flank: F64 = field(default_factory=_empty_column)  #: (n,) maximum deviation of the flanks (mm)
+    unreached: F64 = field(default_factory=_empty_column)  #: (n,) length no cutter can reach (mm)
+    bottom_uncut: F64 = field(
+        default_factory=_empty_column
+    )  #: (n,) length not cut in the bottom face (mm)
     top_overcut: F64 = field(
-        default_factory=_none
+        default_factory=_empty_column
     )  #: (n,) cut beyond the ends in the top face (mm)
     #: (n,) maximum distance of an unreached stretch from the area that the cutter sweeps (mm)
-    unreached_distance: F64 = field(default_factory=_none)
-    slit_length: F64 = field(default_factory=_none)  #: (n,) slit milled as wide as the cutter (mm)
-    path_deviation: F64 = field(default_factory=_none)  #: (n,) tip path from the edge (mm)
+    unreached_distance: F64 = field(default_factory=_empty_column)
+    slit_length: F64 = field(
+        default_factory=_empty_column
+    )  #: (n,) slit milled as wide as the cutter (mm)
+    path_deviation: F64 = field(default_factory=_empty_column)  #: (n,) tip path from the edge (mm)
     blending: F64 = field(
-        default_factory=_none
+        default_factory=_empty_column
     )  #: (n,) distance by which the controller may round the tip path (mm)
     fit_error: F64 = field(
-        default_factory=_none
+        default_factory=_empty_column
     )  #: (n,) distance of the edge from the curve of the file that it approximates (mm)
     #: (n,) maximum distance by which cleaning moved the edge (mm)
-    tidied: F64 = field(default_factory=_none)
+    tidied: F64 = field(default_factory=_empty_column)
     samples: Samples = field(default_factory=lambda: Samples())
     areas: Unreached = field(default_factory=lambda: Unreached())  #: areas no cutter can reach
 

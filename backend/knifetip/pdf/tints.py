@@ -107,12 +107,12 @@ def _run_program(program: bytes, tint: float) -> list[float]:
             elif word == "exch":
                 stack[-2:] = stack[:-3:-1]
             elif word == "index":
-                stack.append(stack[-1 - _natural(stack.pop())])
+                stack.append(stack[-1 - _to_count(stack.pop())])
             elif word == "copy":
-                count = _natural(stack.pop())
+                count = _to_count(stack.pop())
                 stack += stack[len(stack) - count :]
             elif word == "roll":
-                turn, count = int(stack.pop()), _natural(stack.pop())
+                turn, count = int(stack.pop()), _to_count(stack.pop())
                 top = stack[len(stack) - count :]
                 stack[len(stack) - count :] = [top[(k - turn) % count] for k in range(count)]
             else:
@@ -124,7 +124,7 @@ def _run_program(program: bytes, tint: float) -> list[float]:
     return stack
 
 
-def _natural(value: float) -> int:
+def _to_count(value: float) -> int:
     """Return ``value`` as an index or a number of elements of the stack of a PostScript program.
 
     A fraction is cut off.

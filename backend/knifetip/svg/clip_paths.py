@@ -117,7 +117,7 @@ class ClipPaths:
         if node.attributes.get(units, "userSpaceOnUse") != "userSpaceOnUse":
             # The region depends on the size of each object.
             raise _UnsupportedError
-        outer = _transformed(node, matrix)
+        outer = _with_own_transform(node, matrix)
         parts: list[Region] = []
         stack = [(node, self._cascade.appearance(node, INITIAL), outer, 0)]
         while stack:
@@ -126,7 +126,7 @@ class ClipPaths:
                 if not is_mask or _is_white_area(appearance, is_first=not parts):
                     parts.append(self._shape(one, appearance, inner, window))
                 continue
-            for child in reversed(_copied(one, self._named, uses)):
+            for child in reversed(_copied_nodes(one, self._named, uses)):
                 if child.tag in _SILENT or not child.tag:
                     continue
                 if child.tag not in shapes.SHAPES and child.tag not in ("g", "use"):
@@ -134,7 +134,7 @@ class ClipPaths:
                 look = self._cascade.appearance(child, appearance)
                 if look.clip_path or look.mask:
                     raise _UnsupportedError
-                placed = _transformed(child, inner)
+                placed = _with_own_transform(child, inner)
                 if child.tag == "use":
                     x, y = (
                         to_pixels(child.attributes.get(name, "0"), length)
@@ -168,7 +168,7 @@ class ClipPaths:
         return region
 
 
-def _copied(node: Node, named: Mapping[str, Node], uses: int) -> list[Node]:
+def _copied_nodes(node: Node, named: Mapping[str, Node], uses: int) -> list[Node]:
     """Return the children of a group, or the element that a ``use`` element copies."""
     if node.tag != "use":
         return node.children
@@ -178,7 +178,7 @@ def _copied(node: Node, named: Mapping[str, Node], uses: int) -> list[Node]:
     return [target]
 
 
-def _transformed(node: Node, matrix: Matrix) -> Matrix:
+def _with_own_transform(node: Node, matrix: Matrix) -> Matrix:
     text = node.attributes.get("transform")
     return matrix if text is None else compose(matrix, parse_transform(text))
 

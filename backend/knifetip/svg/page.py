@@ -84,14 +84,14 @@ def read_page(root: Node, unit: str, millimetres_per_unit: float, pixel: str) ->
     else:
         file_unit, millimetres = pixel, MILLIMETRES[pixel]
     pixel_length = MILLIMETRES[pixel or "px"]
-    width, height = (_in_unit(side, millimetres, pixel_length) for side in (wide, high))
+    width, height = (_side_in_unit(side, millimetres, pixel_length) for side in (wide, high))
     if box is None:
         size = pixel_length / millimetres
         matrix = (size, 0.0, 0.0, -size, 0.0, height or 0.0)
         visible = _page_box(width, height)
         evidence = Message("unit.svg-size-in-pixels", size=written, pixel=pixel or "px")
     else:
-        matrix = _flipped(view_box_matrix(box, width, height, root), box, width, height)
+        matrix = _flipped_matrix(view_box_matrix(box, width, height, root), box, width, height)
         visible = _page_box(
             width or (height * box[2] / box[3] if height else box[2]),
             height or (width * box[3] / box[2] if width else box[3]),
@@ -240,7 +240,7 @@ def view_box_matrix(
     return x_scale, 0.0, 0.0, y_scale, left - x * x_scale, top - y * y_scale
 
 
-def _flipped(
+def _flipped_matrix(
     matrix: Matrix,
     box: tuple[float, float, float, float],
     page_width: float | None,
@@ -271,7 +271,7 @@ def _side_length(root: Node, name: str) -> tuple[float, str] | None:
     return (value, unit) if value > 0.0 and unit != "%" else None
 
 
-def _in_unit(
+def _side_in_unit(
     side: tuple[float, str] | None, millimetres: float, pixel_length: float
 ) -> float | None:
     """Return the length of a side of the page in a unit that is ``millimetres`` mm long.

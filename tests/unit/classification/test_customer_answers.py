@@ -22,8 +22,8 @@ from knifetip.messages import Message
 from knifetip.model.customer_answers import (
     LearnedAnswer,
     Look,
+    LookUse,
     TaughtDrawing,
-    Use,
     learned_from_text,
     learned_text,
 )
@@ -40,7 +40,7 @@ CREASE, CUT, IGNORED = LineType.CREASE, LineType.CUT, LineType.IGNORED
 
 def taught(name: str, *uses: tuple[str, LineType], look: Look = LOOK) -> TaughtDrawing:
     return TaughtDrawing(
-        name, f"hash of {name}", tuple(Use(look, reason, kind, 2) for reason, kind in uses)
+        name, f"hash of {name}", tuple(LookUse(look, reason, kind, 2) for reason, kind in uses)
     )
 
 
@@ -59,7 +59,7 @@ def classified(drawing: Drawing) -> Dieline:
     return pipeline.classify(drawing, load.profile("default"))
 
 
-def answered(drawing: Drawing, **types: LineType) -> tuple[Use, ...]:
+def answered(drawing: Drawing, **types: LineType) -> tuple[LookUse, ...]:
     overrides = np.full(len(drawing), NO_OVERRIDE, np.uint8)
     for row, layer in enumerate(drawing.layer.tolist()):
         overrides[row] = types.get(drawing.layers[layer], NO_OVERRIDE)

@@ -378,7 +378,7 @@ def test_the_exit_code_is_that_of_the_worst_finding(
     knifetip: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("knifetip.service.processes.kernel_groups.missing_parts", list)
-    monkeypatch.setattr(computer, "_free", lambda _: 1 << 40)
+    monkeypatch.setattr(computer, "_free_bytes", lambda _: 1 << 40)
     monkeypatch.setattr("knifetip.gateway.transports.serial.port_names", list)
     url = f"sqlite:///{tmp_path}/shop.sqlite"
     with migrated_store(url) as store:

@@ -118,19 +118,19 @@ class _Lines:
 
     def is_side(self, line: int) -> bool:
         """Return whether both ends of a line coincide with ends of other long lines."""
-        return all(len(self._joined(line, end)) for end in (0, 1))
+        return all(len(self._lines_ending_at(line, end)) for end in (0, 1))
 
-    def _joined(self, line: int, end: int) -> I64:
+    def _lines_ending_at(self, line: int, end: int) -> I64:
         """Return the long lines that end where an end of a line lies, unless others pass there."""
         point = self._ends[line, end]
         gaps = np.hypot(*(self._ends - point).transpose(2, 0, 1)).min(axis=1)
         joined = (gaps <= GAP * self._unit) & ~(self._length <= _STROKE * self._unit)
         joined[line] = False
-        passing = self._passing(point, joined)
+        passing = self._mask_of_passing(point, joined)
         passing[line] = False
         return np.flatnonzero(joined) if not passing.any() else np.zeros(0, np.int64)
 
-    def _passing(self, point: F64, joined: Bool) -> Bool:
+    def _mask_of_passing(self, point: F64, joined: Bool) -> Bool:
         """Return the mask of the lines that pass through a point and do not end there, (n,)."""
         across, onward = self._offsets(point)
         inside = (onward > _NEAR * self._unit) & (onward < self._length - _NEAR * self._unit)

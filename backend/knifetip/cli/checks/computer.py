@@ -54,7 +54,7 @@ def check_packages(
         Imports a module.
     """
     needed = metadata.requires("knifetip") if requirements is None else requirements
-    faults = [fault for text in needed or () if (fault := _fault(text)) is not None]
+    faults = [fault for text in needed or () if (fault := _fault_of_package(text)) is not None]
     for module in _NATIVE:
         try:
             load(module)
@@ -85,7 +85,7 @@ def check_converters() -> Iterator[CheckResult]:
         yield ok("converters", message)
 
 
-def _fault(requirement: str) -> Message | None:
+def _fault_of_package(requirement: str) -> Message | None:
     """Return what is wrong with the package that a requirement names; None for nothing."""
     match = _REQUIREMENT.match(requirement)
     if match is None or match[3] is not None:
@@ -95,12 +95,12 @@ def _fault(requirement: str) -> Message | None:
         version = metadata.version(name)
     except metadata.PackageNotFoundError:
         return Message("doctor.package-missing", name=name)
-    if all(_within(version, bound) for bound in bounds.split(",") if bound):
+    if all(_meets_bound(version, bound) for bound in bounds.split(",") if bound):
         return None
     return Message("doctor.package-version", name=name, version=version, bounds=bounds)
 
 
-def _within(version: str, bound: str) -> bool:
+def _meets_bound(version: str, bound: str) -> bool:
     """Return whether a version meets a bound; true for bounds other than ``>=`` and ``<``."""
     match = re.match(r"(>=|<)\s*([0-9.]+)$", bound.strip())
     if match is None:
@@ -139,10 +139,10 @@ def check_disks(
         Returns the free bytes of a folder; None for those of the system.
     """
     for folder in dict.fromkeys([*folders, Path(tempfile.gettempdir())]):
-        yield _check_disk(folder, free or _free)
+        yield _check_disk(folder, free or _free_bytes)
 
 
-def _free(folder: Path) -> int:
+def _free_bytes(folder: Path) -> int:
     return shutil.disk_usage(folder).free
 
 

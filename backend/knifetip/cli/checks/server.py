@@ -24,9 +24,9 @@ def check_server(url: str, headers: Mapping[str, str]) -> Iterator[CheckResult]:
                 yield problem("server", Message("doctor.server-unhealthy", url=url, status=status))
                 return
             yield ok("server", Message("doctor.server", url=url))
-            yield _version(_body(health).get("version"))
-            yield _ready(client.get("/readyz"))
-            yield _key(client.get("/api/v1/service"), bool(headers))
+            yield _check_version(_body(health).get("version"))
+            yield _check_readiness(client.get("/readyz"))
+            yield _check_key(client.get("/api/v1/service"), bool(headers))
     except (httpx.HTTPError, httpx.InvalidURL) as reason:
         yield problem("server", Message("doctor.server-unreachable", url=url, reason=str(reason)))
 
@@ -39,14 +39,14 @@ def _body(answer: Any) -> dict[str, Any]:
     return body if isinstance(body, dict) else {}
 
 
-def _version(theirs: object) -> CheckResult:
+def _check_version(theirs: object) -> CheckResult:
     ours = version("knifetip")
     if theirs == ours:
         return ok("version", Message("doctor.version", version=ours))
     return warning("version", Message("doctor.version-differs", theirs=str(theirs), ours=ours))
 
 
-def _ready(answer: Any) -> CheckResult:
+def _check_readiness(answer: Any) -> CheckResult:
     if answer.is_success:
         return ok("readiness", Message("doctor.ready"))
     checks = _body(answer).get("checks")
@@ -56,7 +56,7 @@ def _ready(answer: Any) -> CheckResult:
     return problem("readiness", Message("doctor.not-ready", reason=cause))
 
 
-def _key(answer: Any, given: bool) -> CheckResult:
+def _check_key(answer: Any, given: bool) -> CheckResult:
     if answer.is_success:
         return ok("key", Message("doctor.key" if given else "doctor.key-unneeded"))
     if answer.status_code in (401, 403):

@@ -66,35 +66,35 @@ def check_database(
     try:
         with closing(Store(options.url, objects=options.store)) as store:
             found = store.database.schema()
-            yield _schema(found, options.shown, is_file=file is not None)
+            yield _check_schema(found, options.shown, is_file=file is not None)
             if fault := store.database.damage():
-                yield _damaged(options, fault)
+                yield _damaged_database(options, fault)
                 return
             if not found.is_current:
                 return
-            yield _write(store)
-            yield _clock(store, now(), is_file=file is not None)
-            yield _contents(store, options.store)
-            yield _accounts(store, options)
-            yield from _unbound_keys(store, now())
-            yield from _gateways(store)
+            yield _check_writing(store)
+            yield _check_clock(store, now(), is_file=file is not None)
+            yield _check_contents(store, options.store)
+            yield _check_accounts(store, options)
+            yield from _check_gateway_keys(store, now())
+            yield from _check_gateways(store)
     except StoreError as reason:
         yield problem("database", reason.message)
     except sqlalchemy.exc.SQLAlchemyError as reason:
         if is_damaged(reason):
-            yield _damaged(options, str(reason).splitlines()[0])
+            yield _damaged_database(options, str(reason).splitlines()[0])
             return
         cause = str(reason).splitlines()[0]
         message = Message("doctor.database-silent", url=options.shown, reason=cause)
         yield problem("database", message)
 
 
-def _damaged(options: ServerOptions, fault: str) -> CheckResult:
+def _damaged_database(options: ServerOptions, fault: str) -> CheckResult:
     reason = StoreError("database.damaged", file=options.shown, reason=fault)
     return problem("database", reason.message)
 
 
-def _schema(found: Schema, shown: str, *, is_file: bool) -> CheckResult:
+def _check_schema(found: Schema, shown: str, *, is_file: bool) -> CheckResult:
     from knifetip.service.database.schema import unknown_revision
 
     revision = found.revision or "–"
@@ -113,7 +113,7 @@ def _schema(found: Schema, shown: str, *, is_file: bool) -> CheckResult:
     )
 
 
-def _write(store: Store) -> CheckResult:
+def _check_writing(store: Store) -> CheckResult:
     import sqlalchemy.exc
 
     from knifetip.service.database.damage import is_disk_full
@@ -129,7 +129,7 @@ def _write(store: Store) -> CheckResult:
     return ok("writing", Message("doctor.writing"))
 
 
-def _clock(store: Store, now: float, *, is_file: bool) -> CheckResult:
+def _check_clock(store: Store, now: float, *, is_file: bool) -> CheckResult:
     if is_file:
         return ok("clock", Message("doctor.clock-own"))
     difference = abs(store.database.server_time() - now)
@@ -139,7 +139,7 @@ def _clock(store: Store, now: float, *, is_file: bool) -> CheckResult:
     return grade("clock", Message("doctor.clock-differs", seconds=difference))
 
 
-def _contents(store: Store, url: str) -> CheckResult:
+def _check_contents(store: Store, url: str) -> CheckResult:
     outside = store.contents.has_outside()
     if not url:
         if outside:
@@ -152,7 +152,7 @@ def _contents(store: Store, url: str) -> CheckResult:
     return ok("store", Message("doctor.store", url=url))
 
 
-def _accounts(store: Store, options: ServerOptions) -> CheckResult:
+def _check_accounts(store: Store, options: ServerOptions) -> CheckResult:
     from knifetip.service.accounts.access_rules import is_loopback
 
     if store.users.has_admin():
@@ -164,14 +164,14 @@ def _accounts(store: Store, options: ServerOptions) -> CheckResult:
     return problem("accounts", Message("doctor.accounts-closed", host=options.host))
 
 
-def _unbound_keys(store: Store, now: float) -> Iterator[CheckResult]:
+def _check_gateway_keys(store: Store, now: float) -> Iterator[CheckResult]:
     for row in store.keys.all():
         is_valid = row.revoked is None and (row.expires is None or row.expires > now)
         if is_valid and row.any_machine and "gateway" in row.scopes:
             yield warning("keys", Message("doctor.key-unbound", title=row.title, id=row.id))
 
 
-def _gateways(store: Store) -> Iterator[CheckResult]:
+def _check_gateways(store: Store) -> Iterator[CheckResult]:
     connected = store.machines.connected_machines(_SILENT)
     waiting = store.machines.machines_with_queue()
     for machine in sorted(connected):

@@ -69,38 +69,38 @@ def _attempts(data: bytes, counted: Prescan) -> Iterator[Callable[[], Document]]
         yield lambda: Document.load(binary_tags_loader(data, errors="replace"))
         with suppress(Exception):
             tags = binary_tags_loader(data, errors="replace")
-            yield from _of_lines(as_text(tags, counted.encoding), counted)
+            yield from _ways_to_load_lines(as_text(tags, counted.encoding), counted)
     else:
-        yield from _of_text(data, counted)
-        yield from _of_lines(data, counted)
+        yield from _ways_to_load_text(data, counted)
+        yield from _ways_to_load_lines(data, counted)
 
 
-def _of_lines(data: bytes, counted: Prescan) -> Iterator[Callable[[], Document]]:
+def _ways_to_load_lines(data: bytes, counted: Prescan) -> Iterator[Callable[[], Document]]:
     lines = lines_only(data)
-    yield from _of_text(lines, counted)
-    yield lambda: _recovered(with_markers(lines, every=True))
+    yield from _ways_to_load_text(lines, counted)
+    yield lambda: _recover_document(with_markers(lines, every=True))
 
 
-def _of_text(data: bytes, counted: Prescan) -> Iterator[Callable[[], Document]]:
+def _ways_to_load_text(data: bytes, counted: Prescan) -> Iterator[Callable[[], Document]]:
     if counted.markers and counted.variables.get("$ACADVER", "") <= UNMARKED:
         data = with_markers(data, every=True)
-    yield lambda: _plain(data, counted.encoding)
-    yield lambda: _recovered(data)
+    yield lambda: _load_text(data, counted.encoding)
+    yield lambda: _recover_document(data)
     if counted.unmarked:
-        yield lambda: _plain(with_markers(data), counted.encoding)
-        yield lambda: _recovered(with_markers(data))
+        yield lambda: _load_text(with_markers(data), counted.encoding)
+        yield lambda: _recover_document(with_markers(data))
     if counted.markers and "$ACADVER" not in counted.variables:
         # Without a version ezdxf reads the file as R12, which has no subclass markers.
         head = b"0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n0\nENDSEC\n"
-        yield lambda: _recovered(head + data)
+        yield lambda: _recover_document(head + data)
 
 
-def _plain(data: bytes, encoding: str) -> Document:
+def _load_text(data: bytes, encoding: str) -> Document:
     with io.TextIOWrapper(io.BytesIO(data), encoding=encoding, errors="replace") as stream:
         return Document.read(stream)
 
 
-def _recovered(data: bytes) -> Document:
+def _recover_document(data: bytes) -> Document:
     document, _ = recover.read(io.BytesIO(data), errors="replace")
     return document
 

@@ -56,7 +56,7 @@ class EzdxfEntity:
             float(dxf.get("rotation", 0.0)),
             _cells(self._entity),
             (float(dxf.get("column_spacing", 0.0)), float(dxf.get("row_spacing", 0.0))),
-            _clipped(self._entity),
+            _is_clipped(self._entity),
         )
 
     def repeats(self) -> tuple[str, int]:
@@ -76,7 +76,7 @@ def _cells(insert: Any) -> tuple[int, int]:
     return max(int(dxf.get("column_count", 1)), 1), max(int(dxf.get("row_count", 1)), 1)
 
 
-def _clipped(insert: Any) -> bool:
+def _is_clipped(insert: Any) -> bool:
     return bool(insert.has_extension_dict) and "ACAD_FILTER" in insert.get_extension_dict()
 
 

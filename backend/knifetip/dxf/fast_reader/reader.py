@@ -109,7 +109,7 @@ class FastReader:
         """
         rows = np.flatnonzero(self.entity[:, f.BLOCK] < 0)
         reach = REACH / (scale or 1.0)
-        hidden = self._hidden(rows)
+        hidden = self._mask_of_hidden(rows)
         one_by_one = self._one_by_one(rows, hidden, reach)
         widths = set_polyline_widths(self.scan, scale)
         self._source.polyline_width = widths
@@ -180,7 +180,7 @@ class FastReader:
             words,
         )
 
-    def _hidden(self, rows: I64) -> Bool:
+    def _mask_of_hidden(self, rows: I64) -> Bool:
         """Return the mask of the entities in ``rows`` that have segments and lie on hidden layers.
 
         ``rows`` are the rows in ``Scan.entity`` of the entities of model space.

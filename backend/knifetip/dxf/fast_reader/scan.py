@@ -70,7 +70,7 @@ def scan(data: bytes) -> Scan | None:
         Content of the file without byte order mark and leading blank lines.
     """
     largest = len(data) // _SHORTEST + 64
-    expected = min(largest, _expected(data))
+    expected = min(largest, _estimate_entity_count(data))
     if cuts := _split_positions(data):
         merged = _merge_parts(data, _scan_parts(data, [0, *cuts, len(data)], expected))
         if merged is not None:
@@ -82,7 +82,7 @@ def scan(data: bytes) -> Scan | None:
     return _merge_parts(data, parts)
 
 
-def _expected(data: bytes) -> int:
+def _estimate_entity_count(data: bytes) -> int:
     """Return an estimate of the number of entities of the file, from a sample of its bytes.
 
     The estimate is rarely too low.

@@ -104,7 +104,7 @@ def _no_mode(facts: _Facts) -> Expected | None:
     return equal_to(0) if not turns else None
 
 
-def _located(facts: _Facts) -> Expected | None:
+def _report_contents(facts: _Facts) -> Expected | None:
     """With positions of the machine, grblHAL must also report the offset of the work zero."""
     mask = facts.mask(10)
     if not facts.capabilities.grblhal or mask is None or not mask & _MACHINE_POSITION:
@@ -173,7 +173,7 @@ def _above_zero(wanted: float) -> Expected:
 
 
 _ROWS = (
-    _Row(10, "setting.no-work-offset", _located, dangerous=True),
+    _Row(10, "setting.no-work-offset", _report_contents, dangerous=True),
     _Row(10, "setting.no-buffer-state", _reports_buffer),
     _Row(13, "setting.inches", lambda _: equal_to(0), dangerous=True),
     # grblHAL takes soft limits only after homing.

@@ -66,7 +66,7 @@ def requirements(machine: Machine, found: Mapping[str, str]) -> list[Requirement
     found
         Entries of the INI file (``read``) and units of the joints (``unit_settings``).
     """
-    return [*_units(found), *_axes(machine, found)]
+    return [*_units(found), *_axis_requirements(machine, found)]
 
 
 def _units(found: Mapping[str, str]) -> Iterator[Requirement]:
@@ -86,7 +86,7 @@ def _unless_wrong(wanted: str) -> Callable[[str], str]:
     return lambda unit: wanted if unit in _WRONG_UNITS else unit
 
 
-def _axes(machine: Machine, found: Mapping[str, str]) -> Iterator[Requirement]:
+def _axis_requirements(machine: Machine, found: Mapping[str, str]) -> Iterator[Requirement]:
     for letter, axis in machine.axes.items():
         for section in (f"[AXIS_{letter}]", *_joint_sections(letter, found)):
             for name, wanted in (

@@ -99,7 +99,7 @@ class Mcx314(Mcx314Operations):
         connection = self._connection
         connection.raise_fault()
         lines = text.count(b"\n")
-        answer = await self._guarded(f"BEGIN {lines}")
+        answer = await self._send_or_record_fault(f"BEGIN {lines}")
         number = int(answer.removeprefix("PROGRAM="))
         name = connection.name_of(number)
         program = RunningProgram(number, connection.executed, lines, name)
@@ -115,7 +115,7 @@ class Mcx314(Mcx314Operations):
         # A program releases everything at its end; what is off already stays off.
         if self._safe is not None:
             for request in recovery.release_requests(self._safe):
-                await self._guarded(request)
+                await self._send_or_record_fault(request)
         return await self.status()
 
     async def _load(self, text: bytes, program: RunningProgram) -> None:
@@ -141,10 +141,12 @@ class Mcx314(Mcx314Operations):
         while free < len(batch):
             await self._next_report()
             free = int(self._connection.fields.get("FREE", "0"))
-        answer = await self._guarded(f"LOAD {program.number} {first} {'|'.join(batch)}")
+        answer = await self._send_or_record_fault(
+            f"LOAD {program.number} {first} {'|'.join(batch)}"
+        )
         return int(answer.removeprefix("FREE="))
 
-    async def _guarded(self, request: str) -> str:
+    async def _send_or_record_fault(self, request: str) -> str:
         """Send a request; record a failure as the fault."""
         try:
             return await self._connection.request(request)
@@ -163,12 +165,12 @@ class Mcx314(Mcx314Operations):
     async def hold(self) -> None:
         """Decelerate to a stop from which ``resume`` can continue."""
         self._connection.raise_fault()
-        await self._guarded("HOLD")
+        await self._send_or_record_fault("HOLD")
 
     async def resume(self) -> None:
         """Let the machine continue after a hold."""
         self._connection.raise_fault()
-        await self._guarded("RESUME")
+        await self._send_or_record_fault("RESUME")
 
     async def _make_safe(self) -> Status:
         try:

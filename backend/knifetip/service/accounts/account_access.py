@@ -206,12 +206,12 @@ class Accounts:
         )
         await self._run(self._threads, partial(self.store.audit.write, acting, DONE))
 
-    async def sign_in_at_provider(self, who: ProviderUser, address: str) -> str:
+    async def sign_in_at_provider(self, provider_user: ProviderUser, address: str) -> str:
         """Begin a session of a user of a provider and return its token.
 
         Parameters
         ----------
-        who
+        provider_user
             The user, as the provider has confirmed it.
         address
             Address of the sender.
@@ -223,13 +223,15 @@ class Accounts:
         WrongState
             The user is the last administrator and would have another role.
         """
-        token = await self._run(self._threads, lambda: self._open_provider_session(who, address))
+        token = await self._run(
+            self._threads, lambda: self._open_provider_session(provider_user, address)
+        )
         self.clear_cache()
         return token
 
-    def _open_provider_session(self, who: ProviderUser, address: str) -> str:
+    def _open_provider_session(self, provider_user: ProviderUser, address: str) -> str:
         assert self.store is not None
-        user = self.store.provider_users.signed_in(who)
+        user = self.store.provider_users.record_sign_in(provider_user)
         token = self.store.sessions.open(user)
         acting = Acting(
             kind=PrincipalKind.USER,

@@ -49,7 +49,7 @@ class ProviderUsers:
         self._db = database
         self._users = users
 
-    def signed_in(self, who: ProviderUser) -> UserAccount:
+    def record_sign_in(self, provider_user: ProviderUser) -> UserAccount:
         """Return the user that a provider has confirmed, created or with the present role.
 
         A user who has signed in before is found by the identifier, never by the name.  If the name
@@ -65,39 +65,41 @@ class ProviderUsers:
         for _ in range(_RETRIES):
             # Another request may create the user, or use the attempt, at the same time.
             with suppress(IntegrityError):
-                return self._signed_in(who)
-        return self._signed_in(who)
+                return self._find_or_create(provider_user)
+        return self._find_or_create(provider_user)
 
-    def _signed_in(self, who: ProviderUser) -> UserAccount:
+    def _find_or_create(self, provider_user: ProviderUser) -> UserAccount:
         now = self._db.clock()
         with self._db.writing() as session:
-            if session.get(UsedSignIn, who.attempt) is not None:
+            if session.get(UsedSignIn, provider_user.attempt) is not None:
                 raise SignInRefused("oidc.used")
-            if who.role is None:
-                raise SignInRefused("oidc.no-role", name=who.name[:64])
+            if provider_user.role is None:
+                raise SignInRefused("oidc.no-role", name=provider_user.name[:64])
             session.execute(sa.delete(UsedSignIn).where(UsedSignIn.at < now - _KEPT))
-            session.add(UsedSignIn(digest=who.attempt, at=now))
+            session.add(UsedSignIn(digest=provider_user.attempt, at=now))
             row = session.scalar(
-                sa.select(UserAccount).where(UserAccount.subject == who.key).with_for_update()
+                sa.select(UserAccount)
+                .where(UserAccount.subject == provider_user.key)
+                .with_for_update()
             )
             if row is None:
                 row = UserAccount(
                     id=new_id(),
-                    name=_free_name(session, who.name),
+                    name=_free_name(session, provider_user.name),
                     kind="oidc",
-                    subject=who.key,
-                    role=who.role.value,
+                    subject=provider_user.key,
+                    role=provider_user.role.value,
                     password="",
                     active=True,
                     created=now,
-                    created_by=who.issuer[:200],
+                    created_by=provider_user.issuer[:200],
                     signed_in=None,
                 )
                 session.add(row)
             elif not row.active:
                 raise SignInRefused("oidc.disabled", name=row.name)
-            elif row.role != who.role:
-                self._users.set_role(session, row, who.role)
+            elif row.role != provider_user.role:
+                self._users.set_role(session, row, provider_user.role)
             session.flush()
             return row
 

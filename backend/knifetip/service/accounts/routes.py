@@ -57,7 +57,7 @@ async def sign_in(service: ServiceDep, request: Request, response: Response, sen
     token = await accounts.sign_in(sent.name, sent.password, _address(request))
     signin.set_cookie(request, response, signin.user_cookie(request, token))
     user = await accounts.user_of(token)
-    return await service.threads.reports(_me, service, user)
+    return await service.threads.reports(_me_out, service, user)
 
 
 @router.delete("/session", status_code=204)
@@ -79,10 +79,10 @@ async def sign_out(service: ServiceDep, request: Request, response: Response) ->
 @requires(AccessScope.VIEWER, AccessScope.GATEWAY, AccessScope.WEBHOOKS)
 def get_me(service: ServiceDep, principal: PrincipalDep) -> MeOut:
     """Get the sender of the request and its scopes."""
-    return _me(service, principal)
+    return _me_out(service, principal)
 
 
-def _me(service: Service, principal: Principal) -> MeOut:
+def _me_out(service: Service, principal: Principal) -> MeOut:
     users, is_user = service.store.users, principal.kind == PrincipalKind.USER
     return MeOut.model_validate(
         {

@@ -24,7 +24,7 @@ from knifetip.service.database.shared_clock import SharedClock
 from knifetip.service.database.sqlite_copy import copy_database
 from knifetip.service.database.tables import Base
 from knifetip.service.database.url import add_options, sqlite_file
-from knifetip.service.database.write_lock import NoTurns, Turns
+from knifetip.service.database.write_lock import NoLock, PriorityLock
 
 _TOPICS = "topics"  # key of a session's topics in ``Session.info``
 
@@ -101,10 +101,10 @@ class Database:
         self.changes = ChangeNotifier()
         file = _check(self.url)
         self._engine = sa.create_engine(add_options(self.url), pool_size=10, max_overflow=40)
-        self._turns: Turns | NoTurns = NoTurns()
+        self._write_lock: PriorityLock | NoLock = NoLock()
         if file is not None:
             _sqlite(self._engine, file)
-            self._turns = Turns()
+            self._write_lock = PriorityLock()
             self.clock = clock or time.time
             self.timer = clock or time.monotonic
         else:
@@ -214,7 +214,7 @@ class Database:
             urgent.
         """
         with (
-            self._turns.turn(urgent),
+            self._write_lock.acquired(urgent),
             Session(self._writer, expire_on_commit=False) as session,
         ):
             with session.begin():

@@ -328,7 +328,7 @@ class TaughtDrawing(Base):
     sha256: Mapped[str] = mapped_column(sa.String(64))  #: of the file
     at: Mapped[float] = mapped_column(sa.Double)  #: time of the last change
     unit: Mapped[str] = mapped_column(sa.String(8), default="")  #: that a user gave to the file
-    uses: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON)  #: see ``customer_answers.Use``
+    uses: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON)  #: see ``customer_answers.LookUse``
 
 
 class RefusedLook(Base):

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 
 
-class Turns:
+class PriorityLock:
     """A lock with two priorities: urgent threads get it before all other waiting threads."""
 
     def __init__(self) -> None:
@@ -20,7 +20,7 @@ class Turns:
         self._urgent = 0  # that wait
 
     @contextmanager
-    def turn(self, urgent: bool) -> Iterator[None]:
+    def acquired(self, urgent: bool) -> Iterator[None]:
         """Return a context manager that acquires the lock on entry and releases it on exit.
 
         Parameters
@@ -43,9 +43,9 @@ class Turns:
                 self._changed.notify_all()
 
 
-class NoTurns:
-    """Replacement of ``Turns`` for databases that permit several writers at a time."""
+class NoLock:
+    """Replacement of ``PriorityLock`` for databases that permit several writers at a time."""
 
-    def turn(self, urgent: bool) -> AbstractContextManager[None]:  # noqa: ARG002  # signature of Turns.turn
+    def acquired(self, urgent: bool) -> AbstractContextManager[None]:  # noqa: ARG002  # signature of PriorityLock.acquired
         """Return a context manager that neither waits nor locks."""
         return nullcontext()

@@ -106,7 +106,7 @@ def _definition_out(service: ServiceDep, definition: Definition) -> DefinitionOu
     return DefinitionOut(**entry.model_dump(), fields=parse_toml(shelf, name, definition.toml))
 
 
-def _text(request: Request, shelf: Shelf, name: str, body: bytes) -> str:
+def _toml_of_request(request: Request, shelf: Shelf, name: str, body: bytes) -> str:
     """Return the TOML text of the definition in a request, which contains TOML or JSON."""
     text = decode(shelf, name, body)
     if "json" in request.headers.get("content-type", "").lower():
@@ -205,7 +205,7 @@ def _add_routes(shelf: Shelf) -> None:
         if not is_name(name):
             raise LibraryError("library.bad-name", shelf=word, name=name[:80], source=("name",))
         version, anyway = version_of(match)
-        text = _text(request, shelf, name, body)
+        text = _toml_of_request(request, shelf, name, body)
         title = check_definition(shelf, name, text)
         check_texts(word, name, parse_toml(shelf, name, text))
         definition = Definition(shelf, name, version or 0, text)

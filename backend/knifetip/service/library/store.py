@@ -138,7 +138,7 @@ class LibraryStore:
         row = self.get(shelf, name)
         if row is not None:
             return Definition(shelf, row.name, row.version, row.text)
-        return self._shipped(shelf, name)
+        return self._shipped_definition(shelf, name)
 
     def _find_version(self, shelf: Shelf, name: str, version: int) -> Definition:
         row = self.get(shelf, name, version)
@@ -146,7 +146,7 @@ class LibraryStore:
             return Definition(shelf, row.name, row.version, row.text)
         newest = self.get(shelf, name)
         if newest is None and version == 0:
-            return self._shipped(shelf, name)
+            return self._shipped_definition(shelf, name)
         raise LibraryError(
             "library.unknown-version",
             shelf=shelf.word,
@@ -155,7 +155,7 @@ class LibraryStore:
             newest=0 if newest is None else newest.version,
         )
 
-    def _shipped(self, shelf: Shelf, name: str) -> Definition:
+    def _shipped_definition(self, shelf: Shelf, name: str) -> Definition:
         """Return the definition of an entry of knifetip's library."""
         shipped = load.names(shelf)
         if name not in shipped:

@@ -38,7 +38,7 @@ Customer: TypeAlias = Annotated[
 Notes: TypeAlias = Annotated[str, Field(max_length=2000, description="Notes for the operator")]
 
 
-def _small(value: dict[str, Any]) -> dict[str, Any]:
+def _check_size(value: dict[str, Any]) -> dict[str, Any]:
     if len(json.dumps(value, ensure_ascii=False).encode("utf-8", "replace")) > _MOST_BYTES:
         raise field_error("field.metadata-too-large", most=_MOST_BYTES >> 10)
     return value
@@ -56,7 +56,7 @@ Metadata: TypeAlias = Annotated[
         description="Up to 32 values of other systems by key: texts, numbers, true and false; 8 kB "
         "together",
     ),
-    AfterValidator(_small),
+    AfterValidator(_check_size),
 ]
 
 

@@ -91,7 +91,7 @@ class _Running:
     cancelled: float | None = None  #: when the caller cancelled it
 
 
-def _nothing() -> None:
+def _do_nothing() -> None:
     pass
 
 
@@ -119,7 +119,7 @@ class ProcessPool:
         memory: int = MEMORY,
         clock: Callable[[], float] = time.monotonic,
         *,
-        prepare: Callable[[], object] = _nothing,
+        prepare: Callable[[], object] = _do_nothing,
         spare: int = 0,
     ) -> None:
         self.size = size

@@ -179,7 +179,7 @@ def _read(
     interpretation = replace(interpretation, overrides=overrides.tobytes())
     classified = pipeline.classify(drawing, pipeline.rules_of(interpretation))
     dieline = pipeline.apply_answers(drawing, classified, interpretation)
-    outcomes = edge_outcomes(drawing, dieline, _clean(drawing, dieline))
+    outcomes = edge_outcomes(drawing, dieline, _clean_or_none(drawing, dieline))
     progress(Stage.STORE, 0.9)
     questions = pipeline.questions(drawing, dieline)
     return Reading(
@@ -194,7 +194,7 @@ def _read(
     )
 
 
-def _clean(drawing: Drawing, dieline: Dieline) -> Cleaned | None:
+def _clean_or_none(drawing: Drawing, dieline: Dieline) -> Cleaned | None:
     """Return the result of cleaning a drawing; None if it cannot be cleaned.
 
     A drawing that cannot be cleaned is stored, so that its user sees it.  The report on its

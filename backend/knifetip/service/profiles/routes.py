@@ -85,7 +85,7 @@ def list_profiles(
 @requires(AccessScope.VIEWER)
 def export_profile(service: ServiceDep, principal: PrincipalDep, name: ProfileName) -> Response:
     """Download a profile as TOML."""
-    row = _stored(service, principal, name)
+    row = _stored_profile(service, principal, name)
     text = (
         load.library_text("profiles", check_library_name("profiles", name))
         if row is None
@@ -101,7 +101,7 @@ def get_profile(
     service: ServiceDep, principal: PrincipalDep, response: Response, name: ProfileName
 ) -> ProfileOut:
     """Get a classification profile; the first rule that matches an edge is used."""
-    row = _stored(service, principal, name)
+    row = _stored_profile(service, principal, name)
     profile = (
         _shipped_out(check_library_name("profiles", name)) if row is None else _stored_out(row)
     )
@@ -186,7 +186,7 @@ def learn_from_corrections(service: ServiceDep, id: DrawingId) -> list[ProposalO
     return [ProposalOut.model_validate(proposal) for proposal in proposals]
 
 
-def _stored(service: Service, principal: Principal, name: str) -> Profile | None:
+def _stored_profile(service: Service, principal: Principal, name: str) -> Profile | None:
     """Return a profile of a customer, which a key for one customer may not read; None for none."""
     return None if principal.limits.customer else service.store.profiles.get(name)
 
@@ -207,13 +207,13 @@ def _profile_in(body: bytes) -> ProfileIn:
         return ProfileIn.model_validate_json(body)
     except ValidationError as reason:
         fault = reason.errors(include_url=False)[0]
-        place = _place(fault["loc"])
+        place = _place_of_fault(fault["loc"])
         raise ProfileError(
             "profile.invalid-field", fault=field_message(ProfileIn, fault), source=place
         ) from reason
 
 
-def _place(loc: tuple[int | str, ...]) -> tuple[str, ...]:
+def _place_of_fault(loc: tuple[int | str, ...]) -> tuple[str, ...]:
     """Return the names of the rule and the field that contain a fault in a profile.
 
     The result is, for example, ``("rule 1", "type")`` for a field of the first rule, ``("title",)``
@@ -248,12 +248,12 @@ def _text(name: str, body: bytes) -> str:
 
 
 def _shipped_out(name: str) -> ProfileOut:
-    return _out(name, load.library_text("profiles", name), shipped=True)
+    return _profile_out(name, load.library_text("profiles", name), shipped=True)
 
 
 def _stored_out(row: Profile) -> ProfileOut:
     try:
-        return _out(row.name, row.text, version=row.version, updated=row.updated)
+        return _profile_out(row.name, row.text, version=row.version, updated=row.updated)
     except ProfileError as reason:
         # An invalid profile, stored by an older version, must not make the list fail.
         return ProfileOut(
@@ -266,7 +266,7 @@ def _stored_out(row: Profile) -> ProfileOut:
         )
 
 
-def _out(name: str, text: str, *, shipped: bool = False, **more: Any) -> ProfileOut:
+def _profile_out(name: str, text: str, *, shipped: bool = False, **more: Any) -> ProfileOut:
     rules = load.profile(name, files=False) if shipped else custom_profiles.parse_text(name, text)
     fields = custom_profiles.parse_fields(text)
     inherited = custom_profiles.inherited_rules(fields, rules)

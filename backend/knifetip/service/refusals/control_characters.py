@@ -55,14 +55,17 @@ async def refuse_control_characters(request: Request) -> None:
     """
     faults = [
         control_fault(place, character)
-        for place, character in [*_in_parameters(request), *await _in_body(request)]
+        for place, character in [
+            *_characters_in_parameters(request),
+            *await _characters_in_body(request),
+        ]
     ]
     if faults:
         await request.close()  # the files of the form
         raise RequestValidationError(faults)
 
 
-def _in_parameters(request: Request) -> Iterator[tuple[Place, str]]:
+def _characters_in_parameters(request: Request) -> Iterator[tuple[Place, str]]:
     path = {name: text for name, text in request.path_params.items() if isinstance(text, str)}
     headers = {name: request.headers.get(name, "") for name in _HEADERS}
     yield from control_characters(path, ("path",), {})
@@ -71,7 +74,7 @@ def _in_parameters(request: Request) -> Iterator[tuple[Place, str]]:
     yield from control_characters(headers, ("header",), {})
 
 
-async def _in_body(request: Request) -> list[tuple[Place, str]]:
+async def _characters_in_body(request: Request) -> list[tuple[Place, str]]:
     known: KnownFields = request.app.state.known_fields
     operation, media = known.operation_of(request), media_of(request)
     if operation is not None and operation.form is not None and media == FORM:

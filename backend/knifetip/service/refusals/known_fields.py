@@ -92,7 +92,7 @@ class KnownFields:
             return ()
         if place[:1] == ("query",):
             return operation.query
-        parts: list[Any] = [_resolved(body, self._schemas) for body in operation.bodies]
+        parts: list[Any] = [_resolve_reference(body, self._schemas) for body in operation.bodies]
         for step in place[1:-1]:
             parts = [inner for part in parts for inner in _inner(part, step, self._schemas)]
         return [name for part in parts for name in part.get("properties", {})]
@@ -105,12 +105,12 @@ def _operation(operation: Mapping[str, Any], schemas: Mapping[str, Any]) -> Oper
     return OperationFields(
         tuple(one["name"] for one in operation.get("parameters", []) if one["in"] == "query"),
         tuple(bodies),
-        None if form is None else _resolved(form["schema"], schemas).get("properties", {}),
+        None if form is None else _resolve_reference(form["schema"], schemas).get("properties", {}),
         tuple(content),
     )
 
 
-def _resolved(schema: Mapping[str, Any], schemas: Mapping[str, Any]) -> Mapping[str, Any]:
+def _resolve_reference(schema: Mapping[str, Any], schemas: Mapping[str, Any]) -> Mapping[str, Any]:
     name = schema.get("$ref", "").rpartition("/")[2]
     return schemas[name] if name else schema
 
@@ -121,7 +121,7 @@ def _inner(
     """Yield the schemas of a property or of the items of a schema."""
     found = part.get("items") if isinstance(step, int) else part.get("properties", {}).get(step)
     for schema in () if found is None else found.get("anyOf", [found]):
-        yield _resolved(schema, schemas)
+        yield _resolve_reference(schema, schemas)
 
 
 async def refuse_unknown(request: Request) -> None:

@@ -69,7 +69,7 @@ class CheckList:
         """
         machine = self._machine(row)
         left = unfinished_sheet(session, row)
-        checks = [Check("board", self._board(row)), Check("sheet", _sheet(row, machine))]
+        checks = [Check("board", self._board(row)), Check("sheet", _sheet_message(row, machine))]
         if left:
             checks.append(Check("unfinished-sheet", Message("check.unfinished-sheet", job=left)))
         for tool in row.tools:
@@ -156,7 +156,7 @@ def _feeds(row: Job, machine: Machine | None) -> bool:
     return machine is not None and machine.feed == "automatic"
 
 
-def _sheet(row: Job, machine: Machine | None) -> Message:
+def _sheet_message(row: Job, machine: Machine | None) -> Message:
     """Return the text about the sheet of a job and its place on the table."""
     if row.rest is not None:
         return Message("check.begun-sheet", job=row.resumes)

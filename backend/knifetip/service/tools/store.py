@@ -70,7 +70,7 @@ class ToolStore:
         worked = worked_lengths(session, machine.name)
         present = _present_lengths(session, machine.name)
         return [
-            _use(
+            _tool_use(
                 session,
                 machine.name,
                 station,
@@ -176,7 +176,7 @@ def warning_message(use: ToolUse) -> Message | None:
     )
 
 
-def _use(session: Session, machine: str, station: Station, worked: float) -> ToolUse:
+def _tool_use(session: Session, machine: str, station: Station, worked: float) -> ToolUse:
     """Return the use of the tool of a station.
 
     ``session``: session of the caller.

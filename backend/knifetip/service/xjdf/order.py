@@ -67,9 +67,11 @@ def read_order(content: bytes, host: str = "") -> XjdfOrder:
     return XjdfOrder(
         drawing=drawing,
         file=file,
-        external_id=_required(root.get("JobID", ""), "XJDF/@JobID"),
-        customer=_one(_attributes(root, "CustomerInfo", "CustomerID"), "CustomerInfo/@CustomerID"),
-        due=_one(
+        external_id=_require_value(root.get("JobID", ""), "XJDF/@JobID"),
+        customer=_only_value(
+            _attributes(root, "CustomerInfo", "CustomerID"), "CustomerInfo/@CustomerID"
+        ),
+        due=_only_value(
             [
                 node.get("LastEnd", node.get("End", ""))
                 for resource in nodes
@@ -79,8 +81,8 @@ def read_order(content: bytes, host: str = "") -> XjdfOrder:
         ),
         priority=_priority(nodes),
         copies=_copies(root),
-        machine=_one(_attributes(root, "Device", "DeviceID"), "Device/@DeviceID"),
-        board=_one(
+        machine=_only_value(_attributes(root, "Device", "DeviceID"), "Device/@DeviceID"),
+        board=_only_value(
             [resource.get("ExternalID", "") for resource in _resources(root, "Media", "Input")],
             "ResourceSet[@Name='Media']/Resource/@ExternalID",
         ),
@@ -105,7 +107,7 @@ def _drawing(root: Element, host: str) -> tuple[str, str]:
         for holder in children(resource, name)
         for file in children(holder, "FileSpec")
     ]
-    url = _required(_one(urls, "FileSpec/@URL"), "FileSpec/@URL of an input DieLayout")
+    url = _require_value(_only_value(urls, "FileSpec/@URL"), "FileSpec/@URL of an input DieLayout")
     if match := _DRAWING.fullmatch(url):
         if match[1] is not None and match[1].lower() != host.lower():
             raise RequestError("xjdf.foreign-drawing", url=url[:200], host=host)
@@ -120,7 +122,7 @@ def _drawing(root: Element, host: str) -> tuple[str, str]:
 def _priority(nodes: list[Element]) -> int:
     """Return the priority of a job in the queue of its machine; 0 if the order has none."""
     place = "NodeInfo/@JobPriority"
-    text = _one(
+    text = _only_value(
         [
             node.get("JobPriority", "")
             for resource in nodes
@@ -138,7 +140,7 @@ def _priority(nodes: list[Element]) -> int:
 
 def _copies(root: Element) -> int:
     place = "PartAmount/@Amount"
-    text = _one(
+    text = _only_value(
         [
             part.get("Amount", "")
             for resource in _resources(root, "Component", "Output")
@@ -177,7 +179,7 @@ def _attributes(root: Element, name: str, attribute: str) -> list[str]:
     ]
 
 
-def _one(values: list[str], place: str) -> str:
+def _only_value(values: list[str], place: str) -> str:
     """Return the only value that is not empty, "" if there is none."""
     found = {_check_readable(value, place) for value in values} - {""}
     if len(found) > 1:
@@ -185,7 +187,7 @@ def _one(values: list[str], place: str) -> str:
     return found.pop() if found else ""
 
 
-def _required(value: str, place: str) -> str:
+def _require_value(value: str, place: str) -> str:
     if not (readable := _check_readable(value, place)):
         raise RequestError("xjdf.missing", place=place)
     return readable

@@ -144,7 +144,7 @@ async def _modify(context: MessageContext, message: XjmfMessage) -> list[Element
             ReturnCode.NOT_IMPLEMENTED, f"The operation {operation[:40]} is not supported."
         )
     run = context.service.orders.run
-    rows = await run(partial(_selected, context, parameters), context.client)
+    rows = await run(partial(_selected_jobs, context, parameters), context.client)
     if not rows:
         raise _Refusal(ReturnCode.UNKNOWN_ENTRY, "The filter selects no entry of the queue.")
     changed = [
@@ -228,7 +228,7 @@ async def _queue_status(context: MessageContext, message: XjmfMessage) -> list[E
     """Return the selected entries; without filter those that have not ended."""
     parameters = message.parameters("QueueStatusParams")
     run = context.service.orders.run
-    rows = await run(partial(_selected, context, parameters), context.client)
+    rows = await run(partial(_selected_jobs, context, parameters), context.client)
     queue = Element("Queue", {"QueueSize": str(len(rows))})
     queue.extend(queue_entry(row) for row in rows)
     return [queue]
@@ -253,7 +253,7 @@ async def _known_messages(context: MessageContext, message: XjmfMessage) -> list
     ]
 
 
-def _selected(context: MessageContext, parameters: Element | None) -> list[Job]:
+def _selected_jobs(context: MessageContext, parameters: Element | None) -> list[Job]:
     """Return the jobs that a ``QueueFilter`` selects, newest first.
 
     Raises ``NotFound``: an entry that is named by its id does not exist.

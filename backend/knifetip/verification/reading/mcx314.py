@@ -327,7 +327,7 @@ class _Interpretation:
             for held in self._stations
         ]
 
-    def _stated(self) -> list[bool]:
+    def _are_outputs_stated(self) -> list[bool]:
         state = self._state
         known = [held.output < 0 or held.output in state.stated for held in self._stations]
         extra = [output in state.stated for output in extra_outputs(self._machine)]
@@ -360,7 +360,7 @@ class _Interpretation:
         self._moves.append((number, code, state.at, end, centre, sweep, minutes))
         on = [held.output in state.on for held in self._stations]
         extra = [output in state.on for output in extra_outputs(self._machine)]
-        condition = self._station(), on, state.oscillates, extra, self._stated()
+        condition = self._station(), on, state.oscillates, extra, self._are_outputs_stated()
         self._conditions.append((*condition, rested, state.waited))
         state.at = end
 
@@ -405,7 +405,7 @@ class _Interpretation:
                 move=np.array(switch[1], np.int64),
                 lowers=np.array(switch[2], np.int32),
                 beside=np.array(switch[3], np.bool_).reshape(len(switch[0]), stations),
-                at_end=np.array(self._stated(), np.bool_),
+                at_end=np.array(self._are_outputs_stated(), np.bool_),
                 spindle=np.array(switch[4], np.bool_),
             ),
             axes_start=first,

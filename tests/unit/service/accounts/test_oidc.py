@@ -363,17 +363,17 @@ def test_users_of_a_provider_in_both_databases(database_url: str) -> None:
     store = Store(database_url)
     store.migrate()
     admin = ProviderUser("https://a", "1", "Ünal, Öz\u202e", AccessScope.ADMIN, "first")
-    made = store.provider_users.signed_in(admin)
+    made = store.provider_users.record_sign_in(admin)
     assert (made.name, made.kind, made.role) == ("nal-z-", "oidc", "admin")
     with pytest.raises(SignInRefused, match="already"):
-        store.provider_users.signed_in(admin)
+        store.provider_users.record_sign_in(admin)
     token = store.sessions.open(made)
     demoted = ProviderUser("https://a", "1", "x", AccessScope.VIEWER, "second")
     with pytest.raises(WrongState, match="last active"):
-        store.provider_users.signed_in(demoted)
+        store.provider_users.record_sign_in(demoted)
     assert store.sessions.find(token) is not None
     other = ProviderUser("https://b", "1", "nal-z-", AccessScope.ADMIN, "third")
-    assert store.provider_users.signed_in(other).name == "nal-z--2"
-    assert store.provider_users.signed_in(demoted).role == "viewer"
+    assert store.provider_users.record_sign_in(other).name == "nal-z--2"
+    assert store.provider_users.record_sign_in(demoted).role == "viewer"
     assert store.sessions.find(token) is None
     store.close()

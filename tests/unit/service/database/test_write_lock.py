@@ -7,14 +7,14 @@ import time
 
 import pytest
 
-from knifetip.service.database.write_lock import Turns
+from knifetip.service.database.write_lock import PriorityLock
 
 
-def waiting(turns: Turns, name: str, order: list[str], urgent: bool) -> threading.Thread:
+def waiting(turns: PriorityLock, name: str, order: list[str], urgent: bool) -> threading.Thread:
     """Start a thread that waits for a turn and then appends its name to ``order``."""
 
     def act() -> None:
-        with turns.turn(urgent):
+        with turns.acquired(urgent):
             order.append(name)
 
     thread = threading.Thread(target=act)
@@ -24,9 +24,9 @@ def waiting(turns: Turns, name: str, order: list[str], urgent: bool) -> threadin
 
 
 def test_urgent_ones_come_before_those_that_wait_longer() -> None:
-    turns = Turns()
+    turns = PriorityLock()
     order: list[str] = []
-    with turns.turn(False):
+    with turns.acquired(False):
         threads = [
             waiting(turns, "first", order, False),
             waiting(turns, "second", order, False),
@@ -40,9 +40,9 @@ def test_urgent_ones_come_before_those_that_wait_longer() -> None:
 
 
 def test_a_turn_ends_when_its_work_fails() -> None:
-    turns = Turns()
+    turns = PriorityLock()
     for _ in range(2):
-        with pytest.raises(ZeroDivisionError), turns.turn(True):
+        with pytest.raises(ZeroDivisionError), turns.acquired(True):
             _ = 1 // 0
     order: list[str] = []
     waiting(turns, "next", order, False).join(5.0)
@@ -50,13 +50,13 @@ def test_a_turn_ends_when_its_work_fails() -> None:
 
 
 def test_there_is_never_more_than_one() -> None:
-    turns = Turns()
+    turns = PriorityLock()
     inside, most = 0, 0
 
     def act(urgent: bool) -> None:
         nonlocal inside, most
         for _ in range(50):
-            with turns.turn(urgent):
+            with turns.acquired(urgent):
                 inside += 1
                 most = max(most, inside)
                 time.sleep(0.0002)

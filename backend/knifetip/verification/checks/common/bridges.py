@@ -90,8 +90,8 @@ def find_bridges(
         length[is_bridge],
     )
 
-    ahead = _reached_from(path[forward], high[forward], gap_path, begin, length)
-    back = _reached_from(path[~forward], low[~forward], gap_path, end, length)
+    ahead = _are_cut_ends(path[forward], high[forward], gap_path, begin, length)
+    back = _are_cut_ends(path[~forward], low[~forward], gap_path, end, length)
     top_begin, top_end = begin + lead * ahead, end - lead * back
     middle = (top_begin + top_end) / 2.0 % np.where(length > 0.0, length, 1.0)
     width = top_end - top_begin
@@ -128,7 +128,7 @@ def order_bridges(path: I64, middle: F64, width: F64, bare: F64, need: F64, leng
     return Bridges(path, middle, width[order], bare[order], need[order], spacing, spacing + before)
 
 
-def _reached_from(
+def _are_cut_ends(
     path: I64, end_position: F64, test_path: I64, test_position: F64, length: F64
 ) -> F64:
     """Return, for each of k positions on closed paths, 1.0 if a cut stretch ends there, else 0.0.
