@@ -125,7 +125,7 @@ def _run_program(program: bytes, tint: float) -> list[float]:
 
 
 def _to_count(value: float) -> int:
-    """Return ``value`` as an index or a number of elements of the stack of a PostScript program.
+    """Return a number of a PostScript program as an index or a count of elements of its stack.
 
     A fraction is cut off.
 

@@ -81,8 +81,8 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64, closed: Bool) -> tuple[Pa
 def _join_closed(
     pieces: Paths, row: I32, crossed: Bool, owner: I64, closed: Bool
 ) -> tuple[Paths, I32, Bool]:
-    """Return the q pieces of paths, with the last piece of each closed path before its first one,
-    joined to it, unless a cut crosses the path where they meet.
+    """Return the pieces of paths, (q,), with the first and the last piece of each closed path
+    joined.  They stay apart if a cut crosses the path where they meet.
 
     ``row``, ``crossed``: as returned by ``split_at_cuts``, (m,) and (q, 2).
     ``owner`` (q,): path of each piece, ascending.

@@ -1412,7 +1412,7 @@ export const de = {
   "checkGroups.tableAndHands": "Tisch und Hände",
   // state/station/checks.ts
   "checks.itHasWorkedM": "Das Werkzeug hat {used} m Linien bearbeitet",
-  "checks.itHasWorkedOfM": "Das Werkzeug hat {used} m Linien bearbeitet, bei {life} m Standzeit",
+  "checks.itHasWorkedOfM": "Das Werkzeug hat {used} von {life} m seiner Standzeit gearbeitet",
   "checks.itsLifeIsUsedUp": "{worn}: Standzeit abgelaufen, wechseln",
   "checks.changeItSoon": "{worn}: bald wechseln",
   "checks.theDrawingNeeds": "Die Zeichnung braucht {right}",

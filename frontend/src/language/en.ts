@@ -1374,7 +1374,7 @@ export const en = {
   "checkGroups.tableAndHands": "Table and hands",
   // state/station/checks.ts
   "checks.itHasWorkedM": "The tool has worked along {used} m of lines",
-  "checks.itHasWorkedOfM": "The tool has worked along {used} m of lines in a life of {life} m",
+  "checks.itHasWorkedOfM": "The tool has worked {used} of {life} m of its life",
   "checks.itsLifeIsUsedUp": "{worn}: its life is used up, change it",
   "checks.changeItSoon": "{worn}: change it soon",
   "checks.theDrawingNeeds": "The drawing needs {right}",

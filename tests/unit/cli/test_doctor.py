@@ -394,3 +394,13 @@ def test_the_exit_code_is_that_of_the_worst_finding(
     assert {one["grade"] for one in report["findings"]} == {"ok", "problem"}
     assert report["findings"][0]["subject"] == "python"
     assert f"{sys.version_info.major}.{sys.version_info.minor}" in report["findings"][0]["text"]
+
+
+def test_texts_are_in_the_language_of_the_user(
+    knifetip: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("LC_ALL", "de_DE.UTF-8")
+    code, out, _ = knifetip("doctor", "--database", f"sqlite:///{tmp_path}/none.sqlite")
+    assert code == 1
+    assert "Warnung database: die Datei" in " ".join(out.split())
+    assert "knifetip serve starten, das die Datei anlegt" in out

@@ -444,9 +444,9 @@ def test_fills_are_lines_only_in_drawings_without_strokes() -> None:
     assert len(beside) == 1
     assert (
         reasons(beside)["area"]
-        == "the object is a filled area without an outline; the outlines of filled areas are cut "
-        "only in drawings that have no lines, or if lines lie on the area and no line closes their "
-        "outline"
+        == "the object is a filled area without an outline; the outline of a filled area is cut "
+        "only if the drawing has no lines, or if the lines on the area have no closed outline of "
+        "their own"
     )
 
 

@@ -273,7 +273,7 @@ def _mark_parts_of_sides(
     right: I32_1,
     rows: I64_1,
 ) -> Any:
-    """Return the mask of pieces that an outline of one of their two faces continues, (k,).
+    """Return the mask of pieces that continue straight in the outline of one of their faces, (k,).
 
     ``vertex`` (q, 2): position of each vertex.
     ``start``, ``end``, ``bulge``, ``twin``, ``role``, ``left``, ``right`` (p,) each: start vertex,

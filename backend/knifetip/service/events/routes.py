@@ -319,7 +319,7 @@ class Stream:
         self._gaps.read(before, {event.id for event in recent if event.id <= newest})
 
     def _missed_messages(self, after: int, last: int) -> tuple[list[Change], int]:
-        """Return messages about the first changes after one, and the number of the last of them.
+        """Return messages about the changes after a given one, and the number of the last of them.
 
         There are none if ``after`` is ``last``, the number of the last change of all.
         """

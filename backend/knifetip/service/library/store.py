@@ -382,7 +382,7 @@ def _jobs_with(session: Session, shelf: Shelf, name: str) -> list[str]:
 def _conflict(
     shelf: Shelf, name: str, found: LibraryEntry | LibraryVersion | None, based_on: int
 ) -> NotFound | StaleVersion | WrongState:
-    """Return the error that the version of a stored entry is not the one that a change names.
+    """Return the error for a change that names another version than the stored entry has.
 
     ``shelf``, ``name``: kind and name of the entry.
     ``found``: the stored entry, None if it does not exist.

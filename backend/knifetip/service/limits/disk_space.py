@@ -87,7 +87,7 @@ class DiskSpaceGuard:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Forward a request, or refuse it before its body is read."""
         app = self.app
-        if scope["type"] == "http" and _stores_much(Request(scope)):
+        if scope["type"] == "http" and _stores_upload(Request(scope)):
             try:
                 short = self._storage.shortage()
             except OSError:
@@ -98,7 +98,7 @@ class DiskSpaceGuard:
         await app(scope, receive, send)
 
 
-def _stores_much(request: Request) -> bool:
+def _stores_upload(request: Request) -> bool:
     if request.method != "POST":
         return False
     path = request.url.path

@@ -493,7 +493,7 @@ def dry_run_on(session: Session, machine: str, now: float) -> bool:
 def require_hands_clear(
     session: Session, machine: str, request: str, now: float, *, stated: bool
 ) -> None:
-    """Raise ``WrongState`` unless hands are clear of a machine, which may move at once.
+    """Raise ``WrongState`` unless hands are clear of a machine that is about to move.
 
     Parameters
     ----------

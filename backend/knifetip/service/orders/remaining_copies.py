@@ -120,7 +120,7 @@ def _remaining(batch: _Order, children: dict[str, list[_Order]]) -> int:
 
 
 def _copies_of(id: str, children: dict[str, list[_Order]]) -> list[_Order]:
-    """Return the jobs that make the whole program again, of a job or of the rests of its sheet."""
+    """Return the jobs that repeat the program of a job, or of a job that continued its sheet."""
     found = []
     for child in children.get(id, ()):
         found += _copies_of(child.id, children) if child.is_rest else [child]

@@ -63,7 +63,7 @@ class WaitingChange:
 
     @property
     def is_empty(self) -> bool:
-        """Whether no value is changed."""
+        """Whether the change sets no value."""
         return self.priority is None and self.copies is None and self.on_hold is None
 
 

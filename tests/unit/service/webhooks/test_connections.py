@@ -142,14 +142,14 @@ def test_the_authority_of_a_shop_is_trusted_if_the_system_trusts_it(
     addresses: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     addresses[:] = ["127.0.0.1"]
-    webhook_sender._trusted.cache_clear()
+    webhook_sender._tls_settings.cache_clear()
     with with_certificate(tmp_path, NAME) as (receiver, authority):
         assert "certificate" in send(url_of(receiver, "https")).fault
         monkeypatch.setenv("SSL_CERT_FILE", str(authority))
-        webhook_sender._trusted.cache_clear()
+        webhook_sender._tls_settings.cache_clear()
         assert send(url_of(receiver, "https")).status == 204
     with with_certificate(tmp_path, "other.example") as (receiver, _):
-        webhook_sender._trusted.cache_clear()
+        webhook_sender._tls_settings.cache_clear()
         assert "certificate" in send(url_of(receiver, "https")).fault
         assert receiver.calls == []
-    webhook_sender._trusted.cache_clear()
+    webhook_sender._tls_settings.cache_clear()
