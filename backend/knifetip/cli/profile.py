@@ -149,7 +149,7 @@ def import_profile(
     store = Store(url)
     try:
         store.prepare()
-        row = store.profiles.save(profile_name, rules.title, text, None, anyway=replace)
+        row = store.profiles.save(profile_name, rules.title, text, None, replace_any=replace)
     finally:
         store.close()
     print_line(in_words(Message("output.profile-stored", version=row.version)))

@@ -34,7 +34,9 @@ class JoinedWork:
     lines_before: int  #: number of lines of the earlier programs
 
     def own_line(self, finding: Finding) -> Finding:
-        """Return a finding with the line of the verified program, or -1 for an earlier line."""
+        """Return a finding whose line counts from the verified program; -1 if an earlier program
+        made it.
+        """
         if finding.line <= self.lines_before:
             return replace(finding, line=-1)
         return replace(finding, line=finding.line - self.lines_before)

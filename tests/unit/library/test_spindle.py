@@ -50,9 +50,9 @@ def test_direction_and_speed_of_a_station_are_read(tmp_path: Path) -> None:
         (LASER, "output = 4 ", f"{M4}output = 4 ", "station 5 has a laser"),
         (DEMO, "output = 0\n", 'output = 0\nspindle = "M5"\n', "spindle"),
         (DEMO, "output = 0\n", "output = 0\nspindle_speed = -5.0\n", "spindle_speed"),
-        (DEMO, 'feed = "manual"', 'feed = "manual"\noutput_count = 2', "no output 2"),
+        (DEMO, 'feed = "manual"', 'feed = "manual"\noutput_count = 2', "do not exist: 2"),
         (ROUTER, "output = 3\n", "output = 4\n", "LinuxCNC has 4 by default"),
-        (ROUTER, 'feed = "manual"', 'feed = "manual"\noutput_count = 3', "no output 3"),
+        (ROUTER, 'feed = "manual"', 'feed = "manual"\noutput_count = 3', "do not exist: 3"),
     ],
 )
 def test_a_wrong_spindle_or_output_is_refused(
@@ -76,4 +76,4 @@ def test_a_machine_is_refused_by_a_language_that_lacks_its_outputs(tmp_path: Pat
     machine = loaded(tmp_path, DEMO.replace("output = 2\n", "output = 6\n"))
     with pytest.raises(LibraryError) as refused:
         with_language(machine, "linuxcnc")
-    assert "no output 6" in str(refused.value)
+    assert "do not exist: 6" in str(refused.value)

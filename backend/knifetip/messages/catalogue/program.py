@@ -230,7 +230,8 @@ MESSAGES: Final[Entries] = {
     ),
     "language.default-outputs": entry(
         "the machine does not state the number of digital outputs of its controller, and "
-        "{language} has {count} by default, numbered from 0. It has no output {outputs:, }",
+        "{language} has {count} by default, numbered from 0, so these outputs do not exist: "
+        "{outputs:, }",
         "Use other outputs, or set `output_count` to the number that the controller is configured "
         "for.",
         outputs="texts",
@@ -239,7 +240,7 @@ MESSAGES: Final[Entries] = {
     ),
     "language.few-outputs": entry(
         "the {language} controller has {count:# digital output|# digital outputs}, numbered from "
-        "0. It has no output {outputs:, }",
+        "0, so these outputs do not exist: {outputs:, }",
         "Use other outputs, or correct `output_count`.",
         outputs="texts",
         count="count",

@@ -31,7 +31,7 @@ MESSAGES: Final[Entries] = {
     ),
     "setting.laser-mode-stops-spindle": entry(
         "in laser mode the controller switches the spindle off in rapid moves, so tools would "
-        "enter the board at rest",
+        "enter the board while they do not turn",
     ),
     "setting.no-buffer-state": entry(
         "status reports do not contain the state of the buffers, so lost responses are noticed "

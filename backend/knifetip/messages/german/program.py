@@ -166,13 +166,14 @@ TEXTS: Final[Texts] = {
     ),
     "language.default-outputs": Text(
         "die Maschine nennt die Anzahl der digitalen Ausgänge ihrer Steuerung nicht, und "
-        "{language} hat üblicherweise {count}, ab 0 gezählt. Sie hat keinen Ausgang {outputs:, }",
+        "{language} hat üblicherweise {count}, ab 0 gezählt, also gibt es diese Ausgänge nicht: "
+        "{outputs:, }",
         "Andere Ausgänge verwenden oder `output_count` auf die Anzahl setzen, für die die "
         "Steuerung eingerichtet ist.",
     ),
     "language.few-outputs": Text(
         "die Steuerung mit {language} hat {count:# digitalen Ausgang|# digitale Ausgänge}, ab 0 "
-        "gezählt. Sie hat keinen Ausgang {outputs:, }",
+        "gezählt, also gibt es diese Ausgänge nicht: {outputs:, }",
         "Andere Ausgänge verwenden oder `output_count` berichtigen.",
     ),
     "language.no-linear-axis": Text(

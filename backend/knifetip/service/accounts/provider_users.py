@@ -105,7 +105,7 @@ class ProviderUsers:
 
 
 def _free_name(session: Session, wanted: str) -> str:
-    """Return a permitted name that no user has, like the wanted one."""
+    """Return a permitted user name that is not in use, as similar to the wanted one as possible."""
     query = sa.select(UserAccount.id)
     return next(
         name

@@ -139,8 +139,8 @@ class GatewayStore:
                         or unfinished_sheet(session, row) != ""
                     )
                 )
-                about = {"feeds": feeds, "begun": not announces}
-                self._assign(session, row, gateway, confirm, about)
+                claim_columns = {"feeds": feeds, "begun": not announces}
+                self._assign(session, row, gateway, confirm, claim_columns)
                 return self._transitions.lock(session, id)
         except IntegrityError as reason:
             raise _busy_error(machine, self._machines.jobs_on_tables().get(machine, "")) from reason
@@ -159,7 +159,7 @@ class GatewayStore:
             return unfinished_sheet(session, row)
 
     def _assign(
-        self, session: Session, row: Job, gateway: str, confirm: bool, about: dict[str, Any]
+        self, session: Session, row: Job, gateway: str, confirm: bool, claim_columns: dict[str, Any]
     ) -> None:
         changes: dict[str, Any] = {
             "epoch": row.epoch + 1,
@@ -174,7 +174,7 @@ class GatewayStore:
             "phase": 0,
             "awaits_end": False,
             "stopped_at": None,
-            **about,
+            **claim_columns,
         }
         if confirm:
             changes |= {"confirmation": Confirmation.AWAITED.value, "updated": self._db.clock()}
@@ -196,7 +196,7 @@ class GatewayStore:
             new_epoch=changes.pop("epoch"),
             **changes,
         )
-        if about["feeds"]:
+        if claim_columns["feeds"]:
             self._transitions.write_event(
                 session,
                 "job",

@@ -204,13 +204,16 @@ def _add_routes(shelf: Shelf) -> None:
         _check_own(shelf, name)
         if not is_name(name):
             raise LibraryError("library.bad-name", shelf=word, name=name[:80], source=("name",))
-        version, anyway = version_of(match)
+        version, replace_any = version_of(match)
         text = _toml_of_request(request, shelf, name, body)
         title = check_definition(shelf, name, text)
         check_texts(word, name, parse_toml(shelf, name, text))
         definition = Definition(shelf, name, version or 0, text)
         row = service.store.library.save(
-            definition, title, VersionNote(credited(by)[:100], harmless(note)[:200]), anyway=anyway
+            definition,
+            title,
+            VersionNote(credited(by)[:100], harmless(note)[:200]),
+            replace_any=replace_any,
         )
         response.status_code = 201 if row.version == 1 else 200
         response.headers["ETag"] = f'"{row.version}"'

@@ -245,7 +245,7 @@ class LibraryStore:
         title: str,
         note: VersionNote = NO_NOTE,
         *,
-        anyway: bool = False,
+        replace_any: bool = False,
     ) -> LibraryVersion:
         """Store a new version of an entry, and return it.
 
@@ -258,7 +258,7 @@ class LibraryStore:
             Title of the entry.
         note
             Who changed the entry, and why.
-        anyway
+        replace_any
             If True, the version in ``definition`` is ignored: a stored entry with this name is
             replaced, and if there is none, the entry is created.
 
@@ -275,7 +275,7 @@ class LibraryStore:
         try:
             with self._db.writing() as session:
                 entry = session.get(LibraryEntry, (shelf.value, name), with_for_update=True)
-                if not anyway and (entry.version if entry else 0) != based_on:
+                if not replace_any and (entry.version if entry else 0) != based_on:
                     raise _conflict(shelf, name, entry, based_on)
                 if entry is None:
                     entry = _new_entry(session, shelf, name)

@@ -140,7 +140,7 @@ def keep_profile(
     title = custom_profiles.parse_text(name, text).title
     # Patterns may have any character, like the layers that they match.
     check_texts("profile", name, {"title": title})
-    row = service.store.profiles.save(name, title, text, version, anyway=any_version)
+    row = service.store.profiles.save(name, title, text, version, replace_any=any_version)
     response.status_code = 201 if row.version == 1 else 200
     response.headers["ETag"] = f'"{row.version}"'
     return _stored_out(row)

@@ -41,7 +41,7 @@ class ProfileStore:
             return frozenset(session.execute(query))
 
     def save(
-        self, name: str, title: str, text: str, version: int | None, *, anyway: bool = False
+        self, name: str, title: str, text: str, version: int | None, *, replace_any: bool = False
     ) -> Profile:
         """Create or replace a classification profile, and return it.
 
@@ -51,7 +51,7 @@ class ProfileStore:
             Name, title and TOML text of the profile.
         version
             Version of the stored profile on which the change is based; None to create a profile.
-        anyway
+        replace_any
             If True, ``version`` is ignored: a stored profile with this name is replaced, and if
             there is none, the profile is created.
 
@@ -65,11 +65,11 @@ class ProfileStore:
             The profile to replace was deleted (jobs and profiles have the same error class).
         """
         now = self._db.clock()
-        if version is None and not anyway:
+        if version is None and not replace_any:
             return self._add(name, title, text, now)
         with self._db.writing() as session:
             statement = sa.update(Profile).where(Profile.name == name)
-            if not anyway:
+            if not replace_any:
                 statement = statement.where(Profile.version == version)
             statement = statement.values(
                 title=title, text=text, version=Profile.version + 1, updated=now
@@ -80,7 +80,7 @@ class ProfileStore:
                     .where(Profile.name == name)
                     .execution_options(populate_existing=True)
                 ).one()
-        if anyway:
+        if replace_any:
             return self._add(name, title, text, now)
         raise self._missing_or_stale_error(name, version)
 

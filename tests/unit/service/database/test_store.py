@@ -173,4 +173,4 @@ def test_a_profile_counts_its_changes_and_is_never_overwritten_unseen(store: Sto
     assert store.profiles.get("acme") is None
     with pytest.raises(NotFound):
         store.profiles.save("acme", "C", "", 2)
-    assert store.profiles.save("acme", "D", "", None, anyway=True).version == 1
+    assert store.profiles.save("acme", "D", "", None, replace_any=True).version == 1

@@ -20,13 +20,17 @@ BOARD = load.library_text("boards", "e-flute")
 
 
 def save(
-    store: Store, version: int = 0, width: int = 1600, name: str = "table", anyway: bool = False
+    store: Store,
+    version: int = 0,
+    width: int = 1600,
+    name: str = "table",
+    replace_any: bool = False,
 ) -> int:
     """Store a version of a machine, and return its number."""
     text = MACHINE.replace("width = 1600.0", f"width = {width}.0")
     definition = Definition(Shelf.MACHINES, name, version, text)
     note = VersionNote("Ada", f"width {width}")
-    return store.library.save(definition, "Own table", note, anyway=anyway).version
+    return store.library.save(definition, "Own table", note, replace_any=replace_any).version
 
 
 def save_board(store: Store, version: int = 0) -> int:
@@ -79,10 +83,10 @@ def test_a_change_must_name_the_newest_version(store: Store) -> None:
     with pytest.raises(StaleVersion, match="version 2") as stale:
         save(store, 1)
     assert 'If-Match: "2"' in stale.value.hint
-    assert save(store, 0, anyway=True) == 3
+    assert save(store, 0, replace_any=True) == 3
     with pytest.raises(NotFound):
         save(store, 1, name="other")
-    assert save(store, 0, name="other", anyway=True) == 1
+    assert save(store, 0, name="other", replace_any=True) == 1
 
 
 def test_a_deleted_entry_keeps_its_versions_and_their_numbers(store: Store) -> None:
