@@ -211,7 +211,7 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
     expect(card).to_be_hidden()
     page.get_by_test_id("hold").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Paused")
-    expect(card).to_contain_text("goes on from there")
+    expect(card).to_contain_text("The operator resumes it there")
     assert_starts_nothing(page)
     page.screenshot(path=screenshots / f"{stem}-3-held.png")
     with at_station(page):

@@ -55,7 +55,9 @@ def test_a_tablet_is_paired_and_revoked(
         tablet.get_by_role("link", name="Pair this device with a machine").tap()
         tablet.get_by_label("Code").fill("2222-2222")
         tablet.get_by_role("button", name="Pair").tap()
-        expect(tablet.get_by_role("alert")).to_contain_text("wrong, has expired or was used")
+        expect(tablet.get_by_role("alert")).to_contain_text(
+            "wrong, has expired or was already used"
+        )
         tablet.get_by_label("Code").fill(code.lower())
         tablet.get_by_label("Name of this device").fill("Tablet 7")
         assert_accessible(tablet)

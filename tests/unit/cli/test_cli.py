@@ -374,7 +374,7 @@ def test_the_report_contains_the_figures_of_the_verdict(knifetip: Command, folde
     assert data["seconds"] < data["seconds_retracted"]
     saved = 1.0 - data["seconds"] / data["seconds_retracted"]
     shown = f"{100.0 * saved:.0f} % less than the {data['seconds_retracted']:.1f} s"
-    assert f"{shown} with full retracts" in err
+    assert f"{shown} with a full lift" in err
 
 
 #: Depth of a groove in the board of these tests (mm).
@@ -444,7 +444,7 @@ def test_calibrate_prints_the_deflection_and_writes_a_usable_board_file(
         ("azimuth,dx,dy\n", "0 measured points"),
         ("azimuth,dx\n0,0.05\n", "has no value for dy"),
         ("azimuth,dx,dy\n0,near,0.05\n", "Line 2 of"),
-        ("azimuth,dx,dy\n45,nan,0.05\n", "must be finite numbers"),
+        ("azimuth,dx,dy\n45,nan,0.05\n", "must be a finite number"),
     ],
 )
 def test_calibrate_refuses_missing_or_invalid_points(

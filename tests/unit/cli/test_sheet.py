@@ -110,4 +110,4 @@ def test_the_least_lift_is_lower_and_needs_a_stated_turn_clearance(
     least = ("--machine", machine, "--board", "greyboard-2.0", "--lift", "least")
     code, _, err = knifetip("program", drawing, *least, "-o", drawing.with_name("p.ngc"))
     assert code == 3
-    assert "does not state turn_clearance" in err
+    assert "does not state to which height (turn_clearance)" in err

@@ -302,7 +302,7 @@ def test_the_options_of_an_address_are_read() -> None:
     ],
 )
 def test_a_bad_address_is_refused(address: str) -> None:
-    with pytest.raises(ControllerError, match="not the address of a LinuxCNC"):
+    with pytest.raises(ControllerError, match="not a valid address of LinuxCNC"):
         LinuxcncAddress.of(address)
 
 

@@ -358,7 +358,7 @@ async def test_an_emergency_stop_ends_the_job_and_is_cleared_by_a_person() -> No
     [
         ("limit-X", "axis X .* is at its limit switch"),
         ("drive-C", "drive of the axis C .* reports a fault"),
-        ("chip", "was written too late"),
+        ("chip", "received a segment too late"),
         ("smoke", "reports the alarm smoke"),
     ],
 )

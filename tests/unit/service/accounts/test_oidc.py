@@ -239,7 +239,7 @@ def test_a_code_or_state_cannot_be_used_again(
     with httpx.Client(
         base_url=str(server.base_url), trust_env=False, cookies=stolen, timeout=60.0
     ) as thief:
-        assert_refused(thief.get(url), "already been used")
+        assert_refused(thief.get(url), "already used")
         assert thief.get("/api/me").status_code == 401
 
 

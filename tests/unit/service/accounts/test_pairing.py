@@ -132,7 +132,7 @@ def test_a_code_is_for_one_device(server: LocalClient, admin: httpx.Client) -> N
         assert enter(first, code).status_code == 200
         refused = enter(second, code)
         assert refused.status_code == 401
-        assert "wrong, has expired or was used" in refused.text
+        assert "wrong, has expired or was already used" in refused.text
         assert "set-cookie" not in refused.headers
     assert len(admin.get(DEVICES).json()) == 1
 

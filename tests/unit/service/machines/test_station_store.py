@@ -318,7 +318,7 @@ def test_what_moves_the_machine_needs_hands_clear_of_the_last_minute(
     with pytest.raises(WrongState) as refused:
         store.stations.ask(MACHINE, request_)
     assert refused.value.message.code == "operation.hands-not-clear"
-    assert "state hands clear" in refused.value.hint
+    assert "press Hands clear" in refused.value.hint
     assert store.stations.hand_out(MACHINE) == []
     assert store.stations.state_hands_clear(MACHINE) == 60.0
     clock.now += 59.0

@@ -285,8 +285,8 @@ def test_an_interrupted_rest_cannot_be_queued_from_its_start(store: Store) -> No
 
 def test_a_rest_stays_on_its_machine_and_makes_one_sheet(store: Store) -> None:
     job = compiled(store, rest(store, interrupted(store)))
-    with pytest.raises(WrongState, match="one sheet"):
+    with pytest.raises(WrongState, match="completes the sheet"):
         check_transferable(job)
-    with pytest.raises(WrongState, match="one sheet"):
+    with pytest.raises(WrongState, match="completes the sheet"):
         store.queues.change(job.id, WaitingChange(copies=2), OPERATOR)
     assert store.jobs.get(job.id).copies == 1
