@@ -110,7 +110,7 @@ def _find(rows: F64_2, lines: I64_1, boxes: F64_2, arc: I64_1, gap: float) -> An
         for _ in range(_LOOKS):
             # A chord lies in the boxes in which its midpoint is.
             x, y = 0.5 * (x0 + x1), 0.5 * (y0 + y1)
-            at, depth = next_overlap(tree.boxes, tree.level, stack, depth, x, y, x, y, -1)
+            at, depth = next_overlap(tree.boxes, tree.level, stack, depth, (x, y, x, y), -1)
             if at < 0:
                 break
             on = arc[at]

@@ -22,7 +22,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -33,8 +33,12 @@ from knifetip.geometry.tolerance import ANGLE, GAP, JOIN, POINT, SAME
 from knifetip.geometry.union_find import find, union
 from knifetip.kernels import F64_1, F64_2, I64_1, I64_2, Bool_1, kernel
 
-#: Two edges whose directions differ by less than this end side by side (degrees).
-_BESIDE: Final = 10.0
+#: Largest distance by which an end is moved (mm).
+_LARGEST_MOVE: Final = GAP + POINT
+#: Cosine of the largest angle between two edges that end side by side; these are not joined.
+_BESIDE: Final = math.cos(math.radians(10.0))
+#: Cosine of the largest angle by which an edge may bend away from an edge that it continues.
+_STRAIGHT: Final = math.cos(math.radians(ANGLE))
 #: Sine of the smallest angle at which the intersection of two lines is used.
 _SLANT: Final = 0.05
 
@@ -45,6 +49,14 @@ class Closed:
 
     ends: F64  #: (k, 2, 2) mm
     displacement: F64  #: (k,) larger displacement of the two ends (mm)
+
+
+class _PlacedEnds(NamedTuple):
+    """The points of the 2k ends of k edges; ends that meet have the same point."""
+
+    place: I64_1  #: (2k,) index of the point of each end
+    by_place: I64_1  #: (2k,) the ends ordered by their points
+    first: I64_1  #: the ends at point i start at index first[i] of ``by_place``
 
 
 def find_debris(ends: F64, length: F64, end_points: EndPoints) -> Bool:
@@ -62,9 +74,7 @@ def find_debris(ends: F64, length: F64, end_points: EndPoints) -> Bool:
     end_points
         Points that the ends of the edges share, and pairs of ends that are near each other.
     """
-    found: Bool = _find_debris(
-        ends.reshape(-1, 2), length, end_points.place, end_points.pairs, GAP, SAME
-    )
+    found: Bool = _find_debris(ends.reshape(-1, 2), length, end_points.place, end_points.pairs)
     return found
 
 
@@ -95,12 +105,6 @@ def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, end_points: EndPo
         place,
         near_pairs[order],
         settled,
-        GAP + POINT,
-        JOIN,
-        SAME,
-        math.cos(math.radians(_BESIDE)),
-        math.cos(math.radians(ANGLE)),
-        _SLANT,
     )
     off = np.hypot(*(moved - points).T).reshape(-1, 2)
     if not off.any():
@@ -109,27 +113,25 @@ def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, end_points: EndPo
 
 
 @kernel
-def _find_debris(
-    points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2, gap: float, same: float
-) -> Any:
+def _find_debris(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2) -> Any:
     count = len(length)
     many = np.zeros(len(place), np.int64)
     short = np.zeros(len(place), np.int64)
     group = np.arange(len(place))
     for end in range(len(place)):
         many[place[end]] += 1
-        if length[end // 2] < gap:
+        if length[end // 2] < GAP:
             short[place[end]] += 1
     # Groups of short edges that touch only each other.
     for edge in range(count):
-        if length[edge] < gap:
+        if length[edge] < GAP:
             union(group, place[2 * edge], place[2 * edge + 1])
     box = np.empty((len(place), 4))
     box[:, :2] = np.inf
     box[:, 2:] = -np.inf
     whole = np.ones(len(place), np.bool_)
     for end in range(len(place)):
-        if length[end // 2] < gap:
+        if length[end // 2] < GAP:
             g = find(group, place[end])
             box[g, 0] = min(box[g, 0], points[end, 0])
             box[g, 1] = min(box[g, 1], points[end, 1])
@@ -147,39 +149,38 @@ def _find_debris(
         spot[at, 2] = max(spot[at, 2], points[end, 0])
         spot[at, 3] = max(spot[at, 3], points[end, 1])
     debris = np.zeros(count, np.bool_)
-    linked = _connecting(points, length, place, near_pairs, gap)
+    linked = _connecting(points, length, place, near_pairs)
     for edge in range(count):
-        if length[edge] >= gap:
+        if length[edge] >= GAP:
             continue
         a, b = place[2 * edge], place[2 * edge + 1]
-        if a == b and math.hypot(spot[a, 2] - spot[a, 0], spot[a, 3] - spot[a, 1]) < same:
+        if a == b and math.hypot(spot[a, 2] - spot[a, 0], spot[a, 3] - spot[a, 1]) < SAME:
             # The whole group is smaller than the tolerance.
             debris[edge] = True
             continue
         g = find(group, a)
         if whole[g]:
-            if math.hypot(box[g, 2] - box[g, 0], box[g, 3] - box[g, 1]) < gap:
+            if math.hypot(box[g, 2] - box[g, 0], box[g, 3] - box[g, 1]) < GAP:
                 debris[edge] = not linked[edge]
             continue
         if many[a] == 1 or many[b] == 1:
             debris[edge] = not linked[edge]
-        elif length[edge] < same:
+        elif length[edge] < SAME:
             debris[edge] = many[a] == 2 and many[b] == 2 and short[a] == 1 and short[b] == 1
     return debris
 
 
 @kernel
-def _connecting(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2, gap: float) -> Any:
+def _connecting(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2) -> Any:
     """Return the mask of short edges that connect other edges, shape (k,).
 
-    An edge is in the mask if it is shorter than ``gap``, if another edge ends at or near each of
-    its two ends, and if these ends of other edges are more than ``gap`` mm apart.
+    An edge is in the mask if it is shorter than ``GAP``, if another edge ends at or near each of
+    its two ends, and if these ends of other edges are more than ``GAP`` apart.
 
     ``points`` (2k, 2): ends of k edges (mm): the start and the end of each edge.
     ``length`` (k,): lengths of the edges (mm).
     ``place`` (2k,): index of the point of each end; ends that meet have the same point.
     ``near_pairs`` (q, 2): pairs of ends that are near each other.
-    ``gap``: length (mm) that separates short edges from other edges.
     """
     count = len(length)
     linked = np.zeros(count, np.bool_)
@@ -198,7 +199,7 @@ def _connecting(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2, g
     for end in range(len(place)):
         own[place[end]] += 1
     for edge in range(count):
-        if length[edge] >= gap:
+        if length[edge] >= GAP:
             continue
         for k in range(many[2 * edge] + 1):
             p = 2 * edge if k == many[2 * edge] else neighbours[2 * edge, k]
@@ -210,7 +211,7 @@ def _connecting(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2, g
                 if last and own[place[2 * edge + 1]] == 1:
                     continue
                 apart = math.hypot(points[p, 0] - points[q, 0], points[p, 1] - points[q, 1])
-                if apart > gap:
+                if apart > GAP:
                     linked[edge] = True
     return linked
 
@@ -224,12 +225,6 @@ def _close(
     place: I64_1,
     near_pairs: I64_2,
     fixed: Bool_1,
-    gap: float,
-    join: float,
-    same: float,
-    side_cosine: float,
-    straight: float,
-    slant: float,
 ) -> Any:
     """Return the ends of k edges after gaps were closed, (2k, 2) mm.
 
@@ -239,20 +234,11 @@ def _close(
     not be moved.
     ``place`` (2k,): index of the point of each end; ends that meet have the same point.
     ``near_pairs`` (q, 2): pairs of ends that are near each other, nearest pair first.
-    ``gap``: largest distance by which an end may be moved (mm).
-    ``join``: distance within which an end touches another edge (mm).  An end is not moved if its
-    edge would become as short as this.
-    ``same``: an end that touches another edge touches its inside if it is at least this far from
-    both ends of that edge (mm).
-    ``side_cosine``: cosine of the largest angle between two edges that end side by side; these are
-    not joined.
-    ``straight``: cosine of the largest angle by which an edge may bend away from an edge that it
-    continues.
-    ``slant``: sine of the smallest angle between two lines whose intersection is used.
     """
     moved = points.copy()
     by_place = np.argsort(place, kind="mergesort")
     first = np.searchsorted(place[by_place], np.arange(len(place) + 1))
+    placed = _PlacedEnds(place, by_place, first)
     settled = np.zeros(len(place), np.bool_)
     for end in range(len(place)):
         settled[place[end]] |= fixed[end // 2]
@@ -277,15 +263,14 @@ def _close(
             if alike_b and (alike_a == 1 or alike_b == 1):
                 one, other, one_many, other_many = i, partner, alike_a, alike_b
                 break
-        if one < 0 or _connected(a, b, place, by_place, first):
+        if one < 0 or _connected(a, b, placed):
             continue
         if one_many == 1 and other_many == 1:
             cosine = outward[one, 0] * outward[other, 0] + outward[one, 1] * outward[other, 1]
-            if cosine > side_cosine:
+            if cosine > _BESIDE:
                 continue
-            if cosine > -straight and (
-                _inside(points, bulge, one, other // 2, join, same)
-                or _inside(points, bulge, other, one // 2, join, same)
+            if cosine > -_STRAIGHT and (
+                _inside(points, bulge, one, other // 2) or _inside(points, bulge, other, one // 2)
             ):
                 continue
         size_a = first[a + 1] - first[a]
@@ -299,12 +284,12 @@ def _close(
         elif stay_b:
             x, y = moved[other, 0], moved[other, 1]
         else:
-            x, y = _meeting_point(points, bulge, outward, one, other, gap, slant)
-        far_a = np.inf if stay_a else gap
-        far_b = np.inf if stay_b else gap
+            x, y = _meeting_point(points, bulge, outward, one, other)
+        far_a = np.inf if stay_a else _LARGEST_MOVE
+        far_b = np.inf if stay_b else _LARGEST_MOVE
         if not (
-            _may_move(points, moved, place, by_place, first, a, x, y, far_a, join)
-            and _may_move(points, moved, place, by_place, first, b, x, y, far_b, join)
+            _may_move(points, moved, placed, a, x, y, far_a)
+            and _may_move(points, moved, placed, b, x, y, far_b)
         ):
             continue
         for point in (a, b):
@@ -317,12 +302,9 @@ def _close(
 
 
 @kernel
-def _connected(a: int, b: int, place: I64_1, by_place: I64_1, first: I64_1) -> bool:
-    """Return whether an edge has one end at point ``a`` and its other end at point ``b``.
-
-    ``place`` contains the point of each end, and ``by_place`` the ends ordered by their points; the
-    ends at point i start at index ``first[i]`` of ``by_place``.
-    """
+def _connected(a: int, b: int, placed: _PlacedEnds) -> bool:
+    """Return whether an edge has one end at point ``a`` and its other end at point ``b``."""
+    place, by_place, first = placed
     found = False
     for p in range(first[a], first[a + 1]):
         found |= place[by_place[p] ^ 1] == b
@@ -331,43 +313,31 @@ def _connected(a: int, b: int, place: I64_1, by_place: I64_1, first: I64_1) -> b
 
 @kernel
 def _may_move(
-    points: F64_2,
-    moved: F64_2,
-    place: I64_1,
-    by_place: I64_1,
-    first: I64_1,
-    point: int,
-    x: float,
-    y: float,
-    gap: float,
-    join: float,
+    points: F64_2, moved: F64_2, placed: _PlacedEnds, point: int, x: float, y: float, limit: float
 ) -> bool:
     """Return whether all ends at the point with index ``point`` may be moved to (x, y).
 
-    An end may not move by more than ``gap`` mm, and the distance between the two ends of an edge
-    must remain more than ``join`` mm.  An edge with both ends at the point prevents the move.
+    An end may not move by more than ``limit`` mm, and the distance between the two ends of an edge
+    must remain more than ``JOIN``.  An edge with both ends at the point prevents the move.
 
     ``points``, ``moved`` (2k, 2): ends of k edges (mm) before any move, and after the moves that
     were made so far.
-    ``place``, ``by_place`` (2k,): index of the point of each end, and the ends ordered by this
-    index.
-    ``first``: index into ``by_place`` of the first end at each point.
-    ``point``: index of the point whose ends are to be moved.
     """
+    place, by_place, first = placed
     for p in range(first[point], first[point + 1]):
         i = by_place[p]
-        if place[i ^ 1] == point or math.hypot(points[i, 0] - x, points[i, 1] - y) > gap:
+        if place[i ^ 1] == point or math.hypot(points[i, 0] - x, points[i, 1] - y) > limit:
             return False
-        if math.hypot(moved[i ^ 1, 0] - x, moved[i ^ 1, 1] - y) <= join:
+        if math.hypot(moved[i ^ 1, 0] - x, moved[i ^ 1, 1] - y) <= JOIN:
             return False
     return True
 
 
 @kernel
-def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same: float) -> bool:
+def _inside(points: F64_2, bulge: F64_1, end: int, edge: int) -> bool:
     """Return whether the end with index ``end`` touches the inside of the edge ``edge``.
 
-    The end touches the inside if it is within ``join`` mm of the edge, but at least ``same`` mm
+    The end touches the inside if it is within ``JOIN`` of the edge, but at least ``SAME``
     away from both ends of the edge.  ``points`` (2k, 2) mm and ``bulge`` (k,) are the ends and the
     bulges of k edges.
     """
@@ -381,26 +351,26 @@ def _inside(points: F64_2, bulge: F64_1, end: int, edge: int, join: float, same:
     if along <= 0.0 or along >= 1.0:
         return False
     # Within the tolerance of an end it is that end.
-    if math.hypot(x - x0, y - y0) < same or math.hypot(x - x1, y - y1) < same:
+    if math.hypot(x - x0, y - y0) < SAME or math.hypot(x - x1, y - y1) < SAME:
         return False
     if abs(b) < 1e-7:
-        return bool(abs((x - x0) * dy - (y - y0) * dx) <= join * math.sqrt(square))
+        return bool(abs((x - x0) * dy - (y - y0) * dx) <= JOIN * math.sqrt(square))
     lean = (1.0 - b * b) / (4.0 * b)
     cx = 0.5 * (x0 + x1) - lean * dy
     cy = 0.5 * (y0 + y1) + lean * dx
     radius = math.sqrt(square) * (1.0 + b * b) / (4.0 * abs(b))
-    return bool(abs(math.hypot(x - cx, y - cy) - radius) <= join)
+    return bool(abs(math.hypot(x - cx, y - cy) - radius) <= JOIN)
 
 
 @kernel
 def _meeting_point(
-    points: F64_2, bulge: F64_1, outward: F64_2, one: int, other: int, gap: float, slant: float
+    points: F64_2, bulge: F64_1, outward: F64_2, one: int, other: int
 ) -> tuple[float, float]:
     """Return the point (x, y) to which the ends ``one`` and ``other`` are moved to close their gap.
 
     If both edges are straight, the point is the intersection of their lines, unless it is more than
-    ``gap`` mm away from one of the ends or the sine of the angle between the lines is at most
-    ``slant``.  In all other cases it is the point halfway between the ends.
+    ``_LARGEST_MOVE`` away from one of the ends or the sine of the angle between the lines is at
+    most ``_SLANT``.  In all other cases it is the point halfway between the ends.
 
     ``points``, ``outward`` (2k, 2): ends of k edges (mm), and unit vectors that point out of the
     edge at each end.
@@ -410,10 +380,10 @@ def _meeting_point(
     x0, y0 = points[one, 0], points[one, 1]
     x1, y1 = points[other, 0], points[other, 1]
     sine = outward[one, 0] * outward[other, 1] - outward[one, 1] * outward[other, 0]
-    if bulge[one // 2] == 0.0 and bulge[other // 2] == 0.0 and abs(sine) > slant:
+    if bulge[one // 2] == 0.0 and bulge[other // 2] == 0.0 and abs(sine) > _SLANT:
         way = ((x1 - x0) * outward[other, 1] - (y1 - y0) * outward[other, 0]) / sine
         x = x0 + way * outward[one, 0]
         y = y0 + way * outward[one, 1]
-        if abs(way) <= gap and math.hypot(x - x1, y - y1) <= gap:
+        if abs(way) <= _LARGEST_MOVE and math.hypot(x - x1, y - y1) <= _LARGEST_MOVE:
             return x, y
     return 0.5 * (x0 + x1), 0.5 * (y0 + y1)

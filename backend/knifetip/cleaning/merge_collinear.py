@@ -106,14 +106,14 @@ def merge_collinear(
     link = _continuations(end_points.place, end_points.pairs, kind, fine, curves_only)
     order, flipped, first, round_ = follow_links(link)
     edges = np.ascontiguousarray(ends.reshape(-1, 4))
-    changeable = _in_changeable_runs(edges, bulge, length, order, flipped, first, round_, FINE)
+    changeable = _in_changeable_runs(edges, bulge, length, order, flipped, first, round_)
     if not changeable.any():
         every = np.arange(count, dtype=np.int32)
         return Merged(ends, bulge, kind, every, fit_error, np.zeros(count, np.bool_))
     rows = np.column_stack([edges, bulge, fit_error])
     acute = _at_acute_corners(rows, end_points.place, changeable)
     begin, new, is_curve = _split_runs(
-        rows, length, changeable, acute, order, flipped, first, round_, JOIN, CURVE, FINE
+        rows, length, changeable, acute, order, flipped, first, round_
     )
     size = np.diff(np.append(begin, count))
     if (size == 1).all():
@@ -197,7 +197,6 @@ def _in_changeable_runs(
     flipped: Bool_1,
     first: I32_1,
     closed: Bool_1,
-    fine: float,
 ) -> Any:
     """Return the mask of the edges in runs of which edges may be merged or replaced, (k,).
 
@@ -205,8 +204,7 @@ def _in_changeable_runs(
 
     ``ends`` (k, 4): ends of the edges: x0, y0, x1, y1 (mm).
     ``bulge``, ``length`` (k,): bulges and lengths (mm) of the edges.
-    ``order``, ``flipped``, ``first``, ``closed``, ``fine``: the runs, and the greatest length of
-    fine edges (mm), as for ``_split_runs``.
+    ``order``, ``flipped``, ``first``, ``closed``: the runs, as for ``_split_runs``.
     """
     changeable = np.zeros(len(order), np.bool_)
     for r in range(len(first) - 1):
@@ -215,7 +213,7 @@ def _in_changeable_runs(
         for i in range(low, low + joints):
             after = i + 1 if i + 1 < high else low
             one, other = order[i], order[after]
-            if not _is_corner(ends, bulge, length, one, flipped[i], other, flipped[after], fine):
+            if not _is_corner(ends, bulge, length, one, flipped[i], other, flipped[after]):
                 for at in range(low, high):
                     changeable[order[at]] = True
                 break
@@ -231,7 +229,6 @@ def _is_corner(
     one_flipped: bool,
     other: int,
     other_flipped: bool,
-    fine: float,
 ) -> bool:
     """Return whether no line or arc can replace two edges of a run that follow each other.
 
@@ -239,7 +236,7 @@ def _is_corner(
     whether the run traverses it from its end to its start.  The other parameters are those of
     ``_in_changeable_runs``.
     """
-    if length[one] < fine or length[other] < fine:
+    if length[one] < FINE or length[other] < FINE:
         return False
     one_bulge, other_bulge = bulge[one], bulge[other]
     if max(abs(one_bulge), abs(other_bulge)) >= BULGE:
@@ -251,7 +248,7 @@ def _is_corner(
     bx, by = ends[other, 2] - ends[other, 0], ends[other, 3] - ends[other, 1]
     if one_flipped != other_flipped:
         bx, by = -bx, -by
-    # A line within ``join`` of both ends is none: ``join`` is far smaller than ``fine`` times the
+    # A line within ``JOIN`` of both ends is none: ``JOIN`` is far smaller than ``FINE`` times the
     # sine of the turn, unless the second edge goes back.
     along = ax * bx + ay * by
     return bool(along <= 0.0 or abs(ax * by - ay * bx) > SMOOTH_TURN * along)
@@ -304,9 +301,6 @@ def _split_runs(
     flipped: OutBool_1,
     first: I32_1,
     closed: Bool_1,
-    join: float,
-    fitted: float,
-    fine: float,
 ) -> Any:
     """Split runs of connected edges into groups that are each replaced by one line or one arc.
 
@@ -324,10 +318,6 @@ def _split_runs(
     ``first`` (r + 1,): index into ``order`` of the first edge of each of r runs, followed by the
     number k.
     ``closed`` (r,): whether each run is closed.
-    ``join``: largest distance of collinear lines, or of concentric arcs, from their replacement
-    (mm).
-    ``fitted``: largest distance of a replacement from the curve that was drawn or read (mm).
-    ``fine``: edges shorter than this belong to a flattened curve (mm).
     Returns begin, new, is_curve: for each of m groups: index into ``order`` of its first edge,
     (m,); the edge that replaces it, in the direction of the run, as a row like those of ``rows``,
     (m, 6); and whether it replaces chords of a curve, (m,).
@@ -370,10 +360,10 @@ def _split_runs(
         for i in range(many):
             along[i + 1] = along[i] + size[i]
             stays[i] = acute[order[low + i]]
-        is_smooth = mark_smooth(run, size, stays, many, fitted, fine, until)
+        is_smooth = mark_smooth(run, size, stays, many, CURVE, FINE, until)
         if closed[r] and is_smooth and until[0] == many:
             carried = run[:many, 5].max()
-            x, y, radius, far = fit_circle(run, many, fitted - carried)
+            x, y, radius, far = fit_circle(run, many, CURVE - carried)
             number = 0
             if far < math.inf:
                 number = divide_circle(run, many, x, y, radius, part, arcs)
@@ -388,7 +378,7 @@ def _split_runs(
         i = 0
         while i < many:
             begin[groups] = low + i
-            j = _longest_fit(run, size, along, until, i, many, join, fitted, fine, new[groups])
+            j = _longest_fit(run, size, along, until, i, many, new[groups])
             if i == 0 and j == many and closed[r]:
                 # A whole circle stays in parts: one edge cannot start where it ends.
                 for k in range(many):
@@ -400,7 +390,7 @@ def _split_runs(
             j = abs(j)
             groups += 1
             if is_curve[groups - 1]:
-                rest = _balance(run, along, i, j, until[i], fitted, new[groups - 1], new[groups])
+                rest = _balance(run, along, i, j, until[i], new[groups - 1], new[groups])
                 if rest > 0:
                     begin[groups] = low + (i + rest) // 2
                     is_curve[groups] = True
@@ -466,9 +456,6 @@ def _longest_fit(
     until: I64_1,
     i: int,
     count: int,
-    join: float,
-    fitted: float,
-    fine: float,
     out: OutF64_1,
 ) -> int:
     """Fit the longest possible line or arc to the segments of a run, from segment ``i`` on.
@@ -483,10 +470,6 @@ def _longest_fit(
     ``until`` (k,): for each segment, the index after the last segment of its smooth run.
     ``i``: index of the first segment to replace.
     ``count``: number of segments in the run.
-    ``join``: largest distance of collinear lines, or of concentric arcs, from their replacement
-    (mm).
-    ``fitted``: largest distance of a replacement from the curve that was drawn or read (mm).
-    ``fine``: segments shorter than this belong to a flattened curve (mm).
     ``out`` (6,): receives the line or arc, as a row like those of ``run``.
     """
     best = i + 1
@@ -495,7 +478,7 @@ def _longest_fit(
     if i + 1 < count:
         carried = run[i, 5]
         if abs(bulge) < BULGE:
-            end = longest_line(run, i, count, _permitted_move(join, fitted, carried))
+            end = longest_line(run, i, count, _permitted_move(carried))
             if end > best:
                 best, bulge, far = end, 0.0, greatest_distance(run, i, end, 0.0)
         else:
@@ -510,17 +493,17 @@ def _longest_fit(
                 code = math.tan(sum_)
                 off = greatest_distance(run, i, end + 1, code)
                 carried = max(carried, run[end, 5])
-                if off > _permitted_move(join, fitted, carried):
+                if off > _permitted_move(carried):
                     break
                 end += 1
                 best, bulge, far = end, code, off
     is_curve = False
     limit = until[i]
-    few = FEW_FINE if size[i] < fine else FEW_CHORDS
+    few = FEW_FINE if size[i] < FINE else FEW_CHORDS
     if limit >= i + few and limit > best:
         carried = run[i:limit, 5].max()
-        tolerance = fitted - carried
-        end = longest_line(run, i, limit, tolerance) if tolerance > join else best
+        tolerance = CURVE - carried
+        end = longest_line(run, i, limit, tolerance) if tolerance > JOIN else best
         if end >= i + few and end > best:
             off = greatest_distance(run, i, end, 0.0)
             if off <= tolerance:
@@ -539,11 +522,11 @@ def _longest_fit(
 
 
 @inline_kernel
-def _permitted_move(join: float, fitted: float, carried: float) -> float:
+def _permitted_move(carried: float) -> float:
     """Return the distance by which an edge may still be moved (mm).  ``carried`` is its distance
     from the curve that it replaces (mm).
     """
-    return min(join, fitted - carried) if carried > 0.0 else join
+    return min(JOIN, CURVE - carried) if carried > 0.0 else JOIN
 
 
 @kernel
@@ -553,7 +536,6 @@ def _balance(
     i: int,
     j: int,
     limit: int,
-    fitted: float,
     one: OutF64_1,
     other: OutF64_1,
 ) -> int:
@@ -566,7 +548,6 @@ def _balance(
     ``run``, ``along``: segments, and length of the run before each of them (mm), as for
     ``_longest_fit``.
     ``limit``: index after the last segment of the smooth run.
-    ``fitted``: largest distance of a replacement from the curve that was drawn or read (mm).
     ``one``, ``other`` (6,): receive the two arcs, which meet after half of the chords.
     Returns the index of the first segment that the two arcs do not replace; 0 if there are no such
     arcs.
@@ -576,10 +557,10 @@ def _balance(
     carried = run[i:limit, 5].max()
     for last in range(limit, max(j, limit - 2), -1):
         middle = (i + last) // 2
-        b, far = fit_arc(run, along, i, middle, fitted - carried)
+        b, far = fit_arc(run, along, i, middle, CURVE - carried)
         if far == math.inf:
             continue
-        code, off = fit_arc(run, along, middle, last, fitted - carried)
+        code, off = fit_arc(run, along, middle, last, CURVE - carried)
         if off == math.inf:
             continue
         one[2:4] = run[middle - 1, 2:4]

@@ -250,9 +250,8 @@ def _overlapping(
             looks = 0
             while partners < _CROWD and looks < _LOOKS:
                 looks += 1
-                j, depth = next_overlap(
-                    tree.boxes, tree.level, stack, depth, box[0], box[1], box[2], box[3], after
-                )
+                wanted = (box[0], box[1], box[2], box[3])
+                j, depth = next_overlap(tree.boxes, tree.level, stack, depth, wanted, after)
                 if j < 0:
                     break
                 if i == j:
@@ -308,10 +307,8 @@ def _overlapping_short(rows: F64_2, same: float) -> Any:
         looks = 0
         while partners < _CROWD and looks < _LOOKS:
             looks += 1
-            j, depth = next_overlap(
-                tree.boxes, tree.level, stack, depth,
-                boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3], i,
-            )  # fmt: skip
+            box = (boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3])
+            j, depth = next_overlap(tree.boxes, tree.level, stack, depth, box, i)
             if j < 0:
                 break
             shorter = min(size_of(rows, i), size_of(rows, j))

@@ -103,10 +103,8 @@ def _touched(lines: F64_2, boxes: F64_2, points: F64_2, distance: float) -> Any:
         x, y = points[i, 0], points[i, 1]
         depth = start_query(tree, stack)
         for _ in range(_LOOKS):
-            at, depth = next_overlap(
-                tree.boxes, tree.level, stack, depth,
-                x - distance, y - distance, x + distance, y + distance, -1,
-            )  # fmt: skip
+            box = (x - distance, y - distance, x + distance, y + distance)
+            at, depth = next_overlap(tree.boxes, tree.level, stack, depth, box, -1)
             if at < 0:
                 break
             if distance_to_edge(lines[at], x, y) <= distance:

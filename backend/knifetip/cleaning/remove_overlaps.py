@@ -80,6 +80,16 @@ class NearEdges(NamedTuple):
     is_fixed: Bool  #: (k,) whether the edge remains although it nearly coincides with another
 
 
+class _Edges(NamedTuple):
+    """k edges, and which of them overlap."""
+
+    rows: F64_2  #: (k, 5) x0, y0, x1, y1, bulge
+    kind: I64_1  #: (k,) LineType
+    is_fixed: Bool_1  #: (k,) whether no stretch of the edge is removed
+    partners: I64_1  #: the edges that overlap each edge, edge by edge
+    bounds: I64_1  #: (k + 1,) index in ``partners`` of the first one of each edge
+
+
 def remove_overlaps(ends: F64, bulge: F64, kind: U8, near: NearEdges | None = None) -> Pieces:
     """Return the pieces of k edges that remain after overlaps are removed.
 
@@ -144,17 +154,9 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8, near: NearEdges | None = No
     bounds = np.searchsorted(both[by_edge], np.arange(len(alone) + 1))
     rows = np.column_stack([ends[alone].reshape(-1, 4), bulge[alone]])
     max_stretches = max(_STRETCHES, _TO_AN_EDGE * count)
+    edges = _Edges(rows, kind[alone].astype(np.int64), is_fixed, other[by_edge], bounds)
     piece, owner, edge, begin, end, on, is_foreign = _remove(
-        rows,
-        kind[alone].astype(np.int64),
-        order,
-        other[by_edge],
-        bounds,
-        COVERS,
-        is_fixed,
-        GAP if is_near else SAME,
-        is_near,
-        max_stretches,
+        edges, order, COVERS, GAP if is_near else SAME, is_near, max_stretches
     )
     if len(edge) > max_stretches:
         raise DrawingTooLarge("edge.too-many-overlaps", edges=len(alone), limit=max_stretches)
@@ -321,26 +323,12 @@ def _length_beyond_end(apart: float, same: float) -> float:
 
 @kernel
 def _remove(
-    rows: F64_2,
-    kind: I64_1,
-    order: I64_1,
-    partners: I64_1,
-    bounds: I64_1,
-    hides: Bool_2,
-    is_fixed: Bool_1,
-    same: float,
-    is_near: bool,
-    max_stretches: int,
+    edges: _Edges, order: I64_1, hides: Bool_2, same: float, is_near: bool, max_stretches: int
 ) -> Any:
     """Remove from each edge the stretches that overlap pieces of edges processed before it.
 
-    ``rows`` (k, 5): edges: x0, y0, x1, y1, bulge.
-    ``kind``, ``order`` (k,): line types of the edges, and the order in which the edges are
-    processed.
-    ``partners``, ``bounds``: ``partners[bounds[i] : bounds[i + 1]]`` are the edges that overlap
-    edge i.
+    ``order`` (k,): order in which the edges are processed.
     ``hides``: ``hides[a, b]``: whether an edge of line type a removes a stretch of line type b.
-    ``is_fixed`` (k,): mask of the edges of which no stretch is removed.
     ``same``: length up to which stretches are neglected (mm).
     ``is_near``: whether the edges only nearly coincide, within ``same``.
     ``max_stretches``: limit of the number q of stretches.  The function may stop early if the limit
@@ -350,6 +338,7 @@ def _remove(
     stretches, (q,): its edge, its start and end (0 … 1 of the edge), the index of the piece that is
     coincident with it (-1 if it is dropped), and whether this piece belongs to another edge.
     """
+    rows, kind, is_fixed, partners, bounds = edges
     count = len(rows)
     piece = np.zeros((count + 64, 6))
     owner = np.empty((count + 64, 1), np.int64)

@@ -202,26 +202,25 @@ def _add_point(
     i: int,
     two: F64_2,
     j: int,
-    x: float,
-    y: float,
+    point: tuple[float, float],
     touch: float,
     points: OutF64_2,
     count: int,
 ) -> int:
-    """Append (x, y) to ``points`` if it is on both segments; return the new number of points.
+    """Append a point (x, y) to ``points`` if it is on both segments; return the number of points.
 
     The point must be on the lines or circles of both segments.  It is left out if ``points``
-    already has a point within ``touch`` mm of (x, y), or if ``points`` has no free row.
+    already has one within ``touch`` mm of it, or if ``points`` has no free row.
 
     ``one``, ``i``, ``two``, ``j``: the segments are row i of ``one`` and row j of ``two``: x0, y0,
     x1, y1, bulge.
-    ``x``, ``y`` mm: the point.
     ``touch`` mm: distance beyond an end of a segment up to which the point still counts as on the
     segment.
     ``points``: receives in one row x, y, and the parameters on the first and on the second segment
     (0 … 1).
     ``count``: number of points in ``points`` before the call.
     """
+    x, y = point
     for k in range(count):
         if abs(points[k, 0] - x) <= touch and abs(points[k, 1] - y) <= touch:
             return count
@@ -247,10 +246,10 @@ def _add_common_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, point
     first and on the second segment (0 … 1).  ``touch`` is the largest distance (mm) from the
     other segment at which an end still counts as on this segment.
     """
-    count = _add_point(one, i, two, j, one[i, 0], one[i, 1], touch, points, 0)
-    count = _add_point(one, i, two, j, one[i, 2], one[i, 3], touch, points, count)
-    count = _add_point(one, i, two, j, two[j, 0], two[j, 1], touch, points, count)
-    return _add_point(one, i, two, j, two[j, 2], two[j, 3], touch, points, count)
+    count = _add_point(one, i, two, j, (one[i, 0], one[i, 1]), touch, points, 0)
+    count = _add_point(one, i, two, j, (one[i, 2], one[i, 3]), touch, points, count)
+    count = _add_point(one, i, two, j, (two[j, 0], two[j, 1]), touch, points, count)
+    return _add_point(one, i, two, j, (two[j, 2], two[j, 3]), touch, points, count)
 
 
 @kernel(allocates=False)
@@ -285,8 +284,8 @@ def intersect_rows(one: F64_2, i: int, two: F64_2, j: int, touch: float, points:
     uy = dy / apart
     x = ax + foot * ux
     y = ay + foot * uy
-    count = _add_point(one, i, two, j, x - rise * uy, y + rise * ux, touch, points, 0)
-    return _add_point(one, i, two, j, x + rise * uy, y - rise * ux, touch, points, count)
+    count = _add_point(one, i, two, j, (x - rise * uy, y + rise * ux), touch, points, 0)
+    return _add_point(one, i, two, j, (x + rise * uy, y - rise * ux), touch, points, count)
 
 
 @kernel(allocates=False)
@@ -365,5 +364,5 @@ def _intersect_line_arc(
         reach = 0.0
     fx = cx + off * uy
     fy = cy - off * ux
-    count = _add_point(one, i, two, j, fx - reach * ux, fy - reach * uy, touch, points, 0)
-    return _add_point(one, i, two, j, fx + reach * ux, fy + reach * uy, touch, points, count)
+    count = _add_point(one, i, two, j, (fx - reach * ux, fy - reach * uy), touch, points, 0)
+    return _add_point(one, i, two, j, (fx + reach * ux, fy + reach * uy), touch, points, count)

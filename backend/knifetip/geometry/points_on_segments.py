@@ -181,9 +181,8 @@ def _mark_by_tree(
         x, y = points[k, 0], points[k, 1]
         depth = start_query(tree, stack)
         while not hit[k]:
-            at, depth = next_overlap(
-                tree.boxes, tree.level, stack, depth, x - reach, y - reach, x + reach, y + reach, -1
-            )
+            box = (x - reach, y - reach, x + reach, y + reach)
+            at, depth = next_overlap(tree.boxes, tree.level, stack, depth, box, -1)
             if at < 0:
                 break
             hit[k] = _is_on(points[k], segments, segments.order[at], owner[k], gap)

@@ -119,7 +119,6 @@ def _in_transition(
 def is_clear(
     x: float,
     y: float,
-    origin: F64_2,
     tree: BoxTree,
     stack: OutI64_2,
     signed: float,
@@ -136,12 +135,8 @@ def is_clear(
     ----------
     x, y : mm
         The position.
-    origin : (n, 5)
-        Segments of the contours: x0, y0, x1, y1, bulge.
-    tree
-        Tree of the bounding boxes of these segments.
-    stack
-        Scratch array for the search of the tree.
+    tree, stack
+        Tree of the bounding boxes of the contour segments, and a scratch array for its search.
     signed : mm
         Radius of the tool, positive left of travel.
     limit : mm
@@ -149,21 +144,13 @@ def is_clear(
     corners
         Corners at the starts of the segments.
     """
+    origin = corners.origin
     size = abs(signed)
     reach = size * 1.4142135623731 if corners.capped else limit
     depth = start_query(tree, stack)
     while True:
-        i, depth = next_overlap(
-            tree.boxes,
-            tree.level,
-            stack,
-            depth,
-            x - reach,
-            y - reach,
-            x + reach,
-            y + reach,
-            -1,
-        )
+        box = (x - reach, y - reach, x + reach, y + reach)
+        i, depth = next_overlap(tree.boxes, tree.level, stack, depth, box, -1)
         if i < 0:
             return True
         if distance_to_row(origin, i, x, y) < limit:
@@ -216,9 +203,8 @@ def nearest_segment(
     nearest = skip
     depth = start_query(tree, stack)
     while True:
-        i, depth = next_overlap(
-            tree.boxes, tree.level, stack, depth, x - best, y - best, x + best, y + best, -1
-        )
+        box = (x - best, y - best, x + best, y + best)
+        i, depth = next_overlap(tree.boxes, tree.level, stack, depth, box, -1)
         if i < 0:
             return nearest, best
         if i != skip:

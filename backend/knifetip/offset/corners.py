@@ -29,8 +29,8 @@ from knifetip.offset.raw_segments import (
     U2X,
     U2Y,
 )
-from knifetip.offset.records import Contours, CornerTypes
-from knifetip.offset.transition import write_transition
+from knifetip.offset.records import Contours, CornerTypes, MovedCorner
+from knifetip.offset.transition import ContourVertex, write_transition
 
 
 @inline_kernel
@@ -109,27 +109,20 @@ def join_segments(table: OutF64_2, row_before: int, row_after: int, x: float, y:
 @inline_kernel
 def write_corner_transition(
     contours: Contours,
-    i: int,
+    corner: MovedCorner,
     table: F64_2,
-    row_before: int,
-    row_after: int,
-    signed: float,
     corners: CornerTypes,
     rows: OutF64_2,
     next_row: int,
 ) -> int:
-    """Write the transition at the start of contour segment ``i``; return the next free row.
+    """Write the transition at a corner to ``rows``; return the next free row.
 
     The transition is the path of the tool's centre round the corner.
 
     Parameters
     ----------
-    contours, i
-        The input contours, and the index of the segment after the corner.
-    table, row_before, row_after
-        Moved segments, and the rows of the segments before and after the corner.
-    signed : mm
-        Radius of the tool, positive left of travel.
+    contours, corner, table
+        The input contours, the corner, and the moved segments.
     corners
         Types of the transitions of all corners.
     rows
@@ -137,19 +130,17 @@ def write_corner_transition(
     next_row
         First row of ``rows`` to write.
     """
-    return write_transition(
-        corners.kind[corners.step * i],
+    i, row_before, row_after, signed = corner
+    vertex = ContourVertex(
         contours.start[i, 0],
         contours.start[i, 1],
         table[row_before, U2X],
         table[row_before, U2Y],
         table[row_after, U1X],
         table[row_after, U1Y],
-        signed,
-        corners.k[corners.step * i],
-        rows,
-        next_row,
     )
+    at = corners.step * i
+    return write_transition(corners.kind[at], corners.k[at], vertex, signed, rows, next_row)
 
 
 @kernel(allocates=False)

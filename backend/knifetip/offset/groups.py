@@ -19,6 +19,7 @@ from knifetip.offset.records import (
     MovedSegments,
     OffsetChains,
     OffsetGroups,
+    OffsetProgress,
     OffsetSegments,
     RegionOffset,
     empty_segments,
@@ -194,7 +195,7 @@ def offset_groups(
         longest = max(longest, first[p + 1] - first[p])
     segments = MovedSegments(np.empty((longest, COLUMNS)), np.empty(longest, np.int64))
     boxes = np.empty((4, 2 * (MAX_SEGMENTS + 1) * longest))
-    scratch = Scratch(np.empty((4, 5)), np.empty((4, 4)))
+    scratch = Scratch(np.empty((4, 5)), np.empty((4, 4)), boxes)
     size = 2 * len(contours.bulge) + (MAX_SEGMENTS + 1) * longest + 256
     out = empty_segments(size)
     result = OffsetChains(
@@ -208,18 +209,9 @@ def offset_groups(
     group = 0
     while True:
         result = _reserve_chains(result, chain_count + len(members) - group)
+        progress = OffsetProgress(group, segment_count, chain_count)
         group, segment_count, chain_count = offset_simple(
-            contours,
-            groups,
-            group,
-            corners,
-            segments,
-            boxes,
-            scratch,
-            out,
-            segment_count,
-            result,
-            chain_count,
+            contours, groups, corners, segments, scratch, out, result, progress
         )
         if group == len(members) - 1:
             break

@@ -13,7 +13,7 @@ import numpy as np
 from knifetip.geometry.spatial_index.box_tree import NODE_SIZE
 from knifetip.geometry.spatial_index.morton import morton_code
 from knifetip.geometry.tolerance import BULGE
-from knifetip.kernels import F64_2, I32_1, OutF64_2, OutI64_1, kernel
+from knifetip.kernels import F64_2, I32_1, OutF64_2, kernel
 from knifetip.offset.raw_segments import (
     COLUMNS,
     MOVED,
@@ -36,7 +36,7 @@ from knifetip.offset.records import (
     RegionPaths,
     empty_segments,
 )
-from knifetip.offset.transition import MAX_SEGMENTS, write_transition
+from knifetip.offset.transition import MAX_SEGMENTS, ContourVertex, write_transition
 from knifetip.offset.trim import trim_path
 from knifetip.offset.untrimmed import raw_offset
 
@@ -96,23 +96,19 @@ def region_paths(contours: Contours, members: I32_1) -> RegionPaths:
 
 
 @kernel
-def region_corners(
-    contours: Contours, paths: RegionPaths, corners: CornerTypes, source: OutI64_1, origin: OutF64_2
-) -> RegionCorners:
-    """Return the corners of a region, and write its contour segments to two arrays.
+def region_corners(contours: Contours, paths: RegionPaths, corners: CornerTypes) -> RegionCorners:
+    """Return the corners and the contour segments of a region.
 
-    The arrays for moved segments in the returned corners are allocated but not filled.
+    The arrays for moved segments are allocated but not filled.
 
     Parameters
     ----------
     contours, paths, corners
         Input contours, the paths of the region, and the types of transitions at its corners.
-    source : (n,)
-        Gets the index of each contour segment of the region.
-    origin : (n, 5)
-        Gets x0, y0, x1, y1 and bulge of each contour segment of the region.
     """
-    total = len(source)
+    total = paths.begin[len(paths.member)]
+    origin = np.empty((total, 5))
+    source = np.empty(total, np.int64)
     segments = MovedSegments(np.empty((total, COLUMNS)), np.empty(total, np.int64))
     previous = np.empty(total, np.int64)
     kind = np.empty(total, np.int64)
@@ -133,7 +129,7 @@ def region_corners(
             kind[row] = corners.kind[corners.step * i]
             corner_k[row] = corners.k[corners.step * i]
             capped |= corners.kind[corners.step * i] > 0
-    return RegionCorners(segments, previous, kind, corner_k, capped)
+    return RegionCorners(origin, source, segments, previous, kind, corner_k, capped)
 
 
 @kernel
@@ -169,7 +165,6 @@ def write_raw_region(
     corners: CornerTypes,
     segments: MovedSegments,
     raw: RawRows,
-    follow: OutI64_1,
     rows: OutF64_2,
 ) -> tuple[int, int, int, int]:
     """Write the moved segments of all paths of a region, as if each path were the only one.
@@ -183,9 +178,8 @@ def write_raw_region(
     segments
         The moved segments of the region, which this function computes.
     raw
-        Gets the moved segments after trimming, and the transitions between them.
-    follow
-        Gets for each row of ``raw`` the row that continues it, -1 for none.
+        Gets the moved segments after trimming, the transitions between them, and the row that
+        continues each row.
     rows
         Scratch rows for one transition.
 
@@ -229,9 +223,9 @@ def write_raw_region(
                 if math.isnan(table[moved_row, MOVED]):
                     lost = a + moved_row - first_row
         for e in range(begun, next_row):
-            follow[e] = e + 1 if raw.info[e, 2] else -1
+            raw.follow[e] = e + 1 if raw.info[e, 2] else -1
         if next_row > begun and raw.info[next_row - 1, 2]:
-            follow[next_row - 1] = begun
+            raw.follow[next_row - 1] = begun
     return next_row, lost, NO_FAILURE, 0
 
 
@@ -273,5 +267,6 @@ def write_far_side(
             last = count - 1
             x, y = back.end[last, 0], back.end[last, 1]
             ux, uy = table[last, U2X], table[last, U2Y]
-        next_row = write_transition(0, x, y, ux, uy, -ux, -uy, signed, 0.0, raw.rows, next_row)
+        vertex = ContourVertex(x, y, ux, uy, -ux, -uy)
+        next_row = write_transition(0, 0.0, vertex, signed, raw.rows, next_row)
     return next_row

@@ -12,6 +12,7 @@ from knifetip.kernels import (
     I32_1,
     I64_1,
     Bool_1,
+    Bool_2,
     OutBool_1,
     OutF64_1,
     OutF64_2,
@@ -32,6 +33,16 @@ class Contours(NamedTuple):
     first: I32_1  #: (p + 1,) first segment of each path, and n
 
 
+class Segment(NamedTuple):
+    """A line or an arc of any path."""
+
+    x0: float  #: x of its start (mm)
+    y0: float  #: y of its start (mm)
+    x1: float  #: x of its end (mm)
+    y1: float  #: y of its end (mm)
+    bulge: float  #: tan(sweep / 4)
+
+
 class CornerTypes(NamedTuple):
     """For each contour segment, the type of the transition at its start.
 
@@ -50,6 +61,15 @@ class MovedSegments(NamedTuple):
 
     table: OutF64_2  #: (n, ``raw_segments.COLUMNS``) moved ends, tangents and radii
     joint: OutI64_1  #: (n,) kind of joint at each start, such as ``raw_segments.CONVEX``
+
+
+class MovedCorner(NamedTuple):
+    """A corner of a contour, and where the segments at it are in the table of moved segments."""
+
+    segment: int  #: contour segment after the corner
+    row_before: int  #: row of the moved segment before the corner
+    row_after: int  #: row of the moved segment after the corner
+    signed: float  #: radius of the tool (mm), positive left of travel
 
 
 class MovedPath(NamedTuple):
@@ -91,6 +111,7 @@ class RawRows(NamedTuple):
     rows: OutF64_2  #: (m, 5) x0, y0, x1, y1, bulge
     #: (m, 4) contour segment, whether inserted, whether the next row continues the row, path
     info: OutI64_2
+    follow: OutI64_1  #: (m,) row that continues each row, -1 for none
 
 
 class RegionPaths(NamedTuple):
@@ -102,8 +123,10 @@ class RegionPaths(NamedTuple):
 
 
 class RegionCorners(NamedTuple):
-    """The corners of one region, each at the start of one of its n segments."""
+    """The corners of one region, each at the start of one of its n contour segments."""
 
+    origin: OutF64_2  #: (n, 5) x0, y0, x1, y1 and bulge of each contour segment
+    source: OutI64_1  #: (n,) index of each contour segment in the input
     segments: MovedSegments  #: the moved segments
     previous: OutI64_1  #: (n,) segment before each segment
     kind: OutI64_1  #: (n,) ``transition.Corner``
@@ -112,11 +135,13 @@ class RegionCorners(NamedTuple):
 
 
 class JoinedPieces(NamedTuple):
-    """The q pieces into which segments are split, with predecessor and successor of each piece."""
+    """The q pieces into which m rows are split, with predecessor and successor of each piece."""
 
-    piece: F64_2  #: (q, 6) x0, y0, x1, y1, and parameters of both ends on the row
-    owner: I64_1  #: (q,) row that each piece is part of
+    piece: F64_2  #: (≥ q, 6) x0, y0, x1, y1, and parameters of both ends on the row
+    owner: I64_1  #: (≥ q,) row that each piece is part of
     opening: I64_1  #: (m,) first piece of each row
+    touched: Bool_2  #: (m, 2) whether each row is split exactly at its start and at its end
+    good: OutBool_1  #: (q,) whether each piece is valid: not nearer to a contour than the radius
     successor: OutI64_1  #: (q,) piece that continues each piece, -1 for none
     predecessor: OutI64_1  #: (q,) piece that each piece continues, -1 for none
 
@@ -147,6 +172,14 @@ class OffsetChains(NamedTuple):
     first: OutI32_1  #: (c,) first row of each chain
     owner: OutI32_1  #: (c,) input path of each chain
     unreached: OutF64_1  #: (p,) area beside each path that the tool cannot reach (mm²)
+
+
+class OffsetProgress(NamedTuple):
+    """How many groups are offset, and how many rows of the output columns are written."""
+
+    group: int  #: first group that is not offset; the number of groups if all are
+    segment_count: int  #: number of segments in ``OffsetSegments``
+    chain_count: int  #: number of chains in ``OffsetChains``
 
 
 class RegionOffset(NamedTuple):

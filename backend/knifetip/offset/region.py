@@ -19,11 +19,6 @@ from knifetip.geometry.spatial_index.box_tree import BoxTree, build_tree, new_st
 from knifetip.kernels import (
     F64_2,
     I32_1,
-    I64_1,
-    Bool_1,
-    Bool_2,
-    OutBool_1,
-    OutI64_2,
     kernel,
 )
 from knifetip.offset.clearance import DISTANCE_TOLERANCE, distance_to_row, is_clear, nearest_segment
@@ -92,32 +87,20 @@ def _select_pieces(
     contours: Contours,
     paths: RegionPaths,
     raw: RawRows,
-    follow: I64_1,
     pieces: JoinedPieces,
-    touched: Bool_2,
-    count: int,
     corners: RegionCorners,
-    source: I64_1,
-    origin: F64_2,
     signed: float,
     refuse: bool,
     lost: int,
-    stack: OutI64_2,
-    good: OutBool_1,
 ) -> tuple[int, int, float]:
-    """Write to ``good`` whether each piece is valid: not nearer to a contour than the radius.
+    """Write to ``pieces.good`` which pieces are valid: not nearer to a contour than the radius.
 
     ``contours``, ``paths``, ``corners``: input contours, the paths of the region, and the corners
     of the region.
-    ``raw``, ``follow``: the rows of which the pieces are parts, and the successor of each row.
-    ``pieces``, ``count``: the pieces, and the number of pieces.
-    ``touched``: whether each row is split exactly at its start, and exactly at its end.
-    ``source``, ``origin``: indices and coordinates of the region's contour segments.
+    ``raw``: the rows of which the pieces are parts.
     ``signed`` mm: radius of the tool, positive left of travel.
     ``refuse``: whether to find the position at which the tool would cut deepest into a contour.
     ``lost``: a contour segment that has no offset, or -1.
-    ``stack``: scratch array for the search of a tree.
-    ``good`` (count,): receives the mask of valid pieces.
     Returns row, other_row, depth: of use only if ``refuse`` is true: the contour segment along
     which the tool, at one position, would cut deepest into a contour; the contour segment into
     which it would cut there; and the depth of this cut (mm).  They are -1, -1 and 0 if the tool
@@ -125,16 +108,17 @@ def _select_pieces(
     """
     size = abs(signed)
     limit = size - DISTANCE_TOLERANCE
+    origin, source = corners.origin, corners.source
     total = len(source)
-    piece, owner, opening, _, _ = pieces
-    info = raw.info
-    tree = _build_tree(origin, total)
+    piece, owner, opening, touched, good, _, _ = pieces
+    rows, info, follow = raw
+    tree, stack = _build_tree(origin, total), new_stack()
     worst = 0.0
     worst_row = lost
     worst_other = lost
     if lost >= 0:
         worst = size - abs(_arc_radius(contours, lost))
-    for q in range(count):
+    for q in range(len(good)):
         i = owner[q]
         runs_on = not refuse and q > 0 and q == opening[i] and follow[i - 1] == i
         if runs_on and not touched[i, 0] and not touched[i - 1, 1]:
@@ -152,13 +136,11 @@ def _select_pieces(
         good[q] = True
         x = y = 0.0
         for place in places:
-            x, y = point_at_parameter(
-                raw.rows, i, piece[q, 4] + place * (piece[q, 5] - piece[q, 4])
-            )
+            x, y = point_at_parameter(rows, i, piece[q, 4] + place * (piece[q, 5] - piece[q, 4]))
             # Most invalid pieces are too close to the next segments: test these first.
             for near in range(max(mine - 2, 0), min(mine + 3, total)):
                 good[q] &= distance_to_row(origin, near, x, y) >= limit
-            good[q] &= good[q] and is_clear(x, y, origin, tree, stack, signed, limit, corners)
+            good[q] &= good[q] and is_clear(x, y, tree, stack, signed, limit, corners)
             if not good[q]:
                 break
         if refuse and not good[q]:
@@ -174,14 +156,7 @@ def _select_pieces(
 
 
 @kernel
-def _replace_obstructed(
-    raw: RawRows,
-    pieces: JoinedPieces,
-    touched: Bool_2,
-    good: Bool_1,
-    count: int,
-    corners: CornerTypes,
-) -> bool:
+def _replace_obstructed(raw: RawRows, pieces: JoinedPieces, corners: CornerTypes) -> bool:
     """Change type C or D to B at obstructed corners, and return whether any corner is changed.
 
     A corner is obstructed if its transition, the tool's path round the corner, has a common point
@@ -189,13 +164,11 @@ def _replace_obstructed(
     the change, parts of the transition or parts of other offset segments would be left out.
 
     ``raw``: the segments of the region, which the pieces are parts of.
-    ``pieces``, ``count``: the pieces, and the number of pieces.
-    ``touched``: whether each row of ``raw`` is split exactly at its start, and exactly at its end.
-    ``good`` (count,): whether each piece keeps the tool's radius from all contours.
     ``corners``: types of the transitions; changed in place.
     """
+    touched, good = pieces.touched, pieces.good
     changed = False
-    for q in range(count):
+    for q in range(len(good)):
         i = pieces.owner[q]
         corner = corners.step * raw.info[i, 0]
         if raw.info[i, 1] == 0 or corners.kind[corner] == 0:
@@ -246,10 +219,10 @@ def _swept_area(
             for r in range(bounds[c], bounds[c + 1]):
                 length += math.hypot(line[r, 2] - line[r, 0], line[r, 3] - line[r, 1])
             return 0.0, False, c, length
+        begin = (last[m, 0], last[m, 1])
         area, x, y, arc_row = area_under_edge(
-            line, tag, bounds[c], bounds[c + 1], ring[c], contours.start, signed,
-            last[m, 0], last[m, 1], corner_arcs, arc_row,
-        )  # fmt: skip
+            out, c, contours.start, signed, begin, corner_arcs, arc_row
+        )
         swept += area
         if not ring[c]:
             last[m, 0] = x
@@ -305,20 +278,17 @@ def offset_region(
     paths = region_paths(contours, members)
     count = len(paths.member)
     total = paths.begin[count]
-    origin = np.empty((total, 5))
-    source = np.empty(total, np.int64)
     room = 8 * total + 4 * count + 8
-    raw = RawRows(np.empty((room, 5)), np.empty((room, 4), np.int64))
-    follow = np.empty(room, np.int64)
+    raw = RawRows(np.empty((room, 5)), np.empty((room, 4), np.int64), np.empty(room, np.int64))
     path_area = 0.0
     for m in range(count):
         a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
         path_area += area_under_path(contours.start, contours.end, contours.bulge, a, b)
     stack = new_stack()
     while True:
-        region = region_corners(contours, paths, corners, source, origin)
+        region = region_corners(contours, paths, corners)
         real, lost, code, row = write_raw_region(
-            contours, paths, signed, corners, region.segments, raw, follow, scratch.pair
+            contours, paths, signed, corners, region.segments, raw, scratch.pair
         )
         if code != NO_FAILURE:
             return _failure(code, row, row, 0.0)
@@ -327,44 +297,39 @@ def offset_region(
             if paths.begin[m] < paths.begin[m + 1] and not paths.closed[m]:
                 a, b = contours.first[paths.member[m]], contours.first[paths.member[m] + 1]
                 row_count = write_far_side(contours, a, b, signed, raw, row_count)
-        cut_row, cut_point, cuts = find_cuts(
-            raw.rows,
-            follow,
-            row_count,
-            real,
-            _build_tree(raw.rows, row_count),
-            stack,
-            scratch.crossings,
-        )
+        tree = _build_tree(raw.rows, row_count)
+        cut_row, cut_point, cuts = find_cuts(raw, row_count, real, tree, stack, scratch.crossings)
         piece, owner, opening, touched, piece_count = split_rows(
             raw.rows, real, cut_row, cut_point, cuts
         )
         pieces = JoinedPieces(
-            piece, owner, opening, np.empty(piece_count, np.int64), np.empty(piece_count, np.int64)
+            piece,
+            owner,
+            opening,
+            touched,
+            np.empty(piece_count, np.bool_),
+            np.empty(piece_count, np.int64),
+            np.empty(piece_count, np.int64),
         )
-        good = np.empty(piece_count, np.bool_)
         row, other_row, depth = _select_pieces(
-            contours, paths, raw, follow, pieces, touched, piece_count, region, source, origin,
-            signed, refuse, lost, stack, good,
-        )  # fmt: skip
-        if not region.capped or not _replace_obstructed(
-            raw, pieces, touched, good, piece_count, corners
-        ):
+            contours, paths, raw, pieces, region, signed, refuse, lost
+        )
+        if not region.capped or not _replace_obstructed(raw, pieces, corners):
             break
     if refuse and row >= 0:
         return _failure(DOES_NOT_FIT, row, other_row, depth)
-    follow_pieces(pieces, follow, good, piece_count)
+    follow_pieces(pieces, raw.follow)
     out = ResultChains(
         np.empty((piece_count + 1, 5)),
         np.empty((piece_count + 1, 4), np.int64),
         np.empty(piece_count + 1, np.int64),
         np.empty(piece_count + 1, np.bool_),
     )
-    chains = link_chains(raw, pieces, good, piece_count, out)
+    chains = link_chains(raw, pieces, out)
     swept, overlaps, torn, length = _swept_area(contours, paths, signed, out, chains, scratch)
-    if torn >= 0 and drop_copies(raw.rows, pieces, good, piece_count):
-        follow_pieces(pieces, follow, good, piece_count)
-        chains = link_chains(raw, pieces, good, piece_count, out)
+    if torn >= 0 and drop_copies(raw.rows, pieces):
+        follow_pieces(pieces, raw.follow)
+        chains = link_chains(raw, pieces, out)
         swept, overlaps, torn, length = _swept_area(contours, paths, signed, out, chains, scratch)
     if torn >= 0:
         return _failure(NOT_CLOSED, out.tag[out.bounds[torn], 0], 0, length)

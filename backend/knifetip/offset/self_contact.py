@@ -23,10 +23,10 @@ from knifetip.kernels import (
     F64_1,
     F64_2,
     Bool_1,
-    OutF64_1,
     OutF64_2,
     kernel,
 )
+from knifetip.offset.records import Segment
 
 #: Largest number of rows for which all pairs of boxes are compared; above it a tree is used.
 MAX_PAIRWISE: Final = 256
@@ -44,10 +44,11 @@ class CheckedSegments(NamedTuple):
 
 
 class Scratch(NamedTuple):
-    """Scratch arrays for the intersection of two segments and for one transition."""
+    """Scratch arrays for one path: two of its segments, a transition, and bounding boxes."""
 
     pair: OutF64_2  #: (4, 5) rows of segments: x0, y0, x1, y1, bulge
     crossings: OutF64_2  #: (4, 4) common points: x, y and the parameters on both segments
+    boxes: OutF64_2  #: (4, m) x0, y0, x1 and y1 of boxes; m ≥ 1.5 times the segments of a path
 
 
 @kernel(allocates=False)
@@ -73,24 +74,16 @@ def _count_overlaps(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step
 
 
 @kernel(allocates=False)
-def _separated_across_chord(
-    x0: float,
-    y0: float,
-    dx: float,
-    dy: float,
-    b: float,
-    ox: float,
-    oy: float,
-    ex: float,
-    ey: float,
-    other_bulge: float,
-) -> bool:
+def _separated_across_chord(one: Segment, other: Segment) -> bool:
     """Return whether two segments are separated by a line parallel to the chord of the first.
 
-    The first segment starts at (x0, y0) and has the chord (dx, dy) and the bulge ``b``.  The second
-    goes from (ox, oy) to (ex, ey) with the bulge ``other_bulge``.  Both bulges are at most 1: an
-    arc of up to half a turn is replaced by the rectangle of its chord and its height.
+    Both bulges are at most 1: an arc of up to half a turn is replaced by the rectangle of its chord
+    and its height.
     """
+    x0, y0, x1, y1, b = one
+    ox, oy, ex, ey, other_bulge = other
+    dx = x1 - x0
+    dy = y1 - y0
     rise = -0.5 * b * (dx * dx + dy * dy)
     fx = ex - ox
     fy = ey - oy
@@ -104,28 +97,11 @@ def _separated_across_chord(
 
 
 @kernel(allocates=False)
-def cannot_meet(
-    x0: float,
-    y0: float,
-    x1: float,
-    y1: float,
-    b: float,
-    ox: float,
-    oy: float,
-    ex: float,
-    ey: float,
-    other_bulge: float,
-) -> bool:
-    """Return whether the rectangles around two segments prove that they have no common point.
-
-    The first segment goes from (x0, y0) to (x1, y1) with the bulge ``b``, the second from (ox, oy)
-    to (ex, ey) with the bulge ``other_bulge``.
-    """
-    if abs(b) > 1.0 or abs(other_bulge) > 1.0:
+def cannot_meet(one: Segment, other: Segment) -> bool:
+    """Return whether the rectangles around two segments prove that they have no common point."""
+    if abs(one.bulge) > 1.0 or abs(other.bulge) > 1.0:
         return False
-    return _separated_across_chord(
-        x0, y0, x1 - x0, y1 - y0, b, ox, oy, ex, ey, other_bulge
-    ) or _separated_across_chord(ox, oy, ex - ox, ey - oy, other_bulge, x0, y0, x1, y1, b)
+    return _separated_across_chord(one, other) or _separated_across_chord(other, one)
 
 
 @kernel(allocates=False)
@@ -138,36 +114,26 @@ def _segments_meet(
     transition at a convex corner.  Then two lines cannot meet.  ``scratch`` are scratch arrays.
     """
     start, end, bulge, pair = segments.start, segments.end, segments.bulge, scratch.pair
-    b, other_bulge = bulge[i], bulge[j]
-    if round_corner and b == 0.0 and other_bulge == 0.0:
+    if round_corner and bulge[i] == 0.0 and bulge[j] == 0.0:
         # Two lines at a convex corner diverge.
         return False
-    x0, y0, x1, y1 = start[i, 0], start[i, 1], end[i, 0], end[i, 1]
-    ox, oy, ex, ey = start[j, 0], start[j, 1], end[j, 0], end[j, 1]
-    if cannot_meet(x0, y0, x1, y1, b, ox, oy, ex, ey, other_bulge):
+    one = Segment(start[i, 0], start[i, 1], end[i, 0], end[i, 1], bulge[i])
+    other = Segment(start[j, 0], start[j, 1], end[j, 0], end[j, 1], bulge[j])
+    if cannot_meet(one, other):
         return False
-    pair[0, 0], pair[0, 1], pair[0, 2], pair[0, 3], pair[0, 4] = x0, y0, x1, y1, b
-    pair[1, 0], pair[1, 1], pair[1, 2], pair[1, 3], pair[1, 4] = ox, oy, ex, ey, other_bulge
+    pair[0, 0], pair[0, 1], pair[0, 2], pair[0, 3], pair[0, 4] = one
+    pair[1, 0], pair[1, 1], pair[1, 2], pair[1, 3], pair[1, 4] = other
     return bool(intersect_rows(pair, 0, pair, 1, TOUCH, scratch.crossings) > 0)
 
 
 @kernel(allocates=False)
-def write_box_columns(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
-    low: int,
-    high: int,
-    x0: OutF64_1,
-    y0: OutF64_1,
-    x1: OutF64_1,
-    y1: OutF64_1,
-) -> None:
-    """Write the bounding boxes of the segments low … high - 1 to the columns x0, y0, x1 and y1.
+def write_box_columns(segments: CheckedSegments, low: int, high: int, boxes: OutF64_2) -> None:
+    """Write x0, y0, x1 and y1 of the bounding boxes of the segments low … high - 1 to ``boxes``.
 
-    Each box is enlarged by ``TOUCH`` (mm) on all sides.  ``start``, ``end`` (n, 2) mm and ``bulge``
-    (n,) are the segments.
+    Each box is enlarged by ``TOUCH`` (mm) on all sides.
     """
+    start, end, bulge, _ = segments
+    x0, y0, x1, y1 = boxes[0], boxes[1], boxes[2], boxes[3]
     for i in range(low, high):
         sx, sy, ex, ey, b = start[i, 0], start[i, 1], end[i, 0], end[i, 1], bulge[i]
         column = i - low
@@ -191,20 +157,17 @@ def write_box_columns(
 
 
 @kernel(allocates=False)
-def path_meets_itself(
-    segments: CheckedSegments, low: int, high: int, boxes: OutF64_2, scratch: Scratch
-) -> bool:
+def path_meets_itself(segments: CheckedSegments, low: int, high: int, scratch: Scratch) -> bool:
     """Return whether two segments of a closed path that are not neighbours have a common point.
 
-    The path has the segments low … high - 1.  ``boxes`` (4, m) is a scratch array for bounding
-    boxes; m must be at least 1.5 times the number of segments in the path.
+    The path has the segments low … high - 1.
     """
-    start, end, bulge, inserted = segments
+    inserted, boxes = segments.inserted, scratch.boxes
     count = high - low
     x0, y0, x1, y1 = boxes[0], boxes[1], boxes[2], boxes[3]
     if count < 4:
         return False
-    write_box_columns(start, end, bulge, low, high, x0, y0, x1, y1)
+    write_box_columns(segments, low, high, boxes)
     if count > MAX_PAIRWISE:
         first, _ = _find_contact(segments, low, high, 2, boxes, scratch)
         return bool(first >= 0)
@@ -263,8 +226,8 @@ def any_segments_meet(start: F64_2, end: F64_2, bulge: F64_1, scratch: Scratch) 
     """
     count = len(bulge)
     boxes = np.empty((4, count))
-    write_box_columns(start, end, bulge, 0, count, boxes[0], boxes[1], boxes[2], boxes[3])
     segments = CheckedSegments(start, end, bulge, np.zeros(count, np.bool_))
+    write_box_columns(segments, 0, count, boxes)
     first, _ = _find_contact(segments, 0, count, 1, boxes, scratch)
     return bool(first >= 0)
 
@@ -290,10 +253,10 @@ def find_self_contact(
         The common point.
     """
     boxes = np.empty((4, high - low))
-    write_box_columns(start, end, bulge, low, high, boxes[0], boxes[1], boxes[2], boxes[3])
     segments = CheckedSegments(start, end, bulge, np.zeros(high, np.bool_))
+    write_box_columns(segments, low, high, boxes)
     found = np.empty((4, 4))
-    scratch = Scratch(np.empty((2, 5)), found)
+    scratch = Scratch(np.empty((2, 5)), found, boxes)
     one, two = _find_contact(segments, low, high, 2, boxes, scratch)
     return low + one if one >= 0 else -1, low + two, found[0, 0], found[0, 1]
 
@@ -317,17 +280,8 @@ def _find_contact(
     for i in range(count - step):
         depth = start_query(tree, stack)
         while True:
-            j, depth = next_overlap(
-                tree.boxes,
-                tree.level,
-                stack,
-                depth,
-                boxes[i, 0],
-                boxes[i, 1],
-                boxes[i, 2],
-                boxes[i, 3],
-                i + step - 1,
-            )
+            box = (boxes[i, 0], boxes[i, 1], boxes[i, 2], boxes[i, 3])
+            j, depth = next_overlap(tree.boxes, tree.level, stack, depth, box, i + step - 1)
             if j < 0:
                 break
             if step == 2 and i == 0 and j == count - 1:

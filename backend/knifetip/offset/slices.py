@@ -16,13 +16,12 @@ from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.kernels import (
     F64_2,
     I64_1,
-    Bool_1,
-    OutBool_1,
     OutF64_2,
     OutI64_2,
+    inline_kernel,
     kernel,
 )
-from knifetip.offset.records import JoinedPieces, RawRows, ResultChains
+from knifetip.offset.records import JoinedPieces, RawRows, ResultChains, Segment
 from knifetip.offset.self_contact import cannot_meet
 
 #: Length of the shortest piece (mm); a shorter one is an intersection that rounding has split.
@@ -40,10 +39,15 @@ def _connected(rows: F64_2, i: int, j: int) -> bool:
     return bool(dx <= TOUCH and dy <= TOUCH)
 
 
+@inline_kernel
+def _segment(rows: F64_2, i: int) -> Segment:
+    """Return the segment in row i of ``rows``, (n, 5): x0, y0, x1, y1, bulge."""
+    return Segment(rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4])
+
+
 @kernel
 def find_cuts(
-    rows: F64_2,
-    follow: I64_1,
+    raw: RawRows,
     count: int,
     real: int,
     tree: BoxTree,
@@ -54,10 +58,8 @@ def find_cuts(
 
     Parameters
     ----------
-    rows : (count, 5)
-        x0, y0, x1, y1 and bulge of each segment.
-    follow
-        Successor of each row, -1 for none.
+    raw, count
+        The segments, and their number.
     real
         Number of rows that are split; the rows after them are not split, but split other rows.
     tree
@@ -74,23 +76,20 @@ def find_cuts(
     cut_count
         Number of split points; the arrays may be longer.
     """
+    rows, _, follow = raw
     cut_row = np.empty(2 * count + 16, np.int64)
     cut_point = np.empty((len(cut_row), 3))
     cut_count = 0
     for i in range(real):
+        box = (
+            tree.boxes[i, 0] - TOUCH,
+            tree.boxes[i, 1] - TOUCH,
+            tree.boxes[i, 2] + TOUCH,
+            tree.boxes[i, 3] + TOUCH,
+        )
         depth = start_query(tree, stack)
         while True:
-            j, depth = next_overlap(
-                tree.boxes,
-                tree.level,
-                stack,
-                depth,
-                tree.boxes[i, 0] - TOUCH,
-                tree.boxes[i, 1] - TOUCH,
-                tree.boxes[i, 2] + TOUCH,
-                tree.boxes[i, 3] + TOUCH,
-                i,
-            )
+            j, depth = next_overlap(tree.boxes, tree.level, stack, depth, box, i)
             if j < 0:
                 break
             if (follow[i] == j and _connected(rows, i, j)) or (
@@ -98,10 +97,7 @@ def find_cuts(
             ):
                 # Neighbours that continue each other have only their joint in common.
                 continue
-            if cannot_meet(
-                rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3], rows[i, 4],
-                rows[j, 0], rows[j, 1], rows[j, 2], rows[j, 3], rows[j, 4],
-            ):  # fmt: skip
+            if cannot_meet(_segment(rows, i), _segment(rows, j)):
                 continue
             hits = intersect_rows(rows, i, rows, j, TOUCH, crossings)
             if cut_count + 2 * hits > len(cut_row):
@@ -209,7 +205,7 @@ def split_rows(
 
 
 @kernel
-def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int) -> None:
+def follow_pieces(pieces: JoinedPieces, follow: I64_1) -> None:
     """Write the successor and the predecessor of each valid piece to ``pieces``.
 
     The successor of a piece is normally the next piece of the same row or, after the last piece of
@@ -224,10 +220,9 @@ def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int)
         The pieces; their columns of successors and predecessors are written.
     follow
         Successor of each row, -1 for none.
-    good, count
-        Whether each piece is valid, and the number of pieces.
     """
-    piece, owner, opening, after, prior = pieces
+    piece, owner, opening, _, good, after, prior = pieces
+    count = len(good)
     near = 10.0 * MIN_PIECE
     for q in range(count):
         after[q] = -1
@@ -284,7 +279,7 @@ def follow_pieces(pieces: JoinedPieces, follow: I64_1, good: Bool_1, count: int)
 
 
 @kernel
-def drop_copies(rows: F64_2, pieces: JoinedPieces, good: OutBool_1, count: int) -> bool:
+def drop_copies(rows: F64_2, pieces: JoinedPieces) -> bool:
     """Mark valid pieces that lie on other valid pieces as invalid; return whether there are any.
 
     Where two contours meet at a corner, the tool goes round both corners on one arc.  Of two equal
@@ -295,13 +290,11 @@ def drop_copies(rows: F64_2, pieces: JoinedPieces, good: OutBool_1, count: int) 
     rows : (m, 5)
         The segments of which the pieces are parts: x0, y0, x1, y1, bulge.
     pieces
-        The pieces.
-    good, count
-        Whether each piece is valid, and the number of pieces; copies are marked in place.
+        The pieces; copies are marked in place.
     """
-    piece, owner = pieces.piece, pieces.owner
+    piece, owner, good = pieces.piece, pieces.owner, pieces.good
     near = 10.0 * MIN_PIECE
-    valid = np.flatnonzero(good[:count])
+    valid = np.flatnonzero(good)
     order = valid[np.argsort(piece[valid, 0], kind="mergesort")]
     found = False
     for place in range(len(order)):
@@ -326,9 +319,7 @@ def drop_copies(rows: F64_2, pieces: JoinedPieces, good: OutBool_1, count: int) 
 
 
 @kernel
-def link_chains(
-    raw: RawRows, pieces: JoinedPieces, good: Bool_1, count: int, out: ResultChains
-) -> int:
+def link_chains(raw: RawRows, pieces: JoinedPieces, out: ResultChains) -> int:
     """Connect valid pieces into chains, write the chains to ``out`` and return how many there are.
 
     Parameters
@@ -337,13 +328,12 @@ def link_chains(
         The rows of which the pieces are parts.
     pieces
         The pieces, with their successors and predecessors.
-    good, count
-        Whether each piece is valid, and the number of pieces.
     out
         Receives the segments of the chains, chain after chain.
     """
-    rows, info = raw
-    piece, owner, _, after, prior = pieces
+    rows, info, _ = raw
+    piece, owner, _, _, good, after, prior = pieces
+    count = len(good)
     line, tag, first, ring = out
     done = 0
     chains = 0

@@ -9,7 +9,8 @@ from __future__ import annotations
 import math
 
 from knifetip.geometry.tolerance import BULGE, POINT
-from knifetip.kernels import F64_1, F64_2, I64_2, OutF64_2, kernel
+from knifetip.kernels import F64_1, F64_2, OutF64_2, kernel
+from knifetip.offset.records import ResultChains
 
 
 @kernel
@@ -46,15 +47,11 @@ def _turn_area(
 
 @kernel
 def area_under_edge(
-    line: F64_2,
-    tag: I64_2,
-    low: int,
-    high: int,
-    closed: bool,
+    chains: ResultChains,
+    chain: int,
     start: F64_2,
     signed: float,
-    from_x: float,
-    from_y: float,
+    begin: tuple[float, float],
     corner_arcs: OutF64_2,
     arc_row: int,
 ) -> tuple[float, float, float, int]:
@@ -65,18 +62,13 @@ def area_under_edge(
 
     Parameters
     ----------
-    line : (r, 5)
-        Segments of all chains: x0, y0, x1, y1, bulge.  The chain has the rows low … high - 1.
-    tag : (r, 4)
-        For each segment its contour segment, whether it belongs to a transition, its path, and its
-        raw row.
-    closed
-        Whether the chain is closed.
+    chains, chain
+        All chains, and the number of the chain.
     start
         Start points of the contour segments.
     signed : mm
         Radius of the tool, positive left of travel.
-    from_x, from_y : mm
+    begin : mm
         Point at which the edge of an open chain starts.
     corner_arcs, arc_row
         Rows that receive the arcs of the edge around the corners of the chain, and the first free
@@ -91,8 +83,10 @@ def area_under_edge(
     arc_row
         Next free row of ``corner_arcs``.
     """
+    line, tag, bounds, ring = chains
+    low, high, closed = bounds[chain], bounds[chain + 1], ring[chain]
     twice = 0.0
-    x, y = from_x, from_y
+    x, y = begin
     size = abs(signed)
     begun = not closed
     for r in range(low, high + (1 if closed else 0)):

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 from enum import IntEnum
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -34,6 +34,17 @@ class Corner(IntEnum):
     B = 0
     C = 1
     D = 2
+
+
+class ContourVertex(NamedTuple):
+    """A vertex of a contour, and the unit tangents into and out of it."""
+
+    x: float  #: mm
+    y: float  #: mm
+    u1x: float  #: x of the tangent into it
+    u1y: float
+    u2x: float  #: x of the tangent out of it
+    u2y: float
 
 
 #: Largest number of segments of a transition.
@@ -128,7 +139,7 @@ def _write_transitions(
     kind: U8_1,
     u1: F64_2,
     u2: F64_2,
-    vertex: F64_2,
+    point: F64_2,
     signed: F64_1,
     k: F64_1,
     rows: OutF64_2,
@@ -140,7 +151,7 @@ def _write_transitions(
 
     ``kind``, ``k`` (m,): ``Corner`` type of each corner, and the parameter of type D, 0 … 1.
     ``u1``, ``u2`` (m, 2): unit tangents into and out of each corner.
-    ``vertex`` (m, 2) mm: vertex of each corner.
+    ``point`` (m, 2) mm: vertex of each corner.
     ``signed`` (m,) mm: radius of the tool, positive left of travel.
     ``first`` (m + 1,): gets the index of the first row of each corner, then the total number of
     rows.
@@ -150,19 +161,8 @@ def _write_transitions(
         cross = u1[i, 0] * u2[i, 1] - u1[i, 1] * u2[i, 0]
         dot = u1[i, 0] * u2[i, 0] + u1[i, 1] * u2[i, 1]
         if signed[i] != 0.0 and (cross * signed[i] < 0.0 or dot <= -1.0 + 1e-12):
-            next_row = write_transition(
-                kind[i],
-                vertex[i, 0],
-                vertex[i, 1],
-                u1[i, 0],
-                u1[i, 1],
-                u2[i, 0],
-                u2[i, 1],
-                signed[i],
-                k[i],
-                rows,
-                next_row,
-            )
+            vertex = ContourVertex(point[i, 0], point[i, 1], u1[i, 0], u1[i, 1], u2[i, 0], u2[i, 1])
+            next_row = write_transition(kind[i], k[i], vertex, signed[i], rows, next_row)
         first[i + 1] = next_row
 
 
@@ -231,17 +231,7 @@ def _write_row(
 
 @kernel(allocates=False)
 def write_transition(
-    kind: int,
-    x: float,
-    y: float,
-    u1x: float,
-    u1y: float,
-    u2x: float,
-    u2y: float,
-    signed: float,
-    k: float,
-    rows: OutF64_2,
-    row: int,
+    kind: int, k: float, vertex: ContourVertex, signed: float, rows: OutF64_2, row: int
 ) -> int:
     """Write the transition at a convex corner to ``rows`` (x0, y0, x1, y1, bulge) from ``row`` on.
 
@@ -252,10 +242,8 @@ def write_transition(
     ----------
     kind, k
         ``Corner`` type, and the parameter of type D.
-    x, y : mm
+    vertex
         Vertex of the corner.
-    u1x, u1y, u2x, u2y
-        Unit tangents into and out of the corner.
     signed : mm
         Radius of the tool, positive left of travel.
 
@@ -263,6 +251,7 @@ def write_transition(
     -------
     The next free row.
     """
+    x, y, u1x, u1y, u2x, u2y = vertex
     size = abs(signed)
     cross = u1x * u2y - u1y * u2x
     dot = u1x * u2x + u1y * u2y

@@ -43,10 +43,12 @@ from knifetip.offset.raw_segments import (
 from knifetip.offset.records import (
     Contours,
     CornerTypes,
+    MovedCorner,
     MovedPath,
     MovedSegments,
     OffsetChains,
     OffsetGroups,
+    OffsetProgress,
     OffsetSegments,
 )
 from knifetip.offset.self_contact import CheckedSegments, Scratch, path_meets_itself
@@ -162,28 +164,20 @@ def _trimmed_bulge(
 @kernel(allocates=False)
 def _write_corner(
     contours: Contours,
-    i: int,
+    corner: MovedCorner,
     table: F64_2,
-    row_before: int,
-    row_after: int,
-    signed: float,
     corners: CornerTypes,
     out: OffsetSegments,
     next_row: int,
     rows: OutF64_2,
 ) -> int:
-    """Write the transition at the start of segment ``i`` to ``out``; return the next free row.
+    """Write the transition at a corner to ``out`` from ``next_row`` on; return the next free row.
 
-    The transition is the path of the tool's centre round the corner.
-
-    ``contours``, ``i``: the input contours, and the index of the segment after the corner.
-    ``table``, ``row_before``, ``row_after``: moved segments, and the rows of the segments before
-    and after the corner.
-    ``signed`` mm: radius of the tool, positive left of travel.
-    ``corners``: types of the transitions of all corners.
-    ``out``, ``next_row``: output columns, and the first row of them to write.
-    ``rows``: scratch rows for one transition.
+    The transition is the path of the tool's centre round the corner.  ``table`` are the moved
+    segments, ``corners`` the types of the transitions of all corners, and ``rows`` scratch rows for
+    one transition.
     """
+    i, row_before, row_after, signed = corner
     if corners.kind[corners.step * i] == 0:
         u1x, u1y = table[row_before, U2X], table[row_before, U2Y]
         u2x, u2y = table[row_after, U1X], table[row_after, U1Y]
@@ -196,9 +190,7 @@ def _write_corner(
         out.source[next_row] = i
         out.inserted[next_row] = True
         return next_row + 1
-    count = write_corner_transition(
-        contours, i, table, row_before, row_after, signed, corners, rows, 0
-    )
+    count = write_corner_transition(contours, corner, table, corners, rows, 0)
     for r in range(count):
         out.start[next_row, 0] = rows[r, 0]
         out.start[next_row, 1] = rows[r, 1]
@@ -259,18 +251,8 @@ def trim_path(
             return next_row, DOES_NOT_FIT, low + i, 0.0
         if joint[row_after] == CONVEX:
             row_before = row_after - 1 if i > 0 else first_row + count - 1
-            next_row = _write_corner(
-                contours,
-                low + i,
-                table,
-                row_before,
-                row_after,
-                signed,
-                corners,
-                out,
-                next_row,
-                rows,
-            )
+            corner = MovedCorner(low + i, row_before, row_after, signed)
+            next_row = _write_corner(contours, corner, table, corners, out, next_row, rows)
         out.start[next_row, 0] = table[row_after, SX]
         out.start[next_row, 1] = table[row_after, SY]
         out.end[next_row, 0] = table[row_after, EX]
@@ -287,17 +269,14 @@ def trim_path(
 def offset_simple(
     contours: Contours,
     groups: OffsetGroups,
-    group: int,
     corners: CornerTypes,
     segments: MovedSegments,
-    boxes: OutF64_2,
     scratch: Scratch,
     out: OffsetSegments,
-    segment_count: int,
     chains: OffsetChains,
-    chain_count: int,
-) -> tuple[int, int, int]:
-    """Offset groups of one closed path each, from ``group`` on, as long as trimming is enough.
+    progress: OffsetProgress,
+) -> OffsetProgress:
+    """Offset groups of one closed path each as long as trimming is enough; return the progress.
 
     The function stops before the first group that needs more than trimming, and before a group for
     which the output columns lack capacity.
@@ -306,22 +285,14 @@ def offset_simple(
     ----------
     contours, groups, corners
         Input contours, their groups, and the types of the transitions at their corners.
-    group
-        Number of the first group to offset.
-    segments, boxes, scratch
-        Scratch arrays for the moved segments and the bounding boxes of one path.
-    out, segment_count
-        Columns for the segments of all offsets, and the number of segments written before.
-    chains, chain_count
-        Columns for the chains of all offsets, and the number of chains written before.
-
-    Returns
-    -------
-    group
-        Number of the first group that is not offset; the number of groups if all are.
-    segment_count, chain_count
-        Number of segments and number of chains written so far, including those before the call.
+    segments, scratch
+        Scratch arrays for the moved segments of one path, and for everything else.
+    out, chains
+        Columns for the segments and for the chains of all offsets.
+    progress
+        The first group to offset, and the numbers of segments and chains written before.
     """
+    group, segment_count, chain_count = progress
     bounds, signed = groups.bounds, groups.signed
     checked = CheckedSegments(out.start, out.end, out.bulge, out.inserted)
     while group < len(bounds) - 1:
@@ -342,9 +313,7 @@ def offset_simple(
         next_row, code, _, lost = trim_path(
             contours, moved, corners, out, segment_count, scratch.pair
         )
-        if code != NO_FAILURE or path_meets_itself(
-            checked, segment_count, next_row, boxes, scratch
-        ):
+        if code != NO_FAILURE or path_meets_itself(checked, segment_count, next_row, scratch):
             break
         chains.first[chain_count] = segment_count
         chains.owner[chain_count] = path
@@ -352,4 +321,4 @@ def offset_simple(
         chain_count += 1
         segment_count = next_row
         group += 1
-    return group, segment_count, chain_count
+    return OffsetProgress(group, segment_count, chain_count)

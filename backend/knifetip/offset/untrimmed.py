@@ -33,7 +33,7 @@ from knifetip.offset.raw_segments import (
     SY,
     remaining_bulge,
 )
-from knifetip.offset.records import Contours, CornerTypes, MovedPath, RawRows
+from knifetip.offset.records import Contours, CornerTypes, MovedCorner, MovedPath, RawRows
 
 #: Largest overlap of two moved segments that are trimmed like their tangents (mm).  There, the
 #: tangents deviate from arcs with radii above 1.3 mm by less than DISTANCE_TOLERANCE.
@@ -157,7 +157,7 @@ def raw_offset(
     """
     _trim_long_neighbours(contours, path)
     low, high, closed, signed, (table, joint), first_row = path
-    start, bulge, (rows, info) = contours.start, contours.bulge, raw
+    start, bulge, (rows, info, _) = contours.start, contours.bulge, raw
     count = high - low
     for i in range(count):
         row_after = first_row + i
@@ -167,9 +167,8 @@ def raw_offset(
         if joint[row_after] == CONVEX:
             row_before = first_row + (i - 1 if i > 0 else count - 1)
             begun = next_row
-            next_row = write_corner_transition(
-                contours, low + i, table, row_before, row_after, signed, corners, rows, next_row
-            )
+            corner = MovedCorner(low + i, row_before, row_after, signed)
+            next_row = write_corner_transition(contours, corner, table, corners, rows, next_row)
             for j in range(begun, next_row):
                 info[j, 0] = low + i
                 info[j, 1] = 1

@@ -18,7 +18,7 @@ when cleaning drops folds outside them.  They are never cut.
 from __future__ import annotations
 
 import math
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -32,6 +32,26 @@ from knifetip.kernels import F64_1, F64_2, I32_1, I64_1, Bool_1, kernel
 
 #: Least ratio of the path along a chain to the gap that closes it.
 _CHAIN_FACTOR: Final = 3.0
+
+
+class _Cuts(NamedTuple):
+    """n cuts and the vertices at which they meet; cut i has the ends 2 i and 2 i + 1."""
+
+    points: F64_2  #: (2n, 2) position of each end (mm)
+    length: F64_1  #: (n,) length of each cut (mm)
+    node: I32_1  #: (2n,) vertex of each end
+    by_node: I64_1  #: (2n,) ends, sorted by vertex
+    begin: I64_1  #: index in ``by_node`` of the first end of each vertex
+
+
+class _Candidates(NamedTuple):
+    """k points to which dangling ends may be linked, sorted by their t dangling ends."""
+
+    first: I64_1  #: (t + 1,) index of the first candidate of each dangling end
+    row: I64_1  #: (k,) cut on which each candidate lies
+    fraction: F64_1  #: (k,) parameter of the candidate on the cut, 0 … 1
+    target: F64_2  #: (k, 2) position of each candidate (mm)
+    to_end: Bool_1  #: (k,) whether each candidate is a dangling end
 
 
 def find_dangling_ends(ends: F64, bulge: F64) -> I64:
@@ -76,10 +96,9 @@ def closing_links(ends: F64, bulge: F64, tips: I64, longest: float) -> F64:
     to_end = np.arange(len(tip)) >= len(tip) - len(one)
     order = np.argsort(tip, kind="stable")
     first = np.searchsorted(tip[order], np.arange(len(tips) + 1))
-    linked = _choose_links(
-        tips, first, row[order], fraction[order], target[order], to_end[order], points,
-        arc.length(start, end, bulge), node, by_node, begin, longest,
-    )  # fmt: skip
+    candidates = _Candidates(first, row[order], fraction[order], target[order], to_end[order])
+    cuts = _Cuts(points, arc.length(start, end, bulge), node, by_node, begin)
+    linked = _choose_links(tips, candidates, cuts, longest)
     link_rows = order[linked]
     links = np.stack([points[tips[tip[link_rows]]], target[link_rows]], axis=1)
     # Two ends that are linked to each other need only one link.
@@ -91,27 +110,17 @@ def closing_links(ends: F64, bulge: F64, tips: I64, longest: float) -> F64:
 
 
 @kernel
-def _choose_links(
-    tips: I64_1, first: I64_1, row: I64_1, fraction: F64_1, target: F64_2, to_end: Bool_1,
-    points: F64_2, length: F64_1,
-    node: I32_1, by_node: I64_1, begin: I64_1, longest: float,
-) -> Any:  # fmt: skip
+def _choose_links(tips: I64_1, candidates: _Candidates, cuts: _Cuts, longest: float) -> Any:
     """Return the mask of the candidates that become links, (k,).
 
-    A candidate is a point to which a dangling end may be linked.  Each dangling end is linked to
-    its relative neighbours among the dangling ends, and to the nearest point of another cut.
+    Each dangling end is linked to its relative neighbours among the dangling ends, and to the
+    nearest point of another cut.
 
-    ``tips``, ``first`` (t,) and (t + 1,): dangling ends, and the index of the first candidate of
-    each dangling end.
-    ``row``, ``fraction``, ``target``, ``to_end`` (k,), (k,), (k, 2) mm and (k,): edge on which each
-    candidate lies, its parameter on that edge (0 … 1), its position, and whether it is a dangling
-    end.
-    ``points``, ``length`` (2n, 2) and (n,) mm: ends and lengths of all edges; edge i has the ends
-    2i and 2i + 1.
-    ``node``, ``by_node``, ``begin``: vertex of each end, ends sorted by vertex, and index in
-    ``by_node`` of each vertex's first end.
+    ``tips`` (t,): the dangling ends.
     ``longest`` mm: greatest length of a link.
     """
+    first, row, fraction, target, to_end = candidates
+    points, length, node, by_node, begin = cuts
     linked = np.zeros(len(row), np.bool_)
     reached_from = np.full(len(length), -1, np.int64)
     # Distance along the chain from the tip to each edge, and whether that edge is run backwards.

@@ -16,8 +16,7 @@ from knifetip.geometry.capacity import double_i32_2
 from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.geometry.parallel import chunks, parallel_map
 from knifetip.geometry.spatial_index.cells import cell_of, group_by_cell
-from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, Bool_1, OutBool_1, OutI32_1, kernel
-from knifetip.topology.edge_grid import EdgeGrid
+from knifetip.kernels import F64_2, I32_1, Bool_1, OutBool_1, OutI32_1, kernel
 from knifetip.topology.intersections import MIN_CHUNK
 from knifetip.topology.lines import Lines
 from knifetip.topology.segment import BULGE, chord_length, outward_direction
@@ -51,50 +50,38 @@ def link_dashes(lines: Lines, reach: float, loose: Bool) -> tuple[Bool, I32, F64
     gap_of : (2n,)
         Search distance of the start and of the end of each edge (drawing units).
     """
-    ends, bulge, end_vertex, twin, grid, tolerance, unit = lines
-    facing = np.full(2 * len(bulge), -1, np.int32)
-    cell = np.full(2 * len(bulge), -1, np.int32)
+    count, side = len(lines.bulge), lines.grid.side
+    facing = np.full(2 * count, -1, np.int32)
+    cell = np.full(2 * count, -1, np.int32)
     parallel_map(
-        lambda run: _find_dangling_ends(ends, bulge, end_vertex, twin, loose, grid, cell, *run),
-        chunks(len(bulge), MIN_CHUNK),
+        lambda run: _find_dangling_ends(lines, loose, cell, *run), chunks(count, MIN_CHUNK)
     )
     # Few lines have dangling ends, and each end is in one cell only.
-    begins, tips = group_by_cell(cell, grid.side * grid.side, np.arange(len(cell), dtype=np.int32))
-    position = ends.reshape(-1, 2).take(tips, axis=0)
+    begins, tips = group_by_cell(cell, side * side, np.arange(len(cell), dtype=np.int32))
+    position = lines.ends.reshape(-1, 2).take(tips, axis=0)
 
     def face(run: tuple[int, int]) -> None:
-        _find_facing_ends(ends, bulge, tolerance, unit, grid, begins, tips, position, facing, *run)
+        _find_facing_ends(lines, begins, tips, position, facing, *run)
 
     parallel_map(face, chunks(len(tips), MIN_CHUNK))
-    dashed, link, gap_of = _form_rows(ends, facing, tolerance, reach, end_vertex, twin, loose)
+    dashed, link, gap_of = _form_rows(lines, facing, reach, loose)
     return dashed, link, gap_of
 
 
 @kernel
-def _form_rows(
-    ends: F64_3,
-    facing: I32_1,
-    tolerance: float,
-    reach: float,
-    end_vertex: I32_1,
-    twin: I32_1,
-    loose: OutBool_1,
-) -> Any:
+def _form_rows(lines: Lines, facing: I32_1, reach: float, loose: OutBool_1) -> Any:
     """Find rows of at least three dashes with nearly equal gaps, and link neighbouring dashes.
 
-    ``ends`` (n, 2, 2): start and end points of n edges.
     ``facing`` (2n,): number of the end that each end of an edge faces across a gap, -1 if it faces
-    none; edge i has the ends 2 i (start) and 2 i + 1 (end).
-    ``tolerance``: largest distance between ends that became one vertex.
+    none.
     ``reach``: least search distance for ends of edges.
-    ``end_vertex``, ``twin`` (2n,) and (n,): vertex of each end, and the first edge that coincides
-    with each edge.
     ``loose`` (q,): whether only one edge ends at each vertex; set to False for vertices that get a
     link.
     Returns ``dashed`` (n,): whether each edge is a dash of a row; ``links`` (t, 2): pairs of
     vertices; a link closes the gap between the two vertices of a pair; ``gap_of`` (2n,): search
     distance of each end: within it, another edge is looked for later.
     """
+    ends, _, end_vertex, twin, _, tolerance, _ = lines
     n = len(twin)
     link = np.empty((64, 2), np.int32)
     links = 0
@@ -150,21 +137,15 @@ def _form_rows(
 
 
 @kernel(allocates=False)
-def _find_dangling_ends(
-    ends: F64_3, bulge: F64_1, end_vertex: I32_1, twin: I32_1, loose: Bool_1, grid: EdgeGrid,
-    cell: OutI32_1, begin: int, end: int,
-) -> None:  # fmt: skip
+def _find_dangling_ends(lines: Lines, loose: Bool_1, cell: OutI32_1, begin: int, end: int) -> None:
     """Write to ``cell`` the grid cell of each dangling end of a straight edge.
 
     Only the entries of dangling ends of edges ``begin`` … ``end`` - 1 are written.
 
-    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
-    ``end_vertex``, ``twin`` (2n,) and (n,): vertex of each end, and the first edge that coincides
-    with each edge.
     ``loose`` (q,): whether only one edge ends at each vertex.
-    ``grid``: grid of side × side cells over the drawing.
     ``cell`` (2n,): number of the cell of the start and of the end of each edge.
     """
+    ends, bulge, end_vertex, twin, grid, _, _ = lines
     low, size, side, _, _ = grid
     for i in range(begin, end):
         if abs(bulge[i]) > BULGE or twin[i] != i:
@@ -178,16 +159,16 @@ def _find_dangling_ends(
 
 @kernel(allocates=False)
 def _find_facing_ends(
-    ends: F64_3, bulge: F64_1, tolerance: float, unit: float, grid: EdgeGrid, begins: I32_1,
-    tips: I32_1, position: F64_2, facing: OutI32_1, begin: int, end: int,
-) -> None:  # fmt: skip
+    lines: Lines,
+    begins: I32_1,
+    tips: I32_1,
+    position: F64_2,
+    facing: OutI32_1,
+    begin: int,
+    end: int,
+) -> None:
     """Find the dangling end that each dangling end ``begin`` … ``end`` - 1 faces across a gap.
 
-    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges; edge i has
-    the ends 2 i and 2 i + 1.
-    ``tolerance``: largest distance between ends that became one vertex (drawing units).
-    ``unit``: number of drawing units in a millimetre.
-    ``grid``: grid of side × side cells over the drawing.
     ``begins`` (side² + 1,): index in ``tips`` of the first dangling end in each cell of the grid.
     ``tips``, ``position`` (t,) and (t, 2): numbers of the dangling ends in the order of their
     cells, and their positions.
@@ -195,6 +176,7 @@ def _find_facing_ends(
     and points back at it; unchanged if there is none.
     ``begin``, ``end``: range of indices in ``tips``.
     """
+    ends, bulge, _, _, grid, tolerance, unit = lines
     low, size, side, _, _ = grid
     for number in range(begin, end):
         half = tips[number]

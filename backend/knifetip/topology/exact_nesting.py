@@ -19,7 +19,7 @@ ray meets each span at most once.  A tree of bounding boxes finds the spans that
 from __future__ import annotations
 
 import math
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -46,13 +46,30 @@ from knifetip.kernels import (
     kernel,
 )
 
-#: Columns of a span: x and y of its left and right end, centre (x, y) and radius of its circle, and
-#: 1 for a span on the upper half of the circle, -1 on the lower half, 0 for a straight span.
-_SPAN: Final = 8
 #: By how much boxes are enlarged, for rounding; heights that differ by less are equal (mm).
 _MARGIN: Final = 1e-6
 #: Number of components that may touch at one place and overlap there.
 _MOST_TOUCHING: Final = 10
+
+
+class _Circle(NamedTuple):
+    """The circle of a span; all values are 0 for a straight span."""
+
+    x: float  #: x of the centre (mm)
+    y: float  #: y of the centre (mm)
+    radius: float  #: mm
+    side: float  #: 1 for a span on the upper half of the circle, -1 on the lower half
+
+
+class _Spans(NamedTuple):
+    """k parts of edges that run from left to right, in no particular order."""
+
+    #: (k, 8) x and y of the left and of the right end, and the four values of the ``_Circle``
+    shape: F64_2
+    owner: I32_1  #: (k,) component of each span, -1 for none
+    inside: Bool_1  #: (k,) whether the face above each span is a bounded face
+    boxes: F64_2  #: (k, 4) bounding boxes of the spans, sorted as ``BoxTree`` requires
+    order: I64_1  #: (k,) index of the span of each box
 
 
 def find_enclosing_faces(
@@ -106,11 +123,8 @@ def find_enclosing_faces(
     if len(spans) == 0:
         return np.full(count, -1, np.int64), np.zeros(count, np.int64)
     owner = component[above // 2]
-    boxes = _boxes_of_spans(spans)
-    # The reversed order begins at the top, so that a search finds the span of a ray early.
-    order = order_boxes(boxes)[::-1].copy()
     inside = ~outer[face.ravel()[above]]
-    hit = _first_below(lowest, spans, owner, inside, boxes[order], order, GAP)
+    hit = _first_below(lowest, _with_boxes(spans, owner, inside), GAP)
     # A ray hits a component with a lower lowest point, whose enclosing face is known by then.
     order = np.argsort(lowest[:, 1], kind="stable")
     enclosing, depth = _follow_hits(order, hit, above, face.ravel(), outer, component)
@@ -133,13 +147,11 @@ def find_half_edges_below(points: F64, start: F64, end: F64, bulge: F64) -> I64:
     spans, above = _spans_of_edges(start, end, bulge)
     if len(spans) == 0 or len(points) == 0:
         return np.full(len(points), -1, np.int64)
-    boxes = _boxes_of_spans(spans)
-    order = order_boxes(boxes)[::-1].copy()
     # No span has an owner, so that none is left out.
     no_owner = np.full(len(spans), -1, np.int32)
     inside = np.ones(len(spans), np.bool_)
     points = np.ascontiguousarray(points)
-    hit = _first_below(points, spans, no_owner, inside, boxes[order], order, _MARGIN)
+    hit = _first_below(points, _with_boxes(spans, no_owner, inside), _MARGIN)
     result: I64 = np.where(hit < 0, -1, above[hit])
     return result
 
@@ -152,6 +164,13 @@ def _spans_of_edges(start: F64, end: F64, bulge: F64) -> tuple[F64, I64]:
     centre[bent], radius[bent] = arc.centre(*arcs), arc.radius(*arcs)
     spans, above = _split_into_spans(start, end, bulge, centre, radius)
     return spans, above
+
+
+def _with_boxes(shape: F64, owner: I32, inside: Bool) -> _Spans:
+    boxes = _boxes_of_spans(shape)
+    # The reversed order begins at the top, so that a search finds the span of a ray early.
+    order = order_boxes(boxes)[::-1].copy()
+    return _Spans(shape, owner, inside, boxes[order], order)
 
 
 @kernel
@@ -192,21 +211,20 @@ def _follow_hits(
 def _split_into_spans(start: F64_2, end: F64_2, bulge: F64_1, centre: F64_2, radius: F64_1) -> Any:
     """Return the k spans of n edges, and the half-edge on the upper side of each span, (k,).
 
-    A span is a part of an edge that runs from left to right.  The spans, (k, 8), are x and y of the
-    left end and of the right end, x and y of the centre and radius of the circle, and 1 for the
-    upper half of the circle, -1 for its lower half or 0 for a line.  Half-edge 2 i is the left side
-    of edge i, half-edge 2 i + 1 its right side.
+    The spans, (k, 8), are the column ``shape`` of ``_Spans``.  Half-edge 2 i is the left side of
+    edge i, half-edge 2 i + 1 its right side.
 
     ``start``, ``end``, ``bulge`` (n, 2), (n, 2) mm and (n,): the edges.
     ``centre``, ``radius`` (n, 2) and (n,) mm: centre and radius of each edge that is an arc.
     """
-    spans = np.empty((3 * len(bulge), _SPAN))
+    spans = np.empty((3 * len(bulge), 8))
     above = np.empty(3 * len(bulge), np.int64)
     count = 0
     for i in range(len(bulge)):
         ax, ay, bx, by = start[i, 0], start[i, 1], end[i, 0], end[i, 1]
         if radius[i] == 0.0:
-            count = _add_span(spans, above, count, i, ax, ay, bx, by, 0.0, 0.0, 0.0, 0.0)
+            line = _Circle(0.0, 0.0, 0.0, 0.0)
+            count = _add_span(spans, above, count, i, (ax, ay), (bx, by), line)
             continue
         cx, cy, r = centre[i, 0], centre[i, 1], radius[i]
         first = math.atan2(ay - cy, ax - cx)
@@ -222,7 +240,7 @@ def _split_into_spans(start: F64_2, end: F64_2, bulge: F64_1, centre: F64_2, rad
             ny = by if last else cy
             # Between two multiples of pi the sine keeps its sign.
             side = 1.0 if math.sin((half + 0.5 * turn) * math.pi) > 0.0 else -1.0
-            count = _add_span(spans, above, count, i, x, y, nx, ny, cx, cy, r, side)
+            count = _add_span(spans, above, count, i, (x, y), (nx, ny), _Circle(cx, cy, r, side))
             if last:
                 break
             x, y = nx, ny
@@ -232,35 +250,33 @@ def _split_into_spans(start: F64_2, end: F64_2, bulge: F64_1, centre: F64_2, rad
 
 @kernel
 def _add_span(
-    spans: OutF64_2, above: OutI64_1, count: int, edge: int,
-    ax: float, ay: float, bx: float, by: float, cx: float, cy: float, r: float, side: float,
-) -> int:  # fmt: skip
+    spans: OutF64_2,
+    above: OutI64_1,
+    count: int,
+    edge: int,
+    start: tuple[float, float],
+    end: tuple[float, float],
+    circle: _Circle,
+) -> int:
     """Append a span to ``spans``, and return the new number of spans.
 
-    A span is a line, or an arc within the upper or the lower half of its circle.  It goes from
-    (``ax``, ``ay``) to (``bx``, ``by``), and its ends are stored from left to right.  ``cx``,
-    ``cy`` and ``r`` are centre and radius of the circle; ``side`` is 1 for the upper half, -1 for
-    the lower half, and 0 for a line.  The span is written to row ``count``; the half-edge of
-    ``edge`` on its upper side is written to ``above``.  A vertical span is not written.
+    The span is a part of ``edge`` from ``start`` to ``end``; its ends are stored from left to
+    right, in row ``count``.  The half-edge on its upper side is written to ``above``.  A vertical
+    span is not written.
     """
-    if ax == bx:
+    if start[0] == end[0]:
         return count
-    right = bx > ax
-    spans[count, 0], spans[count, 1] = (ax, ay) if right else (bx, by)
-    spans[count, 2], spans[count, 3] = (bx, by) if right else (ax, ay)
-    spans[count, 4], spans[count, 5], spans[count, 6], spans[count, 7] = cx, cy, r, side
+    right = end[0] > start[0]
+    spans[count, 0], spans[count, 1] = start if right else end
+    spans[count, 2], spans[count, 3] = end if right else start
+    spans[count, 4], spans[count, 5], spans[count, 6], spans[count, 7] = circle
     above[count] = 2 * edge if right else 2 * edge + 1
     return count + 1
 
 
 @kernel(checks_division=True)
 def _height_at(span: F64_1, x: float) -> float:
-    """Return the y coordinate (mm) of a span at the x coordinate ``x`` (mm).
-
-    ``span`` (8,) is a part of a line or a circle: x and y of its left end and of its right end, x
-    and y of the centre and the radius of the circle, and 1 (upper half), -1 (lower half) or 0
-    (line).
-    """
+    """Return the y coordinate (mm) of a span, (8,), at the x coordinate ``x`` (mm)."""
     if x <= span[0]:
         return float(span[1])
     if x >= span[2]:
@@ -311,12 +327,7 @@ def _lowest_points(
 
 @kernel
 def _boxes_of_spans(spans: F64_2) -> Any:
-    """Return the bounding box of each of k spans, (k, 4), enlarged for rounding.
-
-    ``spans`` (k, 8) are parts of lines and circles: x and y of the left end and of the right end, x
-    and y of the centre and the radius of the circle, and 1 (upper half), -1 (lower half) or 0
-    (line).
-    """
+    """Return the bounding box of each of k spans, (k, 8), enlarged for rounding, (k, 4)."""
     boxes = np.empty((len(spans), 4))
     for i in range(len(spans)):
         boxes[i, 0], boxes[i, 2] = spans[i, 0], spans[i, 2]
@@ -329,34 +340,20 @@ def _boxes_of_spans(spans: F64_2) -> Any:
 
 
 @kernel(checks_division=True)
-def _first_below(
-    lowest: F64_2,
-    spans: F64_2,
-    owner: I32_1,
-    inside: Bool_1,
-    boxes: F64_2,
-    order: I64_1,
-    touch: float,
-) -> Any:
+def _first_below(lowest: F64_2, spans: _Spans, touch: float) -> Any:
     """Return the first span of another component below the lowest point of each component.
 
     A span at most ``touch`` mm above the lowest point counts as below it: the component touches it
     from above.  If the first span leaves its component, and another component is entered at most
     ``touch`` mm below and left nowhere between, its span is returned: the two components overlap.
 
-    A span is a part of an edge that runs from left to right; a span contains its left end but not
-    its right end.  Of several spans at the same height below a point, the upper one is returned.
+    A span contains its left end but not its right end.  Of several spans at the same height below a
+    point, the upper one is returned.
 
     ``lowest`` (c, 2): lowest point of each component.
-    ``spans`` (k, 8): spans of all components.
-    ``owner`` (k,): component of each span.
-    ``inside`` (k,): whether the face above each span is a bounded face.
-    ``boxes`` (k, 4): bounding boxes of the spans, sorted so that near ones follow one another, as
-    ``BoxTree`` requires.
-    ``order`` (k,): index of the span of each box.
-    ``touch``: distance within which a component touches a span (mm).
     Returns ``hit`` (c,): index of the span, -1 if there is none.
     """
+    shape, owner, inside, boxes, order = spans
     hit = np.full(len(lowest), -1, np.int64)
     tree, stack = build_tree(boxes), new_stack()
     for c in range(len(lowest)):
@@ -364,26 +361,23 @@ def _first_below(
         best = -math.inf
         depth = start_query(tree, stack)
         while True:
-            at, depth = next_overlap(
-                tree.boxes, tree.level, stack, depth, x, best - _MARGIN, x, y + touch, -1
-            )
+            box = (x, best - _MARGIN, x, y + touch)
+            at, depth = next_overlap(tree.boxes, tree.level, stack, depth, box, -1)
             if at < 0:
                 break
             i = order[at]
-            if owner[i] == c or not spans[i, 0] <= x < spans[i, 2]:
+            if owner[i] == c or not shape[i, 0] <= x < shape[i, 2]:
                 continue
-            height = _height_at(spans[i], x)
+            height = _height_at(shape[i], x)
             if height > y + touch or height < best - _MARGIN:
                 continue
             # Of two components that touch, only the one with the lower lowest point is below.
             if height >= y and owner[i] >= 0 and lowest[owner[i], 1] >= y:
                 continue
-            if height > best + _MARGIN or _is_above(spans, i, hit[c]):
+            if height > best + _MARGIN or _is_above(shape, i, hit[c]):
                 best, hit[c] = height, i
         if hit[c] >= 0 and not inside[hit[c]]:
-            hit[c] = _entered_below(
-                x, best, c, hit[c], spans, owner, inside, tree, order, stack, touch
-            )  # fmt: skip
+            hit[c] = _entered_below(x, best, c, hit[c], spans, tree, stack, touch)
     return hit
 
 
@@ -393,11 +387,8 @@ def _entered_below(
     best: float,
     own: int,
     left: int,
-    spans: F64_2,
-    owner: I32_1,
-    inside: Bool_1,
+    spans: _Spans,
     tree: BoxTree,
-    order: I64_1,
     stack: OutI64_2,
     touch: float,
 ) -> int:
@@ -407,6 +398,7 @@ def _entered_below(
     ``left`` is the span at the height ``best``, at which the ray leaves its component; ``own`` is
     the component at which the ray begins.  The other parameters are those of ``_first_below``.
     """
+    shape, owner, inside, _, order = spans
     # Of each component, only the highest span counts.
     seen = np.empty(_MOST_TOUCHING, np.int64)
     seen[0], seen[1] = own, owner[left]
@@ -415,13 +407,15 @@ def _entered_below(
         found, height = -1, best - touch
         depth = start_query(tree, stack)
         while True:
-            at, depth = next_overlap(tree.boxes, tree.level, stack, depth, x, height, x, limit, -1)
+            at, depth = next_overlap(
+                tree.boxes, tree.level, stack, depth, (x, height, x, limit), -1
+            )
             if at < 0:
                 break
             i = order[at]
-            if not spans[i, 0] <= x < spans[i, 2] or (seen[:count] == owner[i]).any():
+            if not shape[i, 0] <= x < shape[i, 2] or (seen[:count] == owner[i]).any():
                 continue
-            y = _height_at(spans[i], x)
+            y = _height_at(shape[i], x)
             if height <= y <= limit:
                 found, height = i, y
         if found < 0:

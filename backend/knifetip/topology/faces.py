@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -38,6 +38,20 @@ class Faces:
     component: I32  #: (f,) component of each face
     outer_face: I32  #: (c,) outer face of each component
     enclosing: I32  #: (c,) bounded face that contains each component, -1 for none
+
+
+class PieceSides(NamedTuple):
+    """The components of p pieces of a planar graph, and the faces beside each piece."""
+
+    component: I32_1  #: (p,) component of each piece
+    left: I32_1  #: (p,) face on the left of each piece
+    right: I32_1  #: (p,) face on the right of each piece
+    outer_face: I32_1  #: (c,) outer face of each component
+
+
+def piece_sides(graph: PlanarGraph, faces: Faces) -> PieceSides:
+    """Return the component of each piece of a graph, and the faces beside the piece."""
+    return PieceSides(graph.component, faces.left, faces.right, faces.outer_face)
 
 
 def trace_faces(graph: PlanarGraph, ends: F64, bulge: F64, tolerance: float) -> Faces:

@@ -17,7 +17,6 @@ from knifetip.geometry.spatial_index.cells import cell_of
 from knifetip.kernels import (
     F64_1,
     F64_2,
-    F64_3,
     I32_1,
     I32_2,
     I64_1,
@@ -28,7 +27,6 @@ from knifetip.kernels import (
     OutI32_2,
     kernel,
 )
-from knifetip.topology.edge_grid import EdgeGrid
 from knifetip.topology.intersections import MIN_CHUNK, Splits
 from knifetip.topology.lines import Lines
 from knifetip.topology.segment import (
@@ -75,34 +73,23 @@ def link_loose_ends(
     vertices
         The given vertices and the vertices of the splits.
     """
-    ends, bulge, end_vertex, twin, grid, tolerance, unit = lines
-    ahead = _SHORT * unit
     partner, position = np.full(len(gap_of), -1, np.int32), np.empty(len(gap_of))
 
     def find(run: tuple[int, int]) -> None:
-        _find_targets(
-            ends, bulge, end_vertex, twin, loose, ahead, gap_of, grid, partner, position, *run
-        )
+        _find_targets(lines, loose, gap_of, partner, position, *run)
 
-    parallel_map(find, chunks(len(bulge), MIN_CHUNK))
+    parallel_map(find, chunks(len(lines.bulge), MIN_CHUNK))
     ends_ahead = np.flatnonzero(partner >= 0).astype(np.int32)
     vertices = with_capacity(vertices, len(ends_ahead))
-    row, parameter, cut, link, count = _make_links(
-        ends, bulge, tolerance, end_vertex, ends_ahead, partner, position, vertices
-    )
+    row, parameter, cut, link, count = _make_links(lines, ends_ahead, partner, position, vertices)
     return Splits(row, parameter, cut), link, vertices._replace(vertex_count=count)
 
 
 @kernel(allocates=False)
 def _find_targets(
-    ends: F64_3,
-    bulge: F64_1,
-    end_vertex: I32_1,
-    twin: I32_1,
+    lines: Lines,
     loose: Bool_1,
-    ahead: float,
     gap_of: F64_1,
-    grid: EdgeGrid,
     partner: OutI32_1,
     position: OutF64_1,
     begin: int,
@@ -111,20 +98,17 @@ def _find_targets(
     """Find the nearest edge ahead of each dangling end of edges ``begin`` … ``end`` - 1.
 
     An edge is found only within the search distance of the end, its entry in ``gap_of``.  The
-    search distance is raised to ``ahead`` for both ends of an edge that is long and straight,
-    dangles at both ends, and has another edge straight ahead of each end within ``ahead``.
+    search distance is raised to ``_SHORT`` for both ends of an edge that is long and straight,
+    dangles at both ends, and has another edge straight ahead of each end within ``_SHORT``.
 
-    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
-    ``end_vertex`` (2n,): vertex of the start and of the end of each edge.
-    ``twin`` (n,): first edge that coincides with each edge, the edge itself if there is none.
     ``loose`` (q,): whether only one edge ends at each vertex.
-    ``ahead``: the greater search distance (drawing units).
     ``gap_of`` (2n,): search distance of each end (drawing units).
-    ``grid``: grid that lists the edges in each cell.
     ``partner``, ``position`` (2n,): receive for each end the edge that is found, and the parameter
     of the nearest point on it (0 … 1).  The entries of ends without an edge ahead are not changed.
     """
+    ends, bulge, end_vertex, twin, grid, _, unit = lines
     low, size, side, first, listed = grid
+    ahead = _SHORT * unit
     for i in range(begin, end):
         if twin[i] != i or not (loose[end_vertex[2 * i]] or loose[end_vertex[2 * i + 1]]):
             continue
@@ -132,7 +116,7 @@ def _find_targets(
         both = loose[end_vertex[2 * i]] and loose[end_vertex[2 * i + 1]] and abs(bulge[i]) <= BULGE
         both = both and chord_length(ends, i) >= 4.0 * ahead
         for half in range(2 * i, 2 * i + 2):
-            both = both and _has_line_ahead(ends, bulge, half, ahead, grid)
+            both = both and _has_line_ahead(lines, half, ahead)
         for half in range(2 * i, 2 * i + 2):
             if not loose[end_vertex[half]]:
                 continue
@@ -159,30 +143,19 @@ def _find_targets(
 
 @kernel
 def _make_links(
-    ends: F64_3,
-    bulge: F64_1,
-    tolerance: float,
-    end_vertex: I32_1,
-    ends_ahead: I32_1,
-    partner: I32_1,
-    position: F64_1,
-    vertices: VertexTable,
+    lines: Lines, ends_ahead: I32_1, partner: I32_1, position: F64_1, vertices: VertexTable
 ) -> Any:
     """Return edge, parameter and vertex of each split, the links, and the new number of vertices.
 
     A link connects a dangling end of an edge with the nearest point of the edge ahead of it.  The
-    edge ahead is split at this point, unless the point is one of its ends.
+    edge ahead is split at this point, unless the point is one of its ends within the tolerance.
 
-    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
-    ``tolerance``: a link leads to an end of the edge ahead if the nearest point is at most this far
-    from it.
-    ``end_vertex`` (2n,): vertex of each end.
-    ``ends_ahead``: numbers of the ends that have an edge ahead; edge i has the ends 2 i and 2 i +
-    1.
+    ``ends_ahead``: numbers of the ends that have an edge ahead.
     ``partner``, ``position`` (2n,): the edge ahead of each end, and the parameter of its nearest
     point (0 … 1).
     ``vertices``: table of the vertices, to which the vertices of the splits are added.
     """
+    ends, bulge, end_vertex, _, _, tolerance, _ = lines
     count = vertices.vertex_count
     row = np.empty(len(ends_ahead), np.int32)
     parameter = np.empty(len(ends_ahead))
@@ -235,72 +208,45 @@ def split_links(lines: Lines, link: I32, vertices: VertexTable) -> tuple[Splits,
     vertices
         The given vertices and the vertices of the splits.
     """
-    ends, bulge, _, twin, grid, tolerance, _ = lines
     is_crossed = np.zeros(len(link), np.bool_)
 
     def find(run: tuple[int, int]) -> None:
-        _find_crossed(ends, bulge, tolerance, twin, link, vertices.point, grid, is_crossed, *run)
+        _find_crossed(lines, link, vertices.point, is_crossed, *run)
 
     parallel_map(find, chunks(len(link), MIN_CHUNK))
     row, parameter, cut, link, point, next_vertex, count = _split_at_lines(
-        ends, bulge, tolerance, twin, link, np.flatnonzero(is_crossed), vertices, grid
+        lines, link, np.flatnonzero(is_crossed), vertices
     )
     return Splits(row, parameter, cut), link, VertexTable(point, count, next_vertex, vertices.head)
 
 
 @kernel(allocates=False)
 def _find_crossed(
-    ends: F64_3,
-    bulge: F64_1,
-    tolerance: float,
-    twin: I32_1,
-    link: I32_2,
-    point: F64_2,
-    grid: EdgeGrid,
-    is_crossed: OutBool_1,
-    begin: int,
-    end: int,
+    lines: Lines, link: I32_2, point: F64_2, is_crossed: OutBool_1, begin: int, end: int
 ) -> None:
     """Write to ``is_crossed`` whether a straight edge crosses links ``begin`` … ``end`` - 1.
 
-    ``ends``, ``bulge``, ``twin`` (n, 2, 2), (n,) and (n,): start and end points and bulge of each
-    edge, and the first edge that coincides with it.
-    ``tolerance``: distance from an end of the link or of the edge within which a crossing does not
-    count.
-    ``link`` (t, 2): start vertex and end vertex of each link.
-    ``point`` (q, 2): positions of the vertices.
-    ``grid``: grid that lists the edges in each cell.
-    ``is_crossed`` (t,): receives the result for each link.
+    ``is_crossed`` (t,) receives the result for each of t links; ``link`` and ``point`` are those of
+    ``_first_line_through``.
     """
     for k in range(begin, end):
-        is_crossed[k] = (
-            _first_line_through(ends, bulge, tolerance, twin, link, point, grid, k)[0] >= 0
-        )
+        is_crossed[k] = _first_line_through(lines, link, point, k)[0] >= 0
 
 
 @kernel(allocates=False)
 def _first_line_through(
-    ends: F64_3,
-    bulge: F64_1,
-    tolerance: float,
-    twin: I32_1,
-    link: I32_2,
-    point: F64_2,
-    grid: EdgeGrid,
-    k: int,
+    lines: Lines, link: I32_2, point: F64_2, k: int
 ) -> tuple[int, float, float, float]:
     """Return the straight edge that crosses link ``k`` nearest to its start, and the crossing.
 
-    ``ends``, ``bulge``, ``twin`` (n, 2, 2), (n,) and (n,): start and end points and bulge of each
-    edge, and the first edge that coincides with it.
-    ``tolerance``: distance from an end of the link or of the edge within which a crossing does not
-    count.
+    A crossing within the tolerance of an end of the link or of the edge does not count.
+
     ``link`` (t, 2): start vertex and end vertex of each link.
     ``point`` (q, 2): positions of the vertices.
-    ``grid``: grid that lists the edges in each cell.
     Returns edge: index of the edge, -1 if no edge crosses the link; the other results are then
     meaningless; parameter, x, y: parameter of the crossing on the edge, 0 … 1, and its coordinates.
     """
+    ends, bulge, _, twin, grid, tolerance, _ = lines
     low, size, side, first, listed = grid
     ax, ay = point[link[k, 0], 0], point[link[k, 0], 1]
     ux, uy = point[link[k, 1], 0] - ax, point[link[k, 1], 1] - ay
@@ -325,27 +271,13 @@ def _first_line_through(
 
 
 @kernel
-def _split_at_lines(
-    ends: F64_3,
-    bulge: F64_1,
-    tolerance: float,
-    twin: I32_1,
-    link: OutI32_2,
-    crossed: I64_1,
-    vertices: VertexTable,
-    grid: EdgeGrid,
-) -> Any:
+def _split_at_lines(lines: Lines, link: OutI32_2, crossed: I64_1, vertices: VertexTable) -> Any:
     """Split links at all edges that cross them, and split the edges at the same points.
 
-    ``ends``, ``bulge``, ``twin`` (n, 2, 2), (n,) and (n,): start and end points and bulge of each
-    edge, and the first edge that coincides with it.
-    ``tolerance``: distance from an end of the link or of the edge within which a crossing does not
-    count.
     ``link`` (t, 2): start vertex and end vertex of each link.  The end vertices of split links are
     overwritten.
     ``crossed``: indices of the links that edges cross.
     ``vertices``: table of the vertices, to which the vertices of the splits are added.
-    ``grid``: grid that lists the edges in each cell.
     Returns ``edge, parameter, vertex`` (k,) each: the edge, the parameter on it and the vertex of
     each split of an edge; ``links`` (at least t, 2): start vertex and end vertex of each link after
     the splits; point, next_vertex, vertex_count: new values of these columns of ``vertices``.
@@ -359,13 +291,11 @@ def _split_at_lines(
     turn = 0
     while turn < len(crossed) + links - old:
         k = crossed[turn] if turn < len(crossed) else old + turn - len(crossed)
-        through, position, x, y = _first_line_through(
-            ends, bulge, tolerance, twin, link, point, grid, k
-        )
+        through, position, x, y = _first_line_through(lines, link, point, k)
         if through >= 0:
             if vertex_count + 1 >= len(point):
                 point, next_vertex = double_f64_2(point), double_i32(next_vertex)
-            at = vertex_at(x, y, tolerance, point, vertex_count, head, next_vertex)
+            at = vertex_at(x, y, lines.tolerance, point, vertex_count, head, next_vertex)
             if at == vertex_count:
                 vertex_count += 1
             if cuts == len(row):
@@ -383,13 +313,12 @@ def _split_at_lines(
 
 
 @kernel(allocates=False)
-def _has_line_ahead(ends: F64_3, bulge: F64_1, half: int, reach: float, grid: EdgeGrid) -> bool:
+def _has_line_ahead(lines: Lines, half: int, reach: float) -> bool:
     """Return whether another edge is straight ahead of an end of an edge, at most ``reach`` away.
 
-    ``half`` is 2 i for the start of edge i and 2 i + 1 for its end.  ``ends`` (n, 2, 2) and
-    ``bulge`` (n,) are the end points and bulges of the edges; ``grid`` lists the edges in each
-    cell.
+    ``half`` is 2 i for the start of edge i and 2 i + 1 for its end.
     """
+    ends, bulge, _, _, grid, _, _ = lines
     low, size, side, first, listed = grid
     i = half // 2
     x, y = ends[i, half % 2, 0], ends[i, half % 2, 1]

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from knifetip.geometry.columns import F64, I32, Bool
+from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.parallel import chunks, parallel_map
 from knifetip.geometry.spatial_index.cells import cell_of
 from knifetip.kernels import F64_1, F64_2, F64_3, I32_1, OutBool_1, OutI32_1, inline_kernel, kernel
@@ -36,8 +36,16 @@ class LeftNeighbours(NamedTuple):
     neighbouring vertices.
     """
 
-    piece: I32  #: (c,) first piece to the left of each component, -1 for none
-    upward: Bool  #: (c,) whether that piece runs upwards where the ray meets it
+    piece: OutI32_1  #: (c,) first piece to the left of each component, -1 for none
+    upward: OutBool_1  #: (c,) whether that piece runs upwards where the ray meets it
+
+
+class _Pieces(NamedTuple):
+    """The p pieces of n edges: the parts of edges between neighbouring vertices."""
+
+    first: I32_1  #: (n + 1,) edge i has the pieces first[i] … first[i + 1] - 1
+    parameter: F64_1  #: (p,) parameter on its edge at which each piece starts, 0 … 1
+    component: I32_1  #: (p,) component of each piece
 
 
 def find_left_neighbours(
@@ -60,13 +68,11 @@ def find_left_neighbours(
     """
     count = len(graph.leftmost)
     left_neighbours = LeftNeighbours(np.full(count, -1, np.int32), np.zeros(count, np.bool_))
+    pieces = _Pieces(graph.first, graph.parameter, graph.component)
+    origin = graph.vertex[graph.leftmost] + (0.0, 0.317 * tolerance)
 
     def find(run: tuple[int, int]) -> None:
-        _find_left(
-            ends, bulge, graph.grid, graph.vertex, graph.first, graph.parameter, graph.component,
-            graph.leftmost, tolerance,
-            *left_neighbours, *run,
-        )  # fmt: skip
+        _find_left(ends, bulge, graph.grid, pieces, origin, left_neighbours, *run)
 
     parallel_map(find, chunks(count, MIN_CHUNK))
     return left_neighbours
@@ -104,39 +110,24 @@ def _find_left(
     ends: F64_3,
     bulge: F64_1,
     grid: EdgeGrid,
-    position: F64_2,
-    first_piece: I32_1,
-    parameter: F64_1,
-    component: I32_1,
-    leftmost: I32_1,
-    tolerance: float,
-    piece: OutI32_1,
-    upward: OutBool_1,
+    pieces: _Pieces,
+    origin: F64_2,
+    left_neighbours: LeftNeighbours,
     begin: int,
     end: int,
 ) -> None:
     """Find the left neighbours of the components ``begin`` … ``end`` - 1 of a planar graph.
 
-    A ray runs to the left from the leftmost vertex of each component.  The left neighbour is the
-    first piece of another component that the ray meets.  A piece is the part of an edge between two
-    neighbouring vertices.
-
     ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
     ``grid``: grid that lists the edges in each cell.
-    ``position`` (q, 2): positions of the vertices.
-    ``first_piece`` (n + 1,): index of the first piece of each edge.
-    ``parameter`` (p,): parameter on the edge, 0 … 1, at which each piece starts.
-    ``component`` (p,): component of each piece.
-    ``leftmost`` (c,): leftmost vertex of each component.
-    ``tolerance``: largest distance between ends that became one vertex.
-    ``piece`` (c,): receives the left neighbour of each component; unchanged for a component without
-    one.
-    ``upward`` (c,): receives whether the left neighbour runs upwards at the point at which the ray
-    meets it.
+    ``origin`` (c, 2): point at which the ray of each component starts.
+    ``left_neighbours``: receives the result; unchanged for a component without a left neighbour.
     """
+    first_piece, parameter, component = pieces
+    piece, upward = left_neighbours
     low, size, side, first, listed = grid
     for c in range(begin, end):
-        x, y = position[leftmost[c], 0], position[leftmost[c], 1] + 0.317 * tolerance
+        x, y = origin[c, 0], origin[c, 1]
         line = cell_of(y, low[1], size[1], side)
         column = cell_of(x, low[0], size[0], side)
         best, found = -np.inf, -1

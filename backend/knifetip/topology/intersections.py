@@ -91,25 +91,15 @@ def find_splits(
     vertices
         The given vertices and the vertices of the crossings.
     """
-    ends, tolerance = lines.ends, lines.tolerance
     if 2 * len(pairs.pair) > limit:
         return None
     beside = [
-        partial(
-            _split_by_ends,
-            ends,
-            lines.bulge,
-            tolerance,
-            lines.end_vertex,
-            vertices.point,
-            lines.grid,
-            *run,
-        )
+        partial(_split_by_ends, lines, vertices.point, *run)
         for run in chunks(vertices.vertex_count, MIN_CHUNK, 2 * core_count())
     ]
     (crossing_splits, vertices), *end_columns = parallel_map(
         lambda task: task(),
-        (partial(_split_at_crossings, ends, tolerance, pairs, vertices), *beside),
+        (partial(_split_at_crossings, lines.ends, lines.tolerance, pairs, vertices), *beside),
     )
     end_splits = concatenate(*(Splits(*one) for one in end_columns))
     if len(end_splits.row) + len(crossing_splits.row) > limit:
@@ -138,27 +128,17 @@ def _split_at_crossings(
 
 
 @kernel
-def _split_by_ends(
-    ends: F64_3,
-    bulge: F64_1,
-    tolerance: float,
-    end_vertex: I32_1,
-    point: F64_2,
-    grid: EdgeGrid,
-    begin: int,
-    end: int,
-) -> Any:
+def _split_by_ends(lines: Lines, point: F64_2, begin: int, end: int) -> Any:
     """Return the splits of edges at vertices ``begin`` … ``end`` - 1 that are inside an edge.
 
-    ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges.
-    ``tolerance``: largest distance of a vertex from an edge that is split there.
-    ``end_vertex`` (2n,): vertex of the start and the end of each edge; no edge is split at these
-    two vertices.
+    A vertex is inside an edge if its distance is at most the tolerance and the edge does not end at
+    it.
+
     ``point`` (q, 2): positions of the vertices.
-    ``grid``: grid that lists the edges in each cell.
     Returns ``row, parameter, cut`` (k,): edge, parameter on the edge (0 … 1), and vertex of each
     split.
     """
+    ends, bulge, end_vertex, _, grid, tolerance, _ = lines
     low, size, side, first, listed = grid
     row = np.empty(end - begin + 16, np.int32)
     parameter = np.empty(end - begin + 16)

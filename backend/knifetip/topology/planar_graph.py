@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -28,6 +28,19 @@ from knifetip.topology.intersections import Crossings, concatenate, find_crossin
 from knifetip.topology.lines import Lines
 from knifetip.topology.segment import BULGE
 from knifetip.topology.vertices import VertexTable, first_coincident, merge_ends
+
+
+class GraphPieces(NamedTuple):
+    """The p pieces between the q vertices of a planar graph.
+
+    A piece is the part of an edge between two neighbouring vertices, or a link.
+    """
+
+    vertex: F64_2  #: (q, 2) position of each vertex
+    start: I32_1  #: (p,) vertex at which each piece starts
+    end: I32_1  #: (p,) vertex at which each piece ends
+    bulge: F64_1  #: (p,) tan(sweep / 4) of each piece
+    twin: I32_1  #: (p,) first piece that coincides with each piece; the piece itself if none does
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -53,6 +66,11 @@ class PlanarGraph:
     component: I32  #: (p,) connected component of each piece
     leftmost: I32  #: (c,) leftmost vertex of each component
     dashed: Bool  #: (n,) whether each edge is a dash of a row
+
+    @property
+    def pieces(self) -> GraphPieces:
+        """Return the pieces of the graph as a record for kernels."""
+        return GraphPieces(self.vertex, self.start, self.end, self.bulge, self.twin_piece)
 
     def chords(self) -> F64:
         """Return the straight distance between the start and the end vertex of each piece, (p,).

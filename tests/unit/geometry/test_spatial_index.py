@@ -35,8 +35,9 @@ def overlaps(tree_boxes: F64, query_box: F64, after: int) -> list[int]:
     depth = start_query(tree, stack)
     found: list[int] = []
     x0, y0, x1, y1 = query_box.tolist()
+    wanted = (x0, y0, x1, y1)
     while True:
-        i, depth = next_overlap(tree.boxes, tree.level, stack, depth, x0, y0, x1, y1, after)
+        i, depth = next_overlap(tree.boxes, tree.level, stack, depth, wanted, after)
         if i < 0:
             return found
         found.append(i)

@@ -7,7 +7,7 @@ same decision.
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -22,7 +22,6 @@ from knifetip.kernels import (
     Bool_1,
     OutF64_1,
     OutF64_2,
-    OutI64_1,
     OutI64_2,
     kernel,
 )
@@ -47,13 +46,13 @@ _MOSTLY_DASHED: Final = 0.9
 class StyleTotals(NamedTuple):
     """Numbers and total lengths of the edges of each of c styles, by the role of the edges."""
 
-    edges: I64  #: (c, roles) number of edges
-    length: F64  #: (c, roles) length of the edges
-    dashed: F64  #: (c,) length of dividers in rows of dashes
-    paired: F64  #: (c,) length of dividers with a parallel line beside them
-    must_fold: F64  #: (c,) length of dividers that must be folds
+    edges: OutI64_2  #: (c, roles) number of edges
+    length: OutF64_2  #: (c, roles) length of the edges
+    dashed: OutF64_1  #: (c,) length of dividers in rows of dashes
+    paired: OutF64_1  #: (c,) length of dividers with a parallel line beside them
+    must_fold: OutF64_1  #: (c,) length of dividers that must be folds
     #: (c, 2) length of all edges that must be folds, and of dashed edges that must be folds
-    fold_lengths: F64
+    fold_lengths: OutF64_2
 
     @classmethod
     def sum(cls, style: I64, styles: int, features: ShapeFeatures, lengths: F64) -> StyleTotals:
@@ -85,7 +84,7 @@ class StyleTotals(NamedTuple):
             features.dashed,
             features.paired,
             features.must_fold,
-            *totals,
+            totals,
         )
         return totals
 
@@ -100,21 +99,24 @@ class StyleTotals(NamedTuple):
         (n,) is the style of each edge, and ``features`` are the shape features of the edges.
         """
         all_folds, dashed_folds = self.fold_lengths.T
-        key = np.empty(len(style), np.int64)
-        _write_keys(
+        dashes_fold = (dashed_folds > _MOSTLY_DASHED * all_folds) & (all_folds > 0.0)
+        key: I64 = _decision_keys(
             style,
-            features.role,
-            features.role_fraction,
-            features.second_role,
+            _Roles(features.role, features.role_fraction, features.second_role),
             features.near_text,
-            features.must_fold,
+            features.must_fold | (features.dashed & dashes_fold[style]),
             features.beside_gap,
             features.divider_kind,
-            features.dashed,
-            (dashed_folds > _MOSTLY_DASHED * all_folds) & (all_folds > 0.0),
-            key,
         )
         return key
+
+
+class _Roles(NamedTuple):
+    """The roles of n edges."""
+
+    role: U8_1  #: (n,) Role of the greatest part of each edge's length
+    fraction: F64_1  #: (n,) fraction of the edge's length that has this role, 0 … 1
+    second: U8_1  #: (n,) Role of most of the rest of its length
 
 
 def lengths_without_covered(style: I64, features: ShapeFeatures, lengths: F64) -> F64:
@@ -149,26 +151,15 @@ def _add(
     dashed: Bool_1,
     paired: Bool_1,
     must_fold: Bool_1,
-    count: OutI64_2,
-    length: OutF64_2,
-    dashed_length: OutF64_1,
-    paired_length: OutF64_1,
-    must_fold_length: OutF64_1,
-    fold_lengths: OutF64_2,
+    totals: StyleTotals,
 ) -> None:
     """Add the number and the lengths of n edges to the totals of their styles.
 
     ``style``, ``lengths``, ``role`` (n,) each: style, length and role of each edge.
     ``dashed``, ``paired``, ``must_fold`` (n,) each: whether each edge is a dash, has a parallel
     line beside it, and must be a fold.
-    ``count``, ``length`` (c, roles) each: totals of the c styles, by role: number and length of
-    edges.  The function adds to them.
-    ``dashed_length``, ``paired_length``, ``must_fold_length`` (c,) each: total lengths of the
-    dividers of each style that are dashed, that are paired, and that must be folds.  The function
-    adds to them.
-    ``fold_lengths`` (c, 2): total length of all edges of each style that must be folds, and of
-    those that are dashed too.  The function adds to it.
     """
+    count, length, dashed_length, paired_length, must_fold_length, fold_lengths = totals
     for i in range(len(style)):
         s, edge_length = style[i], lengths[i]
         count[s, role[i]] += 1
@@ -186,21 +177,16 @@ def _add(
                 must_fold_length[s] += edge_length
 
 
-@kernel(allocates=False)
-def _write_keys(
+@kernel
+def _decision_keys(
     style: I64_1,
-    role: U8_1,
-    role_fraction: F64_1,
-    second_role: U8_1,
+    roles: _Roles,
     near_text: Bool_1,
     must_fold: Bool_1,
     beside_gap: Bool_1,
     divider_kind: U8_1,
-    dashed: Bool_1,
-    dashes_fold: Bool_1,
-    key: OutI64_1,
-) -> None:
-    """Write the decision key of each of n edges to ``key``, (n,).
+) -> Any:
+    """Return the decision key of each of n edges, (n,).
 
     A decision key is an integer that combines the style of an edge, its role, and the role of most
     of the rest of its length, which is its own role unless the rest is large, with four flags: a
@@ -209,12 +195,12 @@ def _write_keys(
     the kind of the edges that may be slits or folds.
 
     ``style`` (n,): style of each edge.
-    ``role``, ``role_fraction``, ``second_role``, ``near_text``, ``must_fold``, ``beside_gap``,
-    ``divider_kind``, ``dashed`` (n,): role of each edge, fraction of its length that has this role,
-    role of most of the rest, whether a text is near it, whether it must be a fold, whether it
-    divides panels only if the outline lacks a line, its DividerKind, and whether it is a dash.
-    ``dashes_fold`` (c,): whether all dashes of each style are treated as edges that must be folds.
+    ``near_text``, ``must_fold``, ``beside_gap``, ``divider_kind`` (n,): whether a text is near each
+    edge, whether it must be a fold, whether it divides panels only if the outline lacks a line, and
+    its DividerKind.
     """
+    role, role_fraction, second_role = roles
+    key = np.empty(len(style), np.int64)
     for i in range(len(style)):
         flags, second = 0, role[i]
         if role_fraction[i] < _MAIN_ROLE and role[i] != _UNKNOWN:
@@ -222,7 +208,7 @@ def _write_keys(
             second = second_role[i]
         if near_text[i] and role[i] == _STRAY:
             flags += NEAR_TEXT
-        if role[i] == _DIVIDER and (must_fold[i] or (dashed[i] and dashes_fold[style[i]])):
+        if role[i] == _DIVIDER and must_fold[i]:
             flags += MUST_FOLD
         if beside_gap[i]:
             flags += BESIDE_GAP
@@ -231,5 +217,6 @@ def _write_keys(
             kind = divider_kind[i]
         elif role[i] == _OUTLINE and divider_kind[i] == _OPEN_FLAP:
             kind = _OPEN_FLAP
-        roles = (style[i] * _ROLES + role[i]) * _ROLES + second
-        key[i] = (roles * DIVIDER_KINDS + kind) * FLAG_COUNT + flags
+        both_roles = (style[i] * _ROLES + role[i]) * _ROLES + second
+        key[i] = (both_roles * DIVIDER_KINDS + kind) * FLAG_COUNT + flags
+    return key

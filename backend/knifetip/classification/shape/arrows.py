@@ -62,6 +62,15 @@ class _Incidence(NamedTuple):
     piece: I32_1  #: pieces that start or end at the vertex
 
 
+class _Marks(NamedTuple):
+    """What is found at the vertices and edges of a graph; the kernels set entries to True."""
+
+    is_arrow: OutBool_1  #: (n,) edges of arrowheads and of their shafts
+    tip: OutBool_1  #: (q,) vertices at the tip of an arrowhead
+    #: (q,) vertices at which two such short edges with free ends point away from a third edge
+    fork: OutBool_1
+
+
 def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
     """Return the mask of edges that belong to arrows, (n,): heads, shafts and extension lines.
 
@@ -75,15 +84,15 @@ def find_arrow_edges(graph: PlanarGraph, count: int, unit: float) -> Bool:
         Number of drawing units in a millimetre.
     """
     is_arrow, tip = np.zeros(count, np.bool_), np.zeros(len(graph.vertex), np.bool_)
-    fork = np.zeros(len(graph.vertex), np.bool_)
+    marks = _Marks(is_arrow, tip, np.zeros(len(graph.vertex), np.bool_))
     columns = _Graph(graph.vertex, graph.start, graph.end, graph.edge, graph.first)
     incidence = _pieces_by_vertex(columns, graph.twin_piece)
 
     def mark(chunk: tuple[int, int]) -> None:
-        _mark_arrowheads(columns, graph.bulge, incidence, unit, is_arrow, tip, fork, *chunk)
+        _mark_arrowheads(columns, graph.bulge, incidence, unit, marks, *chunk)
 
     parallel_map(mark, chunks(len(tip), MIN_CHUNK))
-    is_arrow[find_facing_arrows(graph, np.flatnonzero(fork), unit)] = True
+    is_arrow[find_facing_arrows(graph, np.flatnonzero(marks.fork), unit)] = True
     _mark_extension_lines(columns, incidence, unit, is_arrow, tip)
     if tip.any():
         _mark_coincident(columns, graph.twin_piece, is_arrow)
@@ -121,21 +130,20 @@ def _pieces_by_vertex(graph: _Graph, twin: I32_1) -> _Incidence:
 
 @kernel
 def _mark_arrowheads(
-    graph: _Graph, bulge: F64_1, incidence: _Incidence, unit: float, is_arrow: OutBool_1,
-    tip: OutBool_1, fork: OutBool_1, begin: int, stop: int,
-) -> None:  # fmt: skip
+    graph: _Graph,
+    bulge: F64_1,
+    incidence: _Incidence,
+    unit: float,
+    marks: _Marks,
+    begin: int,
+    stop: int,
+) -> None:
     """Mark the edges of arrowheads, and of their shafts, at vertices ``begin`` … ``stop`` - 1.
 
-    ``graph``: planar graph of n edges, with q vertices and p pieces; a piece is the part of an edge
-    between two neighbouring vertices.
     ``bulge`` (p,): bulge of each piece.
-    ``incidence``: the pieces at each vertex.
     ``unit``: number of drawing units in a millimetre.
-    ``is_arrow`` (n,): set to True for edges of heads and shafts.
-    ``tip`` (q,): set to True for vertices at the tip of an arrowhead.
-    ``fork`` (q,): set to True for vertices at which two such short edges with free ends point away
-    from a third edge.
     """
+    is_arrow, tip, fork = marks
     vertex, start, end, edge, first_piece = graph
     first, piece = incidence
     max_length = _MAX_LENGTH * unit

@@ -14,7 +14,7 @@ from knifetip.geometry.tolerance import GAP
 from knifetip.kernels import F64_1, F64_2, I32_1, OutBool_1, OutF64_1, OutF64_2, OutI64_1, kernel
 from knifetip.model.dieline import LineType
 from knifetip.model.drawing import Annotation
-from knifetip.topology.faces import Faces
+from knifetip.topology.faces import Faces, PieceSides, piece_sides
 from knifetip.topology.planar_graph import PlanarGraph
 from knifetip.vocabulary import name_meaning
 
@@ -107,8 +107,8 @@ class Measures(NamedTuple):
         size = np.sqrt(width * width + height * height)
         total, dangling, outline = np.zeros(count), np.zeros(count), np.zeros(count)
         pieces = np.zeros(count, np.int64)
-        columns = graph.edge, graph.component, faces.left, faces.right, faces.outer_face
-        _add_lengths(*columns, length, total, dangling, outline, pieces)
+        sides = piece_sides(graph, faces)
+        _add_lengths(graph.edge, sides, length, total, dangling, outline, pieces)
         texts, near_text = _locate_texts(annotations, box)
         type_names = [text for text in annotations[:_MAX_TEXTS] if _is_type_name(text.text)]
         return cls(
@@ -165,22 +165,26 @@ def _measure_boxes(
 
 @kernel(allocates=False)
 def _add_lengths(
-    edge: I32_1, component: I32_1, left: I32_1, right: I32_1, outer_face: I32_1, length: F64_1,
-    total: OutF64_1, dangling: OutF64_1, outline: OutF64_1, pieces: OutI64_1,
-) -> None:  # fmt: skip
+    edge: I32_1,
+    sides: PieceSides,
+    length: F64_1,
+    total: OutF64_1,
+    dangling: OutF64_1,
+    outline: OutF64_1,
+    pieces: OutI64_1,
+) -> None:
     """Add the lengths and the number of p pieces to the totals of their c components.
 
     A piece is the part of an edge between two neighbouring vertices of a planar graph; a component
     is a set of connected pieces.
 
-    ``edge``, ``component``, ``left``, ``right``, ``length`` (p,): edge and component of each piece,
-    the faces on its left and right, and its length.
-    ``outer_face`` (c,): outer face of each component.
+    ``edge``, ``length`` (p,): edge and length of each piece.
     ``total`` (c,): total length of all pieces of each component; increased.
     ``dangling`` (c,): total length of the pieces with the outer face on both sides; increased.
     ``outline`` (c,): total length of the pieces with the outer face on one side; increased.
     ``pieces`` (c,): number of pieces of each component; increased.
     """
+    component, left, right, outer_face = sides
     for p in range(len(edge)):
         c = component[p]
         total[c] += length[p]

@@ -16,8 +16,6 @@ import numpy as np
 from knifetip.classification.shape.roles import Role
 from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.kernels import (
-    F64_1,
-    F64_2,
     I32_1,
     I64_1,
     U8_1,
@@ -26,7 +24,7 @@ from knifetip.kernels import (
     kernel,
 )
 from knifetip.topology.faces import Faces
-from knifetip.topology.planar_graph import PlanarGraph
+from knifetip.topology.planar_graph import GraphPieces, PlanarGraph
 
 
 class DividerKind(IntEnum):
@@ -97,8 +95,8 @@ def find_divider_kinds(
     beside_slot = is_slot[faces.left[rows]] | is_slot[faces.right[rows]]
     on_slot = np.bincount(edge, length[rows] * beside_slot, count)
     start, end = (graph.end_vertex.reshape(-1, 2)[:, at] for at in (0, 1))
-    lines = (graph.vertex, graph.start, graph.end, graph.bulge, graph.twin_piece)
-    corner, inner, on_rim = _examine_vertices(*lines, role)
+    pieces = graph.pieces
+    corner, inner, on_rim = _examine_vertices(pieces, role)
     corners = corner[graph.start[rows]].astype(np.int64) + corner[graph.end[rows]]
     turns = np.bincount(edge, corners, count) >= 2
     beside_hole = rows[turns[edge]]
@@ -107,7 +105,7 @@ def find_divider_kinds(
     through = np.zeros(count, np.bool_)
     passed = inner[graph.start[rows]] & (graph.start[rows] != start[edge])
     through[edge[passed & (graph.start[rows] != end[edge])]] = True
-    goes_on = _mark_parts_of_sides(*lines, role, faces.left, faces.right, rows)
+    goes_on = _mark_parts_of_sides(pieces, role, faces.left, faces.right, rows)
     at_rim = on_rim[graph.start[rows]] | on_rim[graph.end[rows]]
     is_short = _is_short_beside(faces, rows, np.flatnonzero(folded), length, whole[edge])
     folded[rows[through[edge]]] = True
@@ -217,19 +215,16 @@ def _divide_by_direction(graph: PlanarGraph, rows: I64, whole: F64, kind: U8) ->
 
 
 @kernel
-def _examine_vertices(
-    vertex: F64_2, start: I32_1, end: I32_1, bulge: F64_1, twin: I32_1, role: U8_1
-) -> Any:
+def _examine_vertices(pieces: GraphPieces, role: U8_1) -> Any:
     """Return masks of vertices, (q,) each: corners of two dividers, inner vertices, and others.
 
     At a corner exactly two straight dividers meet at an angle.  At an inner vertex only dividers
     meet, at least three.  Slits that end there do not count.
     At the other vertices dividers meet outlines or holes.
 
-    ``vertex`` (q, 2): position of each vertex.
-    ``start``, ``end``, ``bulge``, ``twin``, ``role`` (p,) each: start vertex, end vertex and bulge
-    of each piece, the first piece that coincides with it, and its Role.
+    ``role`` (p,) is the Role of each piece.
     """
+    vertex, start, end, bulge, twin = pieces
     degree = np.zeros(len(vertex), np.int64)
     others = np.zeros(len(vertex), np.int64)
     piece = np.zeros((len(vertex), 2), np.int64)
@@ -263,28 +258,19 @@ def _examine_vertices(
 
 @kernel
 def _mark_parts_of_sides(
-    vertex: F64_2,
-    start: I32_1,
-    end: I32_1,
-    bulge: F64_1,
-    twin: I32_1,
-    role: U8_1,
-    left: I32_1,
-    right: I32_1,
-    rows: I64_1,
+    pieces: GraphPieces, role: U8_1, left: I32_1, right: I32_1, rows: I64_1
 ) -> Any:
     """Return the mask of pieces that continue straight in the outline of one of their faces, (k,).
 
-    ``vertex`` (q, 2): position of each vertex.
-    ``start``, ``end``, ``bulge``, ``twin``, ``role``, ``left``, ``right`` (p,) each: start vertex,
-    end vertex and bulge of each piece, the first piece that coincides with it, its Role, and the
-    faces on its left and right.
+    ``role``, ``left``, ``right`` (p,) each: Role of each piece, and the faces on its left and
+    right.
     ``rows`` (k,): the pieces.
     """
+    vertex, start, end, bulge, _ = pieces
     # The outline pieces at each vertex, as a linked list.
     head = np.full(len(vertex), -1, np.int64)
     following = np.full((len(start), 2), -1, np.int64)
-    _link_outlines(start, end, bulge, twin, role, head, following)
+    _link_outlines(pieces, role, head, following)
     found = np.zeros(len(rows), np.bool_)
     for k in range(len(rows)):
         p = rows[k]
@@ -311,22 +297,15 @@ def _mark_parts_of_sides(
 
 
 @kernel(allocates=False)
-def _link_outlines(
-    start: I32_1,
-    end: I32_1,
-    bulge: F64_1,
-    twin: I32_1,
-    role: U8_1,
-    head: OutI64_1,
-    following: OutI64_2,
-) -> None:
+def _link_outlines(pieces: GraphPieces, role: U8_1, head: OutI64_1, following: OutI64_2) -> None:
     """Write linked lists of the straight outline pieces at each vertex.
 
-    ``start``, ``end``, ``bulge``, ``twin``, ``role`` (p,) each: as for ``_mark_parts_of_sides``.
+    ``role`` (p,): Role of each piece.
     ``head`` (q,): first link of each vertex: twice the piece, plus 1 for its end.  -1 is the end of
     a list.
     ``following`` (p, 2): next link after the start and after the end of each piece.
     """
+    _, start, end, bulge, twin = pieces
     for o in range(len(start)):
         if role[o] == _OUTLINE and bulge[o] == 0.0 and twin[o] == o:
             following[o, 0] = head[start[o]]

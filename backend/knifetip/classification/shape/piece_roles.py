@@ -13,8 +13,8 @@ from knifetip.classification.shape.part_kinds import PartKinds
 from knifetip.classification.shape.roles import Role
 from knifetip.geometry.columns import U8
 from knifetip.geometry.parallel import chunks, parallel_map
-from knifetip.kernels import I32_1, U8_1, U8_2, OutU8_1, kernel
-from knifetip.topology.faces import Faces
+from knifetip.kernels import U8_1, U8_2, OutU8_1, kernel
+from knifetip.topology.faces import Faces, PieceSides, piece_sides
 from knifetip.topology.intersections import MIN_CHUNK
 from knifetip.topology.planar_graph import PlanarGraph
 
@@ -53,11 +53,10 @@ def piece_roles(graph: PlanarGraph, faces: Faces, kinds: PartKinds) -> U8:
     for number, (mask, _) in enumerate(rows, start=1):
         np.putmask(row, mask, number)
     role = np.empty(len(graph.component), np.uint8)
+    sides = piece_sides(graph, faces)
 
     def look_up(chunk: tuple[int, int]) -> None:
-        _look_up_roles(
-            table, row, graph.component, faces.left, faces.right, faces.outer_face, role, *chunk
-        )
+        _look_up_roles(table, row, sides, role, *chunk)
 
     parallel_map(look_up, chunks(len(role), MIN_CHUNK))
     return role
@@ -65,15 +64,7 @@ def piece_roles(graph: PlanarGraph, faces: Faces, kinds: PartKinds) -> U8:
 
 @kernel(allocates=False)
 def _look_up_roles(
-    table: U8_2,
-    row: U8_1,
-    component: I32_1,
-    left: I32_1,
-    right: I32_1,
-    outer_face: I32_1,
-    role: OutU8_1,
-    begin: int,
-    end: int,
+    table: U8_2, row: U8_1, sides: PieceSides, role: OutU8_1, begin: int, end: int
 ) -> None:
     """Write the roles of pieces ``begin`` … ``end`` - 1 to ``role``, (p,).
 
@@ -84,10 +75,8 @@ def _look_up_roles(
     both are the outer face; column 2: both are the same bounded face; column 3: they are two
     different bounded faces.
     ``row`` (c,): row of ``table`` for each component.
-    ``component``, ``left``, ``right`` (p,): component of each piece, and the faces on its left and
-    on its right.
-    ``outer_face`` (c,): outer face of each component.
     """
+    component, left, right, outer_face = sides
     for p in range(begin, end):
         outside = outer_face[component[p]]
         if left[p] == right[p]:

@@ -9,7 +9,7 @@ A query in a kernel::
 
     depth = start_query(tree, stack)
     while True:
-        i, depth = next_overlap(tree.boxes, tree.level, stack, depth, x0, y0, x1, y1, -1)
+        i, depth = next_overlap(tree.boxes, tree.level, stack, depth, (x0, y0, x1, y1), -1)
         if i < 0:
             break
 
@@ -126,10 +126,7 @@ def next_overlap(
     level: I64_1,
     stack: OutI64_2,
     depth: int,
-    x0: float,
-    y0: float,
-    x1: float,
-    y1: float,
+    box: tuple[float, float, float, float],
     previous: int,
 ) -> tuple[int, int]:
     """Return the next result of a search for the bounding boxes that overlap a given box.
@@ -140,11 +137,12 @@ def next_overlap(
     Parameters
     ----------
     boxes, level
-        Arrays of the ``BoxTree``, passed separately because a named tuple takes time in each call.
+        Arrays of the ``BoxTree``, passed separately because a tuple of arrays takes time in each
+        call.
     stack, depth
         Nodes still to be visited, and their number, from ``start_query`` or the previous call.  The
         function overwrites ``stack``.
-    x0, y0, x1, y1
+    box
         The given box: x min, y min, x max, y max.  It may shrink from call to call.
     previous
         Only boxes with a greater row number are returned; -1 for all.
@@ -154,6 +152,7 @@ def next_overlap(
     box, depth
         Row number of the box in ``boxes``, -1 if there are no more, and the new depth of the stack.
     """
+    x0, y0, x1, y1 = box
     while depth > 0:
         depth -= 1
         height = stack[depth, 0]
