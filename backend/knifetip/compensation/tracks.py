@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, fields, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -131,23 +131,13 @@ class Strokes:
         """
         if len(self.track) == 0:
             return empty_toolpath()
+        columns = _StrokeColumns(*(getattr(self, name) for name in _StrokeColumns._fields))
         pose, bulge, motion, feed, source, track = _write_moves(
-            self.start,
-            self.end,
-            self.bulge,
-            self.above_start,
-            self.above_end,
-            self.down,
-            self.up,
-            self.track,
-            self.source,
-            self.swing,
-            self.motion,
+            columns,
             operation.feed * self.slowing,
             operation.plunge,
             operation.feed if self.drags else operation.swivel,
             _FEED if self.drags else _SWIVEL,
-            self.swivel_z,
         )
         # Read-only arrays are stored without a copy.
         for column in (pose, bulge, motion, feed, source, track):
@@ -164,24 +154,26 @@ class Strokes:
         )
 
 
+class _StrokeColumns(NamedTuple):
+    """The columns of ``Strokes`` that a kernel reads; it describes their shapes and units."""
+
+    start: F64_2
+    end: F64_2
+    bulge: F64_1
+    above_start: F64_2
+    above_end: F64_2
+    down: Bool_1
+    up: Bool_1
+    track: I32_1
+    source: I32_1
+    swing: F64_1
+    motion: U8_1
+    swivel_z: F64_1
+
+
 @kernel
 def _write_moves(
-    start: F64_2,
-    end: F64_2,
-    bulge: F64_1,
-    above_start: F64_2,
-    above_end: F64_2,
-    down: Bool_1,
-    up: Bool_1,
-    track: I32_1,
-    source: I32_1,
-    swing: F64_1,
-    motion: U8_1,
-    feed: F64_1,
-    plunge: float,
-    swivel: float,
-    swivel_motion: int,
-    swivel_z: F64_1,
+    strokes: _StrokeColumns, feed: F64_1, plunge: float, swivel: float, swivel_motion: int
 ) -> Any:
     """Return the moves of n strokes as columns of a ``Toolpath``.
 
@@ -189,26 +181,16 @@ def _write_moves(
     has up to eight moves.  Where a tool turns and changes its depth between two strokes, it turns
     at the smaller depth.
 
-    ``start``, ``end`` (n, 4) x y z in mm, c in degrees: poses of the head at the start and the end
-    of each stroke.
-    ``bulge``, ``motion`` (n,): bulge of the path of the head along each stroke, and the ``Motion``
-    of its feed move.
-    ``above_start``, ``above_end`` (n, 4): poses above the board, from which the tool plunges and to
-    which it is lifted.
-    ``down``, ``up`` (n,): whether the tool plunges before each stroke, and whether it is lifted
-    after it.
-    ``track``, ``source`` (n,): number of the track, and row of the edge in the dieline.
-    ``swing`` (n,): bulge of the path of the head while the tool turns in the board before the
-    stroke.
     ``feed`` (n,) mm/min: feed of each stroke.
     ``plunge``, ``swivel``: feeds for plunges and lifts (mm/min), and for swivels (degrees/min;
     mm/min if the swing drags the tool round).
     ``swivel_motion``: ``Motion`` of swivels.
-    ``swivel_z`` (n,) mm: height to which the tip is lifted for the swivel before each stroke, if it
-    is above the strokes on both sides.
     Returns ``pose, bulge, motion, feed, source, track`` (m, 4) and (m,) each: pose of the head at
     the end of each move, and the attributes of the move, as in ``Toolpath``.
     """
+    start, end, bulge, above_start, above_end, down, up, track, source, swing, motion, swivel_z = (
+        strokes
+    )
     count = len(bulge)
     travels = (start[:, 0] != end[:, 0]) | (start[:, 1] != end[:, 1])
     depth_changes = np.zeros(count, np.bool_)

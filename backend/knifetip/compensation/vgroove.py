@@ -11,7 +11,7 @@ Source: Yang, Du, Shu & Qian, "Study on tool compensation of NC carton samplemak
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -142,18 +142,8 @@ def vgroove_toolpath(operation: Operation) -> Toolpath:
     # Segments of one groove may differ by hundredths of a degree, also across 0°.
     along = heading[first[:-1]][owner]
     heading = along + turn_angle(along, heading)
-    columns = _write_passes(
-        first,
-        start,
-        end,
-        offset,
-        sideways,
-        heading,
-        operation.depth,
-        operation.source,
-        operation.caliper,
-        operation.clearance,
-    )
+    segments = _Segments(start, end, offset, sideways, heading, operation.depth, operation.source)
+    columns = _write_passes(first, segments, operation.caliper, operation.clearance)
     begin, finish, above_begin, above_finish, down, up, track, source = columns
     zeros = np.zeros(len(track))
     return Strokes(
@@ -191,19 +181,20 @@ def _extend_run_outs(operation: Operation) -> tuple[F64, F64]:
     return start, end
 
 
+class _Segments(NamedTuple):
+    """n segments of V-grooves, which the cutter follows in k double passes."""
+
+    start: F64_2  #: (n, 2) mm, position of the tip at the start of each segment
+    end: F64_2  #: (n, 2) mm, position of the tip at its end
+    offset: F64_2  #: (n, 2) mm, position of the head relative to the tip in the first pass
+    sideways: F64_2  #: (n, 2) sideways movement of the head per mm by which the tip rises
+    heading: F64_1  #: (n,) degrees, heading C of the head in the first pass
+    depth: F64_2  #: (n, k) mm, depth in each double pass
+    source: I32_1  #: (n,) edge of each segment
+
+
 @kernel
-def _write_passes(
-    first: I32_1,
-    start: F64_2,
-    end: F64_2,
-    offset: F64_2,
-    sideways: F64_2,
-    heading: F64_1,
-    depth: F64_2,
-    source: I32_1,
-    caliper: float,
-    clearance: float,
-) -> Any:
+def _write_passes(first: I32_1, segments: _Segments, caliper: float, clearance: float) -> Any:
     """Return the columns of the strokes of V-grooves, one stroke per segment and pass.
 
     The strokes are ordered by path, then by depth; at each depth the first pass is followed by the
@@ -211,12 +202,6 @@ def _write_passes(
     and back again, so C does not accumulate.
 
     ``first``: index of the first segment of each path, and at the end the number n of segments.
-    ``start``, ``end`` (n, 2) mm: positions of the tip at the start and at the end of each segment.
-    ``offset`` (n, 2) mm: position of the head relative to the tip in the first pass.
-    ``sideways`` (n, 2): sideways movement of the head per mm by which the tip rises (mm/mm).
-    ``heading`` (n,) degrees: heading C of the head in the first pass.
-    ``depth`` (n, k) mm: depth of each segment in each of k double passes.
-    ``source`` (n,): edge of each segment.
     ``caliper``, ``clearance`` mm: thickness of the board, and height of the tip above the board in
     air moves.
     Returns ``start, end, above_start, above_end`` (m, 4) each: poses of the head at both ends of
@@ -224,6 +209,7 @@ def _write_passes(
     whether the tool plunges before each stroke, whether it is lifted after the stroke, and the
     track and the edge of the stroke.
     """
+    start, end, offset, sideways, heading, depth, source = segments
     passes = depth.shape[1]
     rows = 2 * passes * len(source)
     begin = np.empty((rows, 4))

@@ -67,22 +67,23 @@ def nearest_walk(start: F64, end: F64, origin: F64, count: int) -> Any:
     cell = np.minimum(((start - low) / size).astype(np.int32), side - 1)
     key = cell[:, 0] * np.int32(side) + cell[:, 1]
     first, listed = group_by_cell(key, side * side, np.arange(len(key), dtype=np.int32))
-    return _search_rings(start, end, origin, low, size, side, listed, first, key, count)
+    starts = _StartGrid(low, size, side, first, listed, key)
+    return _search_rings(start, end, origin, starts, count)
+
+
+class _StartGrid(NamedTuple):
+    """A grid of side × side cells with the tracks that start in each cell."""
+
+    low: F64_1  #: (2,) mm, lower left corner of the grid
+    size: F64_1  #: (2,) mm, width and height of its cells
+    side: int  #: number of columns and of rows
+    first: I32_1  #: (side² + 1,) index in ``listed`` of the first track of each cell
+    listed: OutI32_1  #: tracks sorted by cell
+    key: I32_1  #: cell of each track
 
 
 @kernel(checks_division=True)
-def _search_rings(
-    start: F64_2A,
-    end: F64_2A,
-    origin: F64_1,
-    low: F64_1,
-    size: F64_1,
-    side: int,
-    listed: OutI32_1,
-    first: I32_1,
-    key: I32_1,
-    count: int,
-) -> Any:
+def _search_rings(start: F64_2A, end: F64_2A, origin: F64_1, grid: _StartGrid, count: int) -> Any:
     """Return a nearest-neighbour tour, (count,); the next track is searched in growing rings round
     the head.
 
@@ -94,14 +95,10 @@ def _search_rings(
     ``start``, ``end`` (count, 2) or (2 count, 2) mm: positions of the head at the start and the end
     of each candidate.  If there are only ``count`` rows, all tracks are run forwards.
     ``origin`` (2,) mm: position of the head before the first track.
-    ``low``, ``size`` (2,) and (2,) mm: lower left corner of the grid, and width and height of its
-    cells.
-    ``side``: number of columns of the grid, equal to its number of rows.
-    ``listed``: candidates sorted by grid cell; changed in place.
-    ``first``, ``key``: index in ``listed`` of the first candidate of each cell, and cell of each
-    candidate.
+    ``grid``: the candidates by their start points; changed in place.
     ``count``: number of tracks.
     """
+    low, size, side, first, listed, key = grid
     left = first[1:] - first[:-1]
     order = np.empty(count, np.int32)
     x = origin[0]
