@@ -20,7 +20,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.verdict import Finding, Severity, Verdict
 from knifetip.verification.checks.lines.replaced_lines import note_replaced
 from knifetip.verification.expectation.chosen_starts import expected_starts
-from knifetip.verification.verify import verify
+from knifetip.verification.verify import JobDetails, verify
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -61,6 +61,11 @@ def prove(
         See ``verification.verify.verify``.
     """
     drawn, cleaned, lost = job.checked.drawn, job.checked.cleaned, job.checked.faults
+    details = JobDetails(
+        job.earlier,
+        expected_starts(job.options.contour_starts, drawn, cleaned, job.offset),
+        work_on_cleaned(job.chosen, cleaned),
+    )
     verdict = verify(
         text,
         cleaned.dieline,
@@ -69,9 +74,7 @@ def prove(
         job.board,
         sheet=job.options.sheet,
         tolerance=tolerance,
-        earlier=job.earlier,
-        chosen=work_on_cleaned(job.chosen, cleaned),
-        starts=expected_starts(job.options.contour_starts, drawn, cleaned, job.offset),
+        job=details,
     )
     mapped = map_to_drawn(verdict, cleaned, drawn)
     notes = (*note_replaced(drawn, cleaned), *planned_notes(cleaned.notes), *planned_notes(planned))

@@ -12,7 +12,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.earlier_work import EarlierWork
 from knifetip.model.machine import Machine, Zone
 from knifetip.model.verdict import Severity
-from knifetip.verification.verify import verify
+from knifetip.verification.verify import JobDetails, verify
 from tests.support.programs import laser
 from tests.support.programs.engines import BLANK, DEMO, ENGINES, FOLDS, GREY, MILLED, ROUTER, THICK
 from tests.support.programs.mixed_carton import mixed_carton
@@ -54,7 +54,12 @@ class Subject:
 
     def _refusals(self, text: bytes) -> list[tuple[Severity, str, int]]:
         verdict = verify(
-            text, self.dieline, self.placement, self.machine, self.board, earlier=self.earlier
+            text,
+            self.dieline,
+            self.placement,
+            self.machine,
+            self.board,
+            job=JobDetails(earlier=self.earlier),
         )
         return [
             (found.severity, found.message.code, found.edge)

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -86,7 +86,8 @@ def follow_blades(moves: Moves, machine: Machine, board: Board) -> TrailingBlade
     offset = datum[moves.station]
     begin, finish = moves.start[:, :3] - offset, moves.end[:, :3] - offset
     centre = moves.centre - offset[:, :2]
-    columns = (begin, finish, centre, moves.sweep, moves.station, trail, park, board.caliper)
+    axis = _AxisMoves(begin, finish, centre, moves.sweep, moves.station)
+    columns = (axis, trail, park, board.caliper)
     count, _, _, _ = _follow(*columns, np.zeros((0, 6)), np.zeros(0, np.int64))
     chords, owner = np.empty((count, 6)), np.empty(count, np.int64)
     _, headings, still, pushed = _follow(*columns, chords, owner)
@@ -220,13 +221,19 @@ def _dragged(heading: float, direction: float, length: float, trail: float) -> f
     return direction + turn + left
 
 
+class _AxisMoves(NamedTuple):
+    """n moves of the axis about which a blade turns."""
+
+    begin: F64_2  #: (n, 3) mm, position of the axis, and height of the tip, at the start
+    finish: F64_2  #: (n, 3) mm, the same at the end
+    centre: F64_2  #: (n, 2) mm, centre of an arc
+    sweep: F64_1  #: (n,) radians, sweep of an arc; 0 for a line
+    station: I32_1  #: (n,) index of the selected station, -1 for none
+
+
 @kernel
 def _follow(
-    begin: F64_2,
-    finish: F64_2,
-    centre: F64_2,
-    sweep: F64_1,
-    station: I32_1,
+    moves: _AxisMoves,
     trail: F64_1,
     park: F64_1,
     caliper: float,
@@ -236,17 +243,13 @@ def _follow(
     """Return the number of chords, and for each of n moves the headings, (n, 2) radians, whether
     the blade turns in place, (n,), and by how much its tip is pushed, (n,) mm.
 
-    ``begin``, ``finish`` (n, 3) mm: position of the axis, and height of the tip, at the start and
-    the end of each move.
-    ``centre``, ``sweep`` (n, 2) mm, (n,) radians: centre and sweep of arcs; the sweep is 0 for
-    lines.
-    ``station`` (n,): index of the selected station, -1 for none.
     ``trail``, ``park`` (s + 1,): distance of the tip behind the axis (mm; 0: no free blade) and
     heading at the start of the program (degrees), for each station and for none.
     ``caliper`` mm: thickness of the board.
     ``chords``, ``owner`` (k, 6), (k,): get the chords of the tip (x, y at both ends, headings at
     both ends) and their moves.  With k = 0, they are only counted.
     """
+    begin, finish, centre, sweep, station = moves
     headings = np.empty((len(station), 2))
     still = np.zeros(len(station), np.bool_)
     pushed = np.zeros(len(station))

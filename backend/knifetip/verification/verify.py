@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
@@ -61,7 +61,22 @@ from knifetip.verification.trailing_blade import (
 #: Greatest number of sampled deviations in a verdict.
 MAX_SAMPLES: Final = 200_000
 
-__all__ = ["read_placement", "trace_program", "verify"]
+__all__ = ["JobDetails", "read_placement", "trace_program", "verify"]
+
+
+class JobDetails(NamedTuple):
+    """What a program depends on beside its drawing, machine, board and sheet."""
+
+    #: programs that have done a part of the work on the same sheet, in the order of their
+    #: execution.  Their completed work is not required again and must not be repeated.  The order
+    #: of the work includes it, and the executed work that is made again
+    earlier: Sequence[EarlierWork] = ()
+    #: starts and directions of closed cuts that the user has chosen
+    starts: Sequence[ExpectedStart] = ()
+    chosen: ChosenWork = NOTHING_CHOSEN  #: what the user has chosen for edges of the dieline
+
+
+_NO_DETAILS: Final = JobDetails()
 
 
 def verify(
@@ -73,9 +88,7 @@ def verify(
     *,
     sheet: Sheet | None = None,
     tolerance: float = 0.01,
-    earlier: Sequence[EarlierWork] = (),
-    starts: Sequence[ExpectedStart] = (),
-    chosen: ChosenWork = NOTHING_CHOSEN,
+    job: JobDetails = _NO_DETAILS,
 ) -> Verdict:
     """Return the verdict on a program: findings, figures for each edge, and the nominal time.
 
@@ -95,14 +108,8 @@ def verify(
         Greatest distance of the tip from the drawing: its distance from the edge, plus the
         controller's rounding of corners (G64), plus the distance of the edge from the curve of the
         file.  The rounding of coarse coordinates is added; the verdict contains the sum.
-    earlier : sequence of EarlierWork
-        Programs that have done a part of the work on the same sheet, in the order of their
-        execution.  Their completed work is not required again and must not be repeated.  The order
-        of the work includes it, and the executed work that is made again.
-    starts : sequence of ExpectedStart
-        The starts and directions of closed cuts that the user has chosen.
-    chosen : ChosenWork, optional
-        What the user has chosen for edges of the dieline.
+    job : JobDetails, optional
+        Earlier work on the same sheet, and what the user has chosen.
 
     Returns
     -------
@@ -126,6 +133,7 @@ def verify(
     figures = EdgeFigures.zeros(len(dieline))
     findings, joined_findings = Findings(), Findings()
     area = None if sheet is None else place_sheet(sheet, edges)
+    earlier, chosen = job.earlier, job.chosen
     split = CutDepth in chosen
     moves, _, paths, swivels = _trace(text, machine, board, tolerance, findings, area, split)
     _check_placement(text, placement, machine, findings)
@@ -160,7 +168,7 @@ def verify(
     check_work_order(context, last_passes(context, executed))
     check_repeated_work(context, work)
     check_chosen_passes(context, work.paths)
-    check_chosen_starts(context, starts, work.paths)
+    check_chosen_starts(context, job.starts, work.paths)
     check_near_lines(context)
     findings.extend(work.own_line(finding) for finding in joined_findings.sorted())
     found = findings.sorted()

@@ -23,14 +23,20 @@ from knifetip.kernels import (
 from knifetip.verification.columns import F64
 
 
-class CurveGrid(NamedTuple):
-    """A grid of square cells over m ≥ 1 curves, with the curves of each cell."""
+class GridLayout(NamedTuple):
+    """A grid of square cells."""
 
-    curves: F64_2  #: (m, 6) rows as in ``curves.curve``
     corner: F64_1  #: (2,) mm, lower left corner of the grid
     size: float  #: width of the cells, mm
     wide: int  #: number of columns
     tall: int  #: number of rows
+
+
+class CurveGrid(NamedTuple):
+    """A grid of square cells over m ≥ 1 curves, with the curves of each cell."""
+
+    curves: F64_2  #: (m, 6) rows as in ``curves.curve``
+    layout: GridLayout
     first: I32_1  #: as in ``CellLists``
     listed: I32_1
 
@@ -43,25 +49,22 @@ def list_curves(curves: F64, limit: float, margin: float = 0.0) -> CurveGrid:
     listed in each cell within ``margin`` of it.  The limit and the margin are distances in mm.
     """
     curves = np.ascontiguousarray(curves)
-    corner, size, (wide, tall) = grid_layout(curves, limit)
+    layout = grid_layout(curves, limit)
     usable = np.ones(len(curves), np.bool_)
-    cells = list_by_cell(curves, usable, margin, corner, size, wide, tall)
-    return CurveGrid(curves, corner, size, wide, tall, *cells)
+    return CurveGrid(curves, layout, *list_by_cell(curves, usable, margin, layout))
 
 
-def grid_layout(curves: F64, limit: float) -> tuple[F64, float, tuple[int, int]]:
+def grid_layout(curves: F64, limit: float) -> GridLayout:
     """Return the layout of a grid of square cells over curves and their surroundings.
 
     ``curves`` are lines and arcs as rows of six numbers (see ``curves.curve``), (n, 6).  The grid
-    extends at least ``limit`` mm past them.  Returns the lower left corner of the grid (2,) mm, the
-    width of its cells (mm), and its numbers of columns and rows.
+    extends at least ``limit`` mm past them.
     """
     low_x, low_y, high_x, high_y = _bounding_box(np.ascontiguousarray(curves))
     corner = np.array([low_x - limit, low_y - limit])
     extent = (high_x + limit - corner[0], high_y + limit - corner[1])
     size = max(2.0 * limit, 0.5, math.sqrt(extent[0] * extent[1] / len(curves)), max(extent) / 2048)
-    shape = (int(extent[0] / size) + 1, int(extent[1] / size) + 1)
-    return corner, size, shape
+    return GridLayout(corner, size, int(extent[0] / size) + 1, int(extent[1] / size) + 1)
 
 
 @kernel(allocates=False)
@@ -95,14 +98,7 @@ def curve_box(curves: F64_2, row: int, begin: float, end: float) -> Any:
 
 @kernel(allocates=False, checks_division=True)
 def cells_near_curve(
-    curves: F64_2,
-    row: int,
-    margin: float,
-    corner: F64_1,
-    size: float,
-    wide: int,
-    high: int,
-    out: OutI32_1,
+    curves: F64_2, row: int, margin: float, layout: GridLayout, out: OutI32_1
 ) -> int:
     """Write the indices of the grid cells within ``margin`` mm of a curve to ``out``.
 
@@ -113,15 +109,12 @@ def cells_near_curve(
     ----------
     curves, row
         Lines and arcs as rows of six numbers (see ``curves.curve``), and the row of the curve.
-    corner : (2,) mm
-        Lower left corner of the grid.
-    size : mm
-        Width of the square cells.
-    wide, high
-        Numbers of columns and rows of the grid.
+    layout
+        Position, width and number of the cells.
     out
         Array that receives the indices from its start on.
     """
+    corner, size, wide, high = layout
     count = 0
     kind, cx, cy, p, q = (
         curves[row, 0],
@@ -166,20 +159,21 @@ def cells_near_curve(
 
 
 @inline_kernel
-def cells_near_point(x: float, y: float, margin: float, grid: CurveGrid, out: OutI32_1) -> int:
+def cells_near_point(x: float, y: float, margin: float, layout: GridLayout, out: OutI32_1) -> int:
     """Write the indices of the grid cells within ``margin`` mm of the point (x, y) to ``out``.
 
     This is the short form of ``cells_near_curve``, which describes the result.
     """
-    column_0 = max(math.floor((x - margin - grid.corner[0]) / grid.size), 0)
-    column_1 = min(math.floor((x + margin - grid.corner[0]) / grid.size), grid.wide - 1)
-    row_0 = max(math.floor((y - margin - grid.corner[1]) / grid.size), 0)
-    row_1 = min(math.floor((y + margin - grid.corner[1]) / grid.size), grid.tall - 1)
+    corner, size, wide, tall = layout
+    column_0 = max(math.floor((x - margin - corner[0]) / size), 0)
+    column_1 = min(math.floor((x + margin - corner[0]) / size), wide - 1)
+    row_0 = max(math.floor((y - margin - corner[1]) / size), 0)
+    row_1 = min(math.floor((y + margin - corner[1]) / size), tall - 1)
     count = 0
     for column in range(column_0, column_1 + 1):
         for row in range(row_0, row_1 + 1):
             if count < len(out):
-                out[count] = column * grid.tall + row
+                out[count] = column * tall + row
             count += 1
     return count
 
@@ -193,32 +187,33 @@ class CellLists(NamedTuple):
     listed: I32_1
 
 
+class _Entries(NamedTuple):
+    """Pairs of a curve and a cell of a grid, in the order of the curves, and what is counted."""
+
+    cells: OutI32_1  #: scratch for the cells of one curve
+    entries: OutI32_1  #: cell of each pair
+    last_row: OutI32_1  #: (cells,) last curve in each cell, -1 for none
+    first: OutI32_1  #: (cells + 1,) number of the curves of cell c in row c + 1
+    ends: OutI64_1  #: (n,) number of pairs after each curve
+
+
 @kernel(checks_division=True)
-def list_by_cell(
-    curves: F64_2,
-    usable: Bool_1,
-    margin: float,
-    corner: F64_1,
-    size: float,
-    wide: int,
-    tall: int,
-) -> Any:
+def list_by_cell(curves: F64_2, usable: Bool_1, margin: float, layout: GridLayout) -> Any:
     """Return the ``CellLists`` of those curves for which ``usable`` is True.
 
     A curve is listed in each cell within ``margin`` mm of it, once.  The curves are lines and arcs
-    as rows of six numbers (see ``curves.curve``); ``cells_near_curve`` describes the grid.
+    as rows of six numbers (see ``curves.curve``).
     """
-    first = np.zeros(wide * tall + 1, np.int32)
-    last_row = np.full(wide * tall, -1, np.int32)
+    count = layout.wide * layout.tall
+    first = np.zeros(count + 1, np.int32)
+    last_row = np.full(count, -1, np.int32)
     cells = np.empty(64, np.int32)
     entries = np.empty(4 * len(curves) + 64, np.int32)
     ends = np.empty(len(curves), np.int64)
     row, used = 0, 0
     while True:
-        row, used, room = _enter_cells(
-            curves, usable, margin, corner, size, wide, tall, row, used, cells, entries, last_row,
-            first, ends,
-        )  # fmt: skip
+        found = _Entries(cells, entries, last_row, first, ends)
+        row, used, room = _enter_cells(curves, usable, margin, layout, row, used, found)
         if row == len(curves):
             break
         if room > len(cells):
@@ -226,7 +221,7 @@ def list_by_cell(
         longer = np.empty(2 * (used + room), np.int32)
         longer[:used] = entries[:used]
         entries = longer
-    for cell in range(wide * tall):
+    for cell in range(count):
         first[cell + 1] += first[cell]
         last_row[cell] = first[cell]
     listed = np.empty(used, np.int32)
@@ -245,29 +240,21 @@ def _enter_cells(
     curves: F64_2,
     usable: Bool_1,
     margin: float,
-    corner: F64_1,
-    size: float,
-    wide: int,
-    tall: int,
+    layout: GridLayout,
     begin: int,
     used: int,
-    cells: OutI32_1,
-    entries: OutI32_1,
-    last_row: OutI32_1,
-    first: OutI32_1,
-    ends: OutI64_1,
+    found: _Entries,
 ) -> Any:
-    """Append the cells of the curves from row ``begin`` on to ``entries``, after ``used`` entries.
+    """Append the cells of the curves from row ``begin`` on to ``found``, after ``used`` entries.
 
-    Counts the curves of cell c in ``first[c + 1]``, and writes the number of entries after each
-    curve to ``ends``.  ``last_row`` is the last curve in each cell, and ``cells`` is scratch.
     Returns the number of curves that are finished, the number of entries, and the number of cells
     of the curve for which ``cells`` or ``entries`` is too small.  ``list_by_cell`` describes the
     other arguments.
     """
+    cells, entries, last_row, first, ends = found
     for row in range(begin, len(curves)):
         if usable[row]:
-            many = cells_near_curve(curves, row, margin, corner, size, wide, tall, cells)
+            many = cells_near_curve(curves, row, margin, layout, cells)
             if many > len(cells) or used + many > len(entries):
                 return row, used, many
             for k in range(many):

@@ -145,11 +145,11 @@ def _search_from(
         is_line = curves[curve, 0] == 0.0
         is_point = is_line and curves[curve, 5] == 0.0
         if is_point:
-            many = cells_near_point(curves[curve, 1], curves[curve, 2], limit, grid, found.cells)
-        else:
-            many = cells_near_curve(
-                curves, curve, limit, grid.corner, grid.size, grid.wide, grid.tall, found.cells
+            many = cells_near_point(
+                curves[curve, 1], curves[curve, 2], limit, grid.layout, found.cells
             )
+        else:
+            many = cells_near_curve(curves, curve, limit, grid.layout, found.cells)
         if many > len(found.cells):
             return curve, used, many
         box = curve_box(curves, curve, 0.0, curves[curve, 5])

@@ -26,7 +26,11 @@ from knifetip.verification.checks.common.context import (
     PRINT_TURN,
     CheckContext,
 )
-from knifetip.verification.checks.common.stretch_figures import heading_errors, sample_stretches
+from knifetip.verification.checks.common.stretch_figures import (
+    FollowedStretches,
+    heading_errors,
+    sample_stretches,
+)
 from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, point_at
 from knifetip.verification.curves.group_order import order_in_groups
@@ -209,9 +213,9 @@ class StationCheck(ABC):
             )
         drawn = self.size[edge] - self.before[edge] - self.spare[edge, 1]
         before = self.before[edge]
-        positions, offsets = sample_stretches(
-            np.ascontiguousarray(self.curve), work, along, self.edges.curve, edge, place
-        )
+        stretches = FollowedStretches(work, along, edge, place)
+        curve = np.ascontiguousarray(self.curve)
+        positions, offsets = sample_stretches(curve, self.edges.curve, stretches)
         for position, offset in zip(positions, offsets, strict=True):
             self.context.samples.append((rows, (position - before) / drawn, offset))
         if "Z" not in self.context.programmed:
@@ -247,14 +251,12 @@ class StationCheck(ABC):
         start, end = nearest_parts(overlaps, rows).T
         bounds = np.linspace(start, end, count + 1, axis=1)
         pieces = np.repeat(rows, count)
-        _, offsets = sample_stretches(
-            np.ascontiguousarray(self.curve),
-            overlaps.curve[pieces],
-            np.column_stack([bounds[:, :-1].ravel(), bounds[:, 1:].ravel()]),
-            self.edges.curve,
-            overlaps.edge[pieces],
-            overlaps.place[pieces],
+        along = np.column_stack([bounds[:, :-1].ravel(), bounds[:, 1:].ravel()])
+        stretches = FollowedStretches(
+            overlaps.curve[pieces], along, overlaps.edge[pieces], overlaps.place[pieces]
         )
+        curve = np.ascontiguousarray(self.curve)
+        _, offsets = sample_stretches(curve, self.edges.curve, stretches)
         result: F64 = np.abs(offsets).max(axis=0).reshape(-1, count).max(axis=1)
         return result
 
@@ -337,10 +339,19 @@ class StationCheck(ABC):
     def _heading_errors(self, overlaps: Overlaps, rows: I64, chorded: Bool, turn: float) -> F64:
         """Return the error of the heading in each of k overlaps, (k,) degrees."""
         errors: F64 = heading_errors(
-            np.ascontiguousarray(self.curve), np.ascontiguousarray(self.heading), self.edges.curve,
-            overlaps.curve[rows], overlaps.edge[rows], overlaps.along[rows], overlaps.place[rows],
-            chorded, self.operation == OperationKind.CREASE, turn,
-        )  # fmt: skip
+            np.ascontiguousarray(self.curve),
+            np.ascontiguousarray(self.heading),
+            self.edges.curve,
+            FollowedStretches(
+                overlaps.curve[rows],
+                overlaps.along[rows],
+                overlaps.edge[rows],
+                overlaps.place[rows],
+            ),
+            chorded,
+            self.operation == OperationKind.CREASE,
+            turn,
+        )
         return errors
 
     def _least_errors(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,10 +13,17 @@ from knifetip.verification.curves.intervals import SHORT
 from knifetip.verification.expectation.edges import angle_of_two
 
 
+class FollowedStretches(NamedTuple):
+    """k stretches of tip paths, and the stretches of the edges that they follow."""
+
+    work: I32_1  #: (k,) index of the tip path
+    along: F64_2  #: (k, 2) mm, start and end along the tip path
+    edge: I32_1  #: (k,) index of the edge
+    place: F64_2  #: (k, 2) mm, start and end along the edge
+
+
 @kernel
-def sample_stretches(
-    curve: F64_2, work: I32_1, along: F64_2, edges: F64_2, edge: I32_1, place: F64_2
-) -> Any:
+def sample_stretches(curve: F64_2, edges: F64_2, stretches: FollowedStretches) -> Any:
     """Return the positions on the edges and the distances to their left of three points of each of
     k stretches: start, middle and end; (3, k) mm each.
 
@@ -24,11 +31,8 @@ def sample_stretches(
     ----------
     curve, edges : (n, 6) and (m, 6)
         The tip paths and the edges: lines and arcs as rows of six numbers (see ``curves.curve``).
-    work, edge : (k,)
-        Index of the tip path and of the edge of each stretch.
-    along, place : (k, 2) mm
-        Start and end of each stretch along the tip path, and along the edge.
     """
+    work, along, edge, place = stretches
     position, distance = np.empty((3, len(work))), np.empty((3, len(work)))
     for k in range(len(work)):
         path, own = work[k], edge[k]
@@ -51,9 +55,14 @@ def sample_stretches(
 
 @kernel
 def heading_errors(
-    curve: F64_2, heading: F64_2, edges: F64_2, work: I32_1, edge: I32_1, along: F64_2,
-    place: F64_2, chorded: Bool_1, presses: bool, turn: float,
-) -> Any:  # fmt: skip
+    curve: F64_2,
+    heading: F64_2,
+    edges: F64_2,
+    stretches: FollowedStretches,
+    chorded: Bool_1,
+    presses: bool,
+    turn: float,
+) -> Any:
     """Return the greatest difference between the heading of the tool and the direction of the edge
     at the ends of k stretches, (k,) degrees; 0 for a stretch that does not follow its edge.
 
@@ -67,9 +76,10 @@ def heading_errors(
         Whether a tip path of length 0 follows its edge.
     turn : degrees
         Rotation after which the tool has the same shape again.
-    curve, edges, work, edge, along, place
+    curve, edges
         See ``sample_stretches``.
     """
+    work, along, edge, place = stretches
     worst = np.zeros(len(work))
     for k in range(len(work)):
         path, own = work[k], edge[k]

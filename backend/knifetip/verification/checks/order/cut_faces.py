@@ -301,8 +301,7 @@ def _search_left(
     owner: I64_1,
     grid: CurveGrid,
 ) -> Any:
-    curve, corner, size, wide, tall = grid.curves, grid.corner, grid.size, grid.wide, grid.tall
-    first, listed = grid.first, grid.listed
+    curve, (corner, size, wide, tall), first, listed = grid
     met = np.full(len(points), -1, np.int64)
     rising = np.zeros(len(points), np.bool_)
     for p in range(len(points)):

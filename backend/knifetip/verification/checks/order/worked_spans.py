@@ -52,6 +52,23 @@ class _Parts(NamedTuple):
     begin: F64  #: (p,) mm, start of the part along the cut
 
 
+class _CutPieces(NamedTuple):
+    """p pieces of cuts, and links."""
+
+    owner: I64_1  #: (p,) index of the cut, -1 for a link
+    begin: F64_1  #: (p,) mm, start of the piece on the cut
+    end: F64_1  #: (p,) mm, its end
+
+
+class _CutSpans(NamedTuple):
+    """k stretches of cuts that tools have cut, sorted by cut and by program line."""
+
+    edge: I64_1  #: (k,) index of the cut
+    low: F64_1  #: (k,) mm, start of the stretch on the cut
+    high: F64_1  #: (k,) mm, its end
+    line: I64_1  #: (k,) program line, -1 if the stretch is not cut through the board
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class WorkedSpans:
     """k stretches of cuts that the tools have cut, sorted by edge and by program line."""
@@ -193,10 +210,9 @@ def completing_lines(faces: CutFaces, spans: WorkedSpans, count: int, rest: floa
     begin = faces.begin
     line = np.where(spans.through, spans.line, -1)
     reach = spans.reach
-    result: F64 = _completing_lines(
-        faces.edge, begin, begin + faces.curve[:, 5],
-        spans.edge, spans.low, spans.high, line, count, rest, reach,
-    )  # fmt: skip
+    pieces = _CutPieces(faces.edge, begin, begin + faces.curve[:, 5])
+    cut = _CutSpans(spans.edge, spans.low, spans.high, line)
+    result: F64 = _completing_lines(pieces, cut, count, rest, reach)
     return result
 
 
@@ -208,10 +224,9 @@ def first_lines(faces: CutFaces, spans: WorkedSpans, count: int) -> F64:
     them, and -1 for a link.  A knife's overrun begins no cut: a stretch counts if it is at least
     ``GAP_LENGTH`` mm or half a piece long.  The parameters are those of ``completing_lines``.
     """
-    begun: F64 = _first_lines(
-        faces.edge, faces.begin, faces.begin + faces.curve[:, 5],
-        spans.edge, spans.low, spans.high, spans.line, count,
-    )  # fmt: skip
+    pieces = _CutPieces(faces.edge, faces.begin, faces.begin + faces.curve[:, 5])
+    cut = _CutSpans(spans.edge, spans.low, spans.high, spans.line)
+    begun: F64 = _first_lines(pieces, cut, count)
     face = np.sort(faces.face, axis=1)
     border = np.unique(face[:, 0] * faces.count + face[:, 1], return_inverse=True)[1].ravel()
     first = np.full(len(border), math.inf)
@@ -221,21 +236,14 @@ def first_lines(faces: CutFaces, spans: WorkedSpans, count: int) -> F64:
 
 
 @kernel
-def _first_lines(
-    owner: I64_1, begin: F64_1, end: F64_1, edge: I64_1, low: F64_1, high: F64_1,
-    line: I64_1, count: int,
-) -> Any:  # fmt: skip
+def _first_lines(pieces: _CutPieces, spans: _CutSpans, count: int) -> Any:
     """Return the program line of the first stretch that lies on each of p pieces of cuts, (p,).
 
-    The line is infinite for a piece that no tool touches, and for a link, whose cut is -1.
-
-    ``owner``, ``begin``, ``end`` (p,): index of the cut of each piece (-1 for a link), and the
-    piece's start and end on it (mm).
-    ``edge``, ``low``, ``high`` (k,): index of the cut of each of k stretches that tools have cut,
-    sorted, and the stretch's start and end on it (mm).
-    ``line`` (k,): program line of each stretch; ascending for each cut.
-    ``count``: number of cuts.
+    The line is infinite for a piece that no tool touches, and for a link.  ``count`` is the number
+    of cuts.
     """
+    owner, begin, end = pieces
+    edge, low, high, line = spans
     first = np.searchsorted(edge, np.arange(count + 1))
     begun = np.full(len(owner), math.inf)
     for p in range(len(owner)):
@@ -251,22 +259,18 @@ def _first_lines(
 
 @kernel
 def _completing_lines(
-    owner: I64_1, begin: F64_1, end: F64_1, edge: I64_1, low: F64_1, high: F64_1,
-    line: I64_1, count: int, rest: float, reach: float,
-) -> Any:  # fmt: skip
+    pieces: _CutPieces, spans: _CutSpans, count: int, rest: float, reach: float
+) -> Any:
     """Return the program line that completes each of p pieces of cuts and links, (p,).
 
     See ``completing_lines`` for the line of a piece that is never completed or never touched.
 
-    ``owner``, ``begin``, ``end`` (p,): index of the cut of each piece (-1 for a link), and the
-    piece's start and end on it (mm).
-    ``edge``, ``low``, ``high`` (k,): index of the cut of each of k stretches that tools have cut,
-    sorted, and the stretch's start and end on it (mm).
-    ``line`` (k,): program line of each stretch, -1 if the stretch is not cut through the board.
     ``count``: number of cuts.
     ``rest`` mm: longest uncut length that does not hold the part.
     ``reach`` mm: radius of the widest cutter, 0 if there are only knives.
     """
+    owner, begin, end = pieces
+    edge, low, high, line = spans
     first = np.searchsorted(edge, np.arange(count + 1))
     complete = np.full(len(owner), 0.0 if reach > 0.0 else math.inf)
     for p in range(len(owner)):
