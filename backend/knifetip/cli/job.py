@@ -20,7 +20,7 @@ import typer
 from knifetip.cli.drawing import Json
 from knifetip.cli.job_client import JobClient
 from knifetip.cli.options import expand
-from knifetip.cli.rest import RestOptions, track_numbers
+from knifetip.cli.rest import NewJobOptions, RestOptions
 from knifetip.cli.table_checks import ask_checks
 from knifetip.cli.terminal import advice, in_words, print_json, print_line
 from knifetip.messages import Message, from_json
@@ -227,49 +227,14 @@ def continue_job(
     key: Key = "",
     *,
     choice: RestOptions,
-    made: Annotated[
-        bool,
-        typer.Option(
-            "--made",
-            help="All tracks that are left out are complete on the sheet, also those that the "
-            "machine has not reported as executed.",
-        ),
-    ] = False,
-    made_tracks: Annotated[
-        str,
-        typer.Option(
-            metavar="NUMBERS",
-            help="Numbers of all tracks that are complete on the sheet, such as 1-4,7; the new "
-            "job makes all others. Required if the machine may have executed more than it "
-            "reported (state unknown of knifetip job tracks); 'none' if no track is complete.",
-        ),
-    ] = "",
-    whole: Annotated[
-        bool, typer.Option("--whole", help="Make the whole program again, on a new sheet.")
-    ] = False,
-    copies: Annotated[
-        int, typer.Option(min=1, max=1000, help="Number of sheets to make, with --whole.")
-    ] = 1,
-    remaining: Annotated[
-        bool,
-        typer.Option(
-            "--remaining",
-            help="Make the copies that remain of a stopped batch, on new sheets; without the "
-            "other choices.",
-        ),
-    ] = False,
-    release: Annotated[
-        bool, typer.Option("--release", help="Queue the new job when its program is accepted.")
-    ] = False,
+    new: NewJobOptions,
 ) -> None:
     """Create a job that makes the rest of the sheet of a job, or the whole program again.
 
     Without a track, a line or a station, the new job makes all tracks that the machine has not
     reported as executed.
     """
-    stated = track_numbers(made_tracks) if made_tracks else made
-    flags = {"made": stated, "whole": whole, "remaining": remaining, "release": release}
-    body = {**choice.body(), **flags, "copies": copies}
+    body = {**choice.body(), **new.body()}
     _print_job(JobClient(server, key).command(id, "rest", body))
 
 

@@ -143,6 +143,28 @@ def _refuse_questions(loaded: LoadedDrawing, machine: Machine) -> None:
         raise typer.Exit(QUESTIONS)
 
 
+@dataclass(frozen=True, slots=True)
+class ProgramOptions:
+    """Command-line options for the language of a program and for its report."""
+
+    dialect: Annotated[
+        str,
+        typer.Option(
+            help="Controller language of the program, such as linuxcnc, "
+            "grblhal or hpgl. Default: the "
+            "language in the machine file."
+        ),
+    ] = ""
+    report: Annotated[
+        Path | None,
+        typer.Option(
+            help="File to write a JSON report of the program to, with its "
+            "measured deviations and times, and the verdict of "
+            "the verifier. Default: no report."
+        ),
+    ] = None
+
+
 def program(
     file: DrawingFile,
     target: TargetOptions,
@@ -151,22 +173,7 @@ def program(
     options: JobOptions,
     exceptions: ExceptionOptions,
     rest: RestOptions,
-    dialect: Annotated[
-        str,
-        typer.Option(
-            help="Controller language of the program, such as linuxcnc, "
-            "grblhal or hpgl. Default: the "
-            "language in the machine file."
-        ),
-    ] = "",
-    report: Annotated[
-        Path | None,
-        typer.Option(
-            help="File to write a JSON report of the program to, with its "
-            "measured deviations and times, and the verdict of "
-            "the verifier. Default: no report."
-        ),
-    ] = None,
+    wanted: ProgramOptions,
 ) -> None:
     """Compile a drawing to a verified machine program.
 
@@ -186,21 +193,21 @@ def program(
             machine,
             board,
             options=options,
-            dialect=dialect,
+            dialect=wanted.dialect,
             progress=report_progress,
         )
         if rest.is_given:
             result = pipeline.compile_rest(
                 loaded.drawing,
                 loaded.dieline,
-                with_language(machine, dialect),
+                with_language(machine, wanted.dialect),
                 board,
                 pipeline.rest_of(result, rest.choice()),
                 options=options,
                 progress=report_progress,
             )
     result = replace(result, verdict=exceptions.apply(result.verdict))
-    if report is not None:
+    if wanted.report is not None:
         data = {
             "drawing": report_json(file.name, loaded.drawing),
             "machine": machine.name,
@@ -209,7 +216,7 @@ def program(
             **options.model_dump(mode="json"),
             **_compiled_json(result, loaded.drawing),
         }
-        write_bytes(report, json_bytes(data))
+        write_bytes(wanted.report, json_bytes(data))
     print_verdict(result.verdict)
     if edges := faulty_edges(result.verdict):
         print_how_to_leave_out(edges)

@@ -72,6 +72,53 @@ class RestOptions:
         return {name: value for name, value in asdict(self).items() if value is not None}
 
 
+@dataclass(frozen=True, slots=True)
+class NewJobOptions:
+    """Command-line options for the job that makes the rest of a sheet."""
+
+    made: Annotated[
+        bool,
+        typer.Option(
+            "--made",
+            help="All tracks that are left out are complete on the sheet, also those that the "
+            "machine has not reported as executed.",
+        ),
+    ] = False
+    made_tracks: Annotated[
+        str,
+        typer.Option(
+            metavar="NUMBERS",
+            help="Numbers of all tracks that are complete on the sheet, such as 1-4,7; the new "
+            "job makes all others. Required if the machine may have executed more than it "
+            "reported (state unknown of knifetip job tracks); 'none' if no track is complete.",
+        ),
+    ] = ""
+    whole: Annotated[
+        bool, typer.Option("--whole", help="Make the whole program again, on a new sheet.")
+    ] = False
+    copies: Annotated[
+        int, typer.Option(min=1, max=1000, help="Number of sheets to make, with --whole.")
+    ] = 1
+    remaining: Annotated[
+        bool,
+        typer.Option(
+            "--remaining",
+            help="Make the copies that remain of a stopped batch, on new sheets; without the "
+            "other choices.",
+        ),
+    ] = False
+    release: Annotated[
+        bool, typer.Option("--release", help="Queue the new job when its program is accepted.")
+    ] = False
+
+    def body(self) -> dict[str, Any]:
+        """Return the options as fields of a request to the server."""
+        fields = asdict(self)
+        if numbers := fields.pop("made_tracks"):
+            fields["made"] = track_numbers(numbers)
+        return fields
+
+
 def track_numbers(text: str) -> list[int]:
     """Return the numbers in a text such as ``1-4,7``; none in ``none``.
 

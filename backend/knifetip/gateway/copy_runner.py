@@ -29,7 +29,7 @@ from knifetip.gateway.motion import Limits, Pose
 from knifetip.gateway.open_loop import OpenLoop
 from knifetip.gateway.operations import OperableController
 from knifetip.gateway.station import MachineStation
-from knifetip.gateway.stream import Progress, stream
+from knifetip.gateway.stream import Progress, StreamHooks, stream
 from knifetip.gateway.takeover import Recalls
 from knifetip.messages import Message
 from knifetip.model.machine import Station
@@ -123,8 +123,10 @@ class CopyRunner:
             check=copy == 0,
             interval=min(self._beat / 2.0, 0.1),
             time_left=run.time_left,
-            begin=partial(self._begin, run, copy),
-            sending=partial(self._journal.sending, run.claim.job, copy),
+            hooks=StreamHooks(
+                partial(self._begin, run, copy),
+                partial(self._journal.sending, run.claim.job, copy),
+            ),
         )
         progress: Progress | None = None
         base, program, observed = controller.sent, "", True

@@ -18,6 +18,7 @@ import logging
 import math
 from collections.abc import AsyncGenerator, Awaitable, Callable, Mapping
 from dataclasses import dataclass
+from typing import Final
 
 from knifetip.errors import (
     CheckRefused,
@@ -89,6 +90,21 @@ class Progress:
         return self.held and not self.door_open
 
 
+@dataclass(frozen=True, slots=True)
+class StreamHooks:
+    """Functions that are called while a program runs; None for no call."""
+
+    #: called after the check run, before the first line is sent; an error of it ends the run, of
+    #: which nothing was executed
+    begin: Callable[[], Awaitable[None]] | None = None
+    #: called before lines are sent to a ``LineController``, with the number of the last line that
+    #: is sent before the next call
+    sending: Callable[[int], None] | None = None
+
+
+_NO_HOOKS: Final = StreamHooks()
+
+
 async def stream(
     program: Program | bytes,
     controller: Controller,
@@ -98,8 +114,7 @@ async def stream(
     check: bool = True,
     interval: float = 0.1,
     time_left: TimeLeft | None = None,
-    begin: Callable[[], Awaitable[None]] | None = None,
-    sending: Callable[[int], None] | None = None,
+    hooks: StreamHooks = _NO_HOOKS,
 ) -> AsyncGenerator[Progress, None]:
     """Run a program; yield the progress every ``interval`` seconds.
 
@@ -121,12 +136,8 @@ async def stream(
     time_left
         Estimates the remaining time; that of the copies before this one, so that it has learned
         from them.  None for an estimate from the limits of the axes.
-    begin
-        Called after the check run, before the first line is sent; an error of it ends the run, of
-        which nothing was executed.  None for no call.
-    sending
-        Called before lines are sent to a ``LineController``, with the number of the last line that
-        is sent before the next call; None for no call.
+    hooks
+        Functions that are called before lines are sent.
 
     Yields
     ------
@@ -172,9 +183,7 @@ async def stream(
     time_left.begin(sum(durations))
     base = status
     controller.observer = corridor
-    feeding = asyncio.create_task(
-        _feed(text, controller, corridor, check, begin, sending), name="feed"
-    )
+    feeding = asyncio.create_task(_feed(text, controller, corridor, check, hooks), name="feed")
     try:
         while True:
             status = await controller.status()
@@ -318,25 +327,24 @@ async def _feed(
     controller: Controller,
     corridor: Corridor,
     check: bool,
-    begin: Callable[[], Awaitable[None]] | None,
-    sending: Callable[[int], None] | None,
+    hooks: StreamHooks,
 ) -> None:
     if check:
         try:
             await controller.check(lines_of(text))
         except ControllerRejected as refused:
             raise CheckRefused(refused.message) from refused
-    if begin is not None:
-        await begin()
+    if hooks.begin is not None:
+        await hooks.begin()
     if isinstance(controller, ProgramController):
         corridor.check_rest(await controller.run(text))
         return
     assert isinstance(controller, LineController)
     announced = 0
     for number, line in enumerate(lines_of(text), 1):
-        if number > announced and sending is not None:
+        if number > announced and hooks.sending is not None:
             announced = number + _AHEAD - 1
-            sending(announced)
+            hooks.sending(announced)
         if switches_output(line):
             # grblHAL switches an output when it reads M64 or M65, even while axes move.
             corridor.check_rest(await controller.settle())

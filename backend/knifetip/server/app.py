@@ -40,7 +40,7 @@ from knifetip.service.http.api_version import ApiVersion
 from knifetip.service.http.head_requests import HeadRequests
 from knifetip.service.http.headers import SecurityHeaders
 from knifetip.service.http.models import Health, ServiceOut
-from knifetip.service.http.problems import TYPE_PREFIX, problem
+from knifetip.service.http.problems import TYPE_PREFIX, ProblemKind, problem
 from knifetip.service.http.routing import (
     ScopedRouter,
     methods_at,
@@ -302,8 +302,7 @@ async def _knifetip_problem(request: Request, error: Exception) -> Response:
     return problem(
         status,
         error.message,
-        kind=TYPE_PREFIX + word,
-        title=word.replace("-", " ").capitalize(),
+        kind=ProblemKind(TYPE_PREFIX + word, word.replace("-", " ").capitalize()),
         source=error.source,
         edges=error.edges,
         questions=error.questions if isinstance(error, errors.OpenQuestions) else (),
@@ -322,8 +321,7 @@ async def _request_problem(request: Request, error: Exception) -> Response:
     return problem(
         422,
         message,
-        kind=f"{TYPE_PREFIX}request",
-        title="The request cannot be read",
+        kind=ProblemKind(f"{TYPE_PREFIX}request", "The request cannot be read"),
         source=source,
     )
 

@@ -96,7 +96,7 @@ class CompileStore:
             unreported = sa.select(Job.id).where(waiting, Job.message.is_(None))
             for id in session.scalars(unreported.with_for_update()).all():
                 session.execute(sa.update(Job).where(Job.id == id).values(message=message))
-                self._transitions.write_event(session, "job", id, State.RECEIVED, _WORKER, message)
+                self._transitions.write_job_event(session, id, State.RECEIVED, _WORKER, message)
             session.execute(
                 sa.update(Job)
                 .where(waiting, outdated)
@@ -367,7 +367,7 @@ class CompileStore:
                 "job.exceptions-accepted", by=given.by, count=count, reason=given.reason
             )
             actor = Actor(ActorKind.OPERATOR, given.by)
-            self._transitions.write_event(session, "job", id, State.COMPILING, actor, message)
+            self._transitions.write_job_event(session, id, State.COMPILING, actor, message)
 
     def refuse(
         self,

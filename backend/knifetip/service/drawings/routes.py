@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import File, Form, Path, Query, Request, Response, UploadFile
+from fastapi import Depends, File, Form, Path, Query, Request, Response, UploadFile
 from fastapi.concurrency import run_in_threadpool
 from pydantic.json_schema import SkipJsonSchema
 
@@ -83,6 +84,43 @@ _FILE: dict[str, Any] = {
 }
 
 
+@dataclass(frozen=True, slots=True)
+class UploadForm:
+    """The fields of an upload beside its file."""
+
+    unit: Annotated[
+        Unit | SkipJsonSchema[None],
+        Form(description="Unit of the drawing; the unit of the file if it is missing"),
+    ] = None
+    profile: Annotated[
+        str, Form(max_length=200, description="Name of the classification profile")
+    ] = "default"
+    external_id: Annotated[ExternalId, Form()] = ""
+    customer: Annotated[Customer, Form()] = ""
+    due: Annotated[
+        MomentIn | SkipJsonSchema[None],
+        Form(description="Time at which the order is due, with offset"),
+    ] = None
+    notes: Annotated[Notes, Form()] = ""
+    metadata: Annotated[
+        str,
+        Form(
+            max_length=20_000,
+            description="JSON object with values of other systems by key; empty for none",
+        ),
+    ] = ""
+
+    def details(self) -> dict[str, Any]:
+        """Return the details of the order, as columns of the drawing."""
+        return {
+            "external_id": self.external_id,
+            "customer": self.customer,
+            "due": self.due,
+            "notes": self.notes,
+            "extra": metadata_of(self.metadata),
+        }
+
+
 @router.post("", status_code=201)
 @requires(AccessScope.DESIGNER, AccessScope.ORDER)
 @queued
@@ -90,27 +128,7 @@ def upload_drawing(
     service: ServiceDep,
     response: Response,
     file: Annotated[UploadFile, File(description="Drawing in a format that `GET /formats` lists")],
-    unit: Annotated[
-        Unit | SkipJsonSchema[None],
-        Form(description="Unit of the drawing; the unit of the file if it is missing"),
-    ] = None,
-    profile: Annotated[
-        str, Form(max_length=200, description="Name of the classification profile")
-    ] = "default",
-    external_id: Annotated[ExternalId, Form()] = "",
-    customer: Annotated[Customer, Form()] = "",
-    due: Annotated[
-        MomentIn | SkipJsonSchema[None],
-        Form(description="Time at which the order is due, with offset"),
-    ] = None,
-    notes: Annotated[Notes, Form()] = "",
-    metadata: Annotated[
-        str,
-        Form(
-            max_length=20_000,
-            description="JSON object with values of other systems by key; empty for none",
-        ),
-    ] = "",
+    form: Annotated[UploadForm, Depends()],
     key: IdempotencyKey = None,
 ) -> DrawingOut:
     """Upload a drawing; the server reads it and classifies its edges.
@@ -118,17 +136,10 @@ def upload_drawing(
     The format is detected from the content of the file: DXF, CF2, SVG, PDF, HPGL or LightBurn, and
     EPS, PostScript or DWG if the program that converts them is installed on the server.
     """
-    customer_rules(service, profile)
+    customer_rules(service, form.profile)
     content = file.file.read(service.settings.upload_bytes + 1)
     name = drawing_name(file.filename or "")
-    details = {
-        "external_id": external_id,
-        "customer": customer,
-        "due": due,
-        "notes": notes,
-        "extra": metadata_of(metadata),
-    }
-    upload = Upload(name, content, unit or "", profile, details=details)
+    upload = Upload(name, content, form.unit or "", form.profile, details=form.details())
     return add_drawing(service, response, upload, key)
 
 

@@ -118,9 +118,8 @@ class DrawingStore:
                 session.add(row)
                 session.flush()  # assigns the serial number
                 session.add_all(metadata_rows(Drawing, row.serial, row.extra or {}))
-                self._transitions.write_event(
+                self._transitions.write_drawing_event(
                     session,
-                    "drawing",
                     row.id,
                     "read",
                     OPERATOR,
@@ -271,7 +270,7 @@ class DrawingStore:
             if "extra" in changes:
                 serial = session.scalars(sa.select(Drawing.serial).where(Drawing.id == id)).one()
                 replace_metadata(session, Drawing, serial, changes["extra"])
-            self._transitions.write_event(session, "drawing", id, "changed", OPERATOR, event)
+            self._transitions.write_drawing_event(session, id, "changed", OPERATOR, event)
             # Read in this transaction, because another request may change the drawing after it.
             row = session.scalars(sa.select(Drawing).where(Drawing.id == id)).one()
         row.import_report = import_report
@@ -303,8 +302,8 @@ class DrawingStore:
             if used := session.scalar(sa.select(Job.id).where(Job.drawing == id).limit(1)):
                 raise WrongState("drawing.in-use", job=used, drawing=id)
             session.execute(sa.delete(Drawing).where(Drawing.id == id))
-            self._transitions.write_event(
-                session, "drawing", id, "deleted", OPERATOR, Message("drawing.deleted")
+            self._transitions.write_drawing_event(
+                session, id, "deleted", OPERATOR, Message("drawing.deleted")
             )
 
     def delete_unused_before(self, end: float, save: Callable[[str], None] | None = None) -> int:

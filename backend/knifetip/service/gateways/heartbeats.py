@@ -125,8 +125,8 @@ class Heartbeats:
         self._claimed.change(session, row, renewed)
         if confirmed:
             gateway, event = Actor(ActorKind.GATEWAY, row.owner), Message("job.claimed-to-confirm")
-            self._transitions.write_event(
-                session, "job", row.id, State.QUEUED, gateway, event, row.machine
+            self._transitions.write_job_event(
+                session, row.id, State.QUEUED, gateway, event, row.machine
             )
 
     def answer_running(
@@ -201,7 +201,7 @@ class Heartbeats:
         if copy_done and row.feeds and confirmation != Confirmation.SHEET:
             events.append(event_of_feed())
         for one in events:
-            self._transitions.write_event(session, "job", row.id, goal, gateway, one, row.machine)
+            self._transitions.write_job_event(session, row.id, goal, gateway, one, row.machine)
         unconfirmed = confirmation == Confirmation.AWAITED or (
             confirmation == Confirmation.SHEET and not report.held
         )

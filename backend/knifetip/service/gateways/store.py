@@ -181,8 +181,8 @@ class GatewayStore:
             self._claimed.change(session, row, changes)
             event = Message("job.claimed-to-confirm")
             claimant = Actor(ActorKind.GATEWAY, gateway)
-            self._transitions.write_event(
-                session, "job", row.id, State.QUEUED, claimant, event, machine=row.machine
+            self._transitions.write_job_event(
+                session, row.id, State.QUEUED, claimant, event, machine=row.machine
             )
             return
         changes |= {"confirmation": Confirmation.NONE.value}
@@ -197,9 +197,8 @@ class GatewayStore:
             **changes,
         )
         if claim_columns["feeds"]:
-            self._transitions.write_event(
+            self._transitions.write_job_event(
                 session,
-                "job",
                 row.id,
                 State.RUNNING,
                 Actor(ActorKind.GATEWAY, gateway),
@@ -336,9 +335,8 @@ class GatewayStore:
             return  # a repeated report
         self._claimed.change(session, row, {"check_refusal": cause, "updated": self._db.clock()})
         # The owner of a job in the queue is not stored.
-        self._transitions.write_event(
+        self._transitions.write_job_event(
             session,
-            "job",
             row.id,
             State.QUEUED,
             Actor(ActorKind.GATEWAY),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import http
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Final, NamedTuple
 
 from fastapi import Response
 from starlette.datastructures import Headers
@@ -22,12 +22,21 @@ TYPE_PREFIX = "urn:knifetip:problem:"
 TYPE_PATTERN = f"^(about:blank|{TYPE_PREFIX}[a-z]+(-[a-z]+)*)$"
 
 
+class ProblemKind(NamedTuple):
+    """The type of an error."""
+
+    uri: str = "about:blank"  #: URI of the type
+    title: str = ""  #: title of the type; "" for the reason phrase of the HTTP status
+
+
+_NO_KIND: Final = ProblemKind()
+
+
 def problem(
     status: int,
     message: Message,
     *,
-    kind: str = "about:blank",
-    title: str = "",
+    kind: ProblemKind = _NO_KIND,
     source: Sequence[str] = (),
     edges: Sequence[int] = (),
     questions: Sequence[dict[str, Any]] = (),
@@ -43,9 +52,7 @@ def problem(
     message
         The error message, which the response contains with its text and hint.
     kind
-        URI of the error type.
-    title
-        Title of the error type; "" for the reason phrase of the status.
+        Type of the error; by default none beyond its HTTP status.
     source
         Handles of entities, or names of fields, that the error concerns.
     edges
@@ -61,8 +68,8 @@ def problem(
     body = Problem.model_validate(
         {
             **message.as_json(),
-            "type": kind,
-            "title": title or http.HTTPStatus(status).phrase,
+            "type": kind.uri,
+            "title": kind.title or http.HTTPStatus(status).phrase,
             "status": status,
             "source": [printable(place) for place in source],
             "edges": edges,

@@ -91,7 +91,7 @@ class Transitions:
         if machine is None:
             raise self.refusal(session, id, goal, epoch)
         record_run(session, id, action, now)
-        self.write_event(session, "job", id, goal, actor, event, machine, new_state=True)
+        self.write_job_event(session, id, goal, actor, event, machine, new_state=True)
 
     def release(self, session: Session, id: str, actor: Actor, event: Message) -> None:
         """Move a ready job to the end of the queue of its machine.
@@ -150,11 +150,10 @@ class Transitions:
             "job.wrong-state", job=id, state=state, goal=goal, advice=advice(state, message)
         )
 
-    def write_event(
+    def write_job_event(
         self,
         session: Session,
-        kind: str,
-        subject: str,
+        id: str,
         state: str,
         actor: Actor,
         message: Message,
@@ -162,18 +161,16 @@ class Transitions:
         *,
         new_state: bool = False,
     ) -> None:
-        """Write an event about a job or a drawing to the log of events, and its webhooks.
+        """Write an event about a job to the log of events, and its webhooks.
 
         Parameters
         ----------
         session
             Session with the transaction of the caller.
-        kind
-            "job" or "drawing".
-        subject
-            Id of the job or drawing.
+        id
+            Id of the job.
         state
-            State of the job after the event; for a drawing ``read``, ``changed`` or ``deleted``.
+            State of the job after the event.
         actor
             Person or process that caused the event.
         message
@@ -185,8 +182,24 @@ class Transitions:
         """
         topics = [machine_topic(machine) if machine else ALL]
         note_change(session, *topics, *([RECEIVED] if state == State.RECEIVED else []))
-        set_subject(session, kind, subject)
-        row = Event(
+        row = self._event("job", id, state, actor, message)
+        self._write_event(session, row, new_state=new_state)
+
+    def write_drawing_event(
+        self, session: Session, id: str, state: str, actor: Actor, message: Message
+    ) -> None:
+        """Write an event about a drawing to the log of events, and its webhooks.
+
+        ``state`` is ``read``, ``changed`` or ``deleted``; the other parameters are those of
+        ``write_job_event``.
+        """
+        note_change(session, ALL)
+        row = self._event("drawing", id, state, actor, message)
+        self._write_event(session, row, new_state=False)
+
+    def _event(self, kind: str, subject: str, state: str, actor: Actor, message: Message) -> Event:
+        """Return an event that happens now."""
+        return Event(
             kind=kind,
             subject=subject,
             at=self._db.clock(),
@@ -194,8 +207,11 @@ class Transitions:
             who=signature(actor)[:200],
             message=message,
         )
-        session.add(row)
-        enqueue_event(session, row, new_state=new_state)
+
+    def _write_event(self, session: Session, event: Event, *, new_state: bool) -> None:
+        set_subject(session, event.kind, event.subject)
+        session.add(event)
+        enqueue_event(session, event, new_state=new_state)
 
     def lock(self, session: Session, id: str) -> Job:
         """Return the job with an id, locked for other writers until the transaction ends.

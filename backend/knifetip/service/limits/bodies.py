@@ -13,7 +13,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from knifetip import messages
 from knifetip.service.http.principal import PrincipalKind, principal_of
-from knifetip.service.http.problems import problem
+from knifetip.service.http.problems import ProblemKind, problem
 
 #: Routes whose body may be a package with a drawing.
 _PACKAGES = ("/xjdf", "/xjmf")
@@ -86,6 +86,6 @@ def _refusal(limit: int, multipart: bool) -> Response:
     return problem(
         413,
         messages.Message(code, limit=limit >> 20),
-        title="Content Too Large",
+        kind=ProblemKind(title="Content Too Large"),
         headers={"Connection": "close"},
     )

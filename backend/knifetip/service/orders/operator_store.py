@@ -144,7 +144,7 @@ class OperatorStore:
                     self._transitions.release_by_order(session, id)
             else:
                 self._change(session, id, **columns)
-                self._transitions.write_event(session, "job", id, State.REFUSED, actor, event)
+                self._transitions.write_job_event(session, id, State.REFUSED, actor, event)
             return self._transitions.lock(session, id)
 
     def _check_acceptable(self, session: Session, row: Job) -> None:
@@ -232,9 +232,7 @@ class OperatorStore:
             # A late repetition of the refusal is ignored.
             self._change(session, id, check_refusal=None, epoch=row.epoch + 1)
             event = Message("job.rechecked")
-            self._transitions.write_event(
-                session, "job", id, row.state, OPERATOR, event, row.machine
-            )
+            self._transitions.write_job_event(session, id, row.state, OPERATOR, event, row.machine)
             return self._transitions.lock(session, id)
 
     def checks(self, row: Job) -> list[Check]:
@@ -309,7 +307,7 @@ class OperatorStore:
                 Message("job.confirmed-sheet" if sheet else "job.confirmed-table", board=row.board)
             )
             for event in events:
-                self._transitions.write_event(session, "job", id, row.state, actor, event)
+                self._transitions.write_job_event(session, id, row.state, actor, event)
             return self._transitions.lock(session, id)
 
     def _check_free(self, session: Session, row: Job) -> None:
@@ -477,7 +475,7 @@ class OperatorStore:
                 end_hands_clear(session, row.machine)
             self._change(session, id, requested_action=action.value)
             event = Message("job.action-requested", action=action)
-            self._transitions.write_event(session, "job", id, row.state, OPERATOR, event)
+            self._transitions.write_job_event(session, id, row.state, OPERATOR, event)
             return self._transitions.lock(session, id)
 
     def _change(self, session: Session, id: str, **changes: Any) -> None:

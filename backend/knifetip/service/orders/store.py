@@ -150,9 +150,8 @@ class JobStore:
                 session.flush()  # assigns the serial number
                 session.add_all(metadata_rows(Job, row.serial, row.extra or {}))
                 event = Message("job.ordered")
-                self._transitions.write_event(
+                self._transitions.write_job_event(
                     session,
-                    "job",
                     row.id,
                     State.RECEIVED,
                     OPERATOR,
@@ -226,8 +225,8 @@ class JobStore:
                         Message("rest.copy-of" if whole else "rest.continues", job=before.id),
                     ),
                 ):
-                    self._transitions.write_event(
-                        session, "job", id, state, OPERATOR, event, new_state=id == row.id
+                    self._transitions.write_job_event(
+                        session, id, state, OPERATOR, event, new_state=id == row.id
                     )
         except IntegrityError:
             if key is None or (earlier := self.find(key)) is None:

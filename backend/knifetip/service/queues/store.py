@@ -320,7 +320,7 @@ class QueueStore:
 
     def _write(self, session: Session, row: Job, actor: Actor, event: Message) -> None:
         self._set(session, row.id, updated=self._db.clock())
-        self._transitions.write_event(session, "job", row.id, row.state, actor, event)
+        self._transitions.write_job_event(session, row.id, row.state, actor, event)
 
 
 def order_version(waiting: Sequence[Job]) -> str:

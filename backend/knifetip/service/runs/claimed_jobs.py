@@ -141,9 +141,7 @@ class ClaimedJobs:
             },
         )
         event = return_event(cause, refused=refused)
-        self._transitions.write_event(
-            session, "job", row.id, State.QUEUED, actor, event, row.machine
-        )
+        self._transitions.write_job_event(session, row.id, State.QUEUED, actor, event, row.machine)
 
 
 def return_event(cause: Message, *, refused: bool) -> Message:

@@ -78,8 +78,8 @@ class JobEnds:
                     end_run(session, row.id, self._db.clock())
                     owner = Actor(ActorKind.GATEWAY, row.owner)
                     report = Message("job.late-report", report=event)
-                    self._transitions.write_event(
-                        session, "job", row.id, goal, owner, report, row.machine
+                    self._transitions.write_job_event(
+                        session, row.id, goal, owner, report, row.machine
                     )
                 return
         else:

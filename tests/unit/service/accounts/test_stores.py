@@ -183,8 +183,8 @@ def test_no_secret_is_in_the_database(tmp_path: Path) -> None:
 def write(store: Store, subject: str, *, fails: bool = False) -> None:
     """Write an event of a job in a transaction, which may fail."""
     with store.database.writing() as session:
-        store.jobs._transitions.write_event(
-            session, "job", subject, "ready", Actor(ActorKind.OPERATOR), Message("job.released")
+        store.jobs._transitions.write_job_event(
+            session, subject, "ready", Actor(ActorKind.OPERATOR), Message("job.released")
         )
         if fails:
             raise ZeroDivisionError

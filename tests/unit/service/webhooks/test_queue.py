@@ -119,8 +119,8 @@ def test_a_transaction_that_fails_sends_nothing(store: Store) -> None:
 
     def fail() -> None:
         with store.database.writing() as session:
-            store.operators._transitions.write_event(
-                session, "job", job.id, "done", OPERATOR, Message("job.ordered"), new_state=True
+            store.operators._transitions.write_job_event(
+                session, job.id, "done", OPERATOR, Message("job.ordered"), new_state=True
             )
             session.flush()
             raise RuntimeError("the power fails")
