@@ -39,6 +39,24 @@ class ClippedSegments(NamedTuple):
     unlimited: Bool  #: (n,) whether a region was not applied, because clipping takes too long
 
 
+class _Segment(NamedTuple):
+    """A line or an arc."""
+
+    x0: float  #: x of its start
+    y0: float  #: y of its start
+    x1: float  #: x of its end
+    y1: float  #: y of its end
+    bulge: float  #: tan(sweep / 4)
+
+
+class _Edges(NamedTuple):
+    """The m edges of a ``Region``, which describes the columns."""
+
+    ends: F64_3  #: (m, 2, 2)
+    part: I64_1  #: (m,)
+    even_odd: Bool_1  #: (parts,)
+
+
 def clip_segments(
     ends: F64, bulge: F64, clip_of: I64, clips: Sequence[Clip], margin: float
 ) -> ClippedSegments:
@@ -68,9 +86,8 @@ def clip_segments(
         pieces = [(kept, np.zeros(len(kept)), np.ones(len(kept)))]
         for rows in _groups(crossing, region_of):
             region = regions[region_of[rows[0]]]
-            row, first, last, cost = _clip_to_region(
-                ends, bulge, rows, region.edges, region.part, region.even_odd, margin, budget
-            )
+            edges = _Edges(region.edges, region.part, region.even_odd)
+            row, first, last, cost = _clip_to_region(ends, bulge, rows, edges, margin, budget)
             budget -= cost
             if budget < 0:
                 unlimited[source[rows]] = True
@@ -175,25 +192,19 @@ def _parts(ends: F64, bulge: F64, first: F64, last: F64) -> tuple[F64, F64]:
 
 @kernel
 def _clip_to_region(
-    ends: F64_3,
-    bulge: F64_1,
-    rows: I64_1,
-    edges: F64_3,
-    part: I64_1,
-    even_odd: Bool_1,
-    margin: float,
-    budget: int,
+    ends: F64_3, bulge: F64_1, rows: I64_1, region: _Edges, margin: float, budget: int
 ) -> Any:
     """Return the parts of segments that lie inside a region, and the number of comparisons.
 
     ``ends``, ``bulge`` (n, 2, 2) and (n,): ends and bulges of segments.
     ``rows`` (k,): the segments to clip.
-    ``edges``, ``part``, ``even_odd``: the region, as in ``Region``.
+    ``region``: the region.
     ``margin``: distance from an edge within which a point counts as inside (file units).
     ``budget``: number of comparisons after which the function stops; its parts are then incomplete.
     Returns ``row, first, last`` (p,): segment of each part, and the fractions of the segment at
     which the part starts and ends; cost: number of comparisons.
     """
+    edges = region.ends
     low, height, strip, first_edge = _strips(edges, margin)
     capacity = len(rows) + 16
     row_of = np.empty(capacity, np.int64)
@@ -208,6 +219,7 @@ def _clip_to_region(
             ends[row, 1, 1],
             bulge[row],
         )
+        segment = _Segment(x0, y0, x1, y1, b)
         chord = math.hypot(x1 - x0, y1 - y0)
         rise = abs(b) / 2.0 * chord
         length = chord if abs(b) < _STRAIGHT else chord * math.atan(abs(b)) * (1.0 + b * b) / abs(b)
@@ -228,20 +240,9 @@ def _clip_to_region(
                 or max(edges[edge, 0, 1], edges[edge, 1, 1]) < min(y0, y1) - rise - margin
             ):
                 continue
-            cut_count = _add_cuts(
-                x0,
-                y0,
-                x1,
-                y1,
-                b,
-                edges[edge, 0, 0],
-                edges[edge, 0, 1],
-                edges[edge, 1, 0],
-                edges[edge, 1, 1],
-                margin,
-                cuts,
-                cut_count,
-            )
+            start = (edges[edge, 0, 0], edges[edge, 0, 1])
+            end = (edges[edge, 1, 0], edges[edge, 1, 1])
+            cut_count = _add_cuts(segment, start, end, margin, cuts, cut_count)
         cost += first_edge[to_strip + 1] - first_edge[from_strip]
         sorted_cuts = np.sort(cuts[:cut_count])
         visible = 0.0
@@ -250,22 +251,13 @@ def _clip_to_region(
             low_cut, high_cut = sorted_cuts[k], sorted_cuts[k + 1]
             if high_cut - low_cut <= 0.0:
                 continue
-            x, y = _point_at(x0, y0, x1, y1, b, (low_cut + high_cut) / 2.0)
+            x, y = _point_at(segment, (low_cut + high_cut) / 2.0)
             at_strip = _strip_at(y, low, height, len(first_edge) - 1)
             cost += first_edge[at_strip + 1] - first_edge[at_strip]
             if cost > budget:
                 return row_of[:0], first[:0], last[:0], cost
-            if not _is_inside(
-                x,
-                y,
-                edges,
-                part,
-                even_odd,
-                strip,
-                first_edge[at_strip],
-                first_edge[at_strip + 1],
-                margin,
-            ):
+            near = strip[first_edge[at_strip] : first_edge[at_strip + 1]]
+            if not _is_inside(x, y, region, near, margin):
                 continue
             visible += high_cut - low_cut
             if count > begin and last[count - 1] == low_cut:
@@ -336,10 +328,9 @@ def _strip_at(y: float, low: float, height: float, strips: int) -> int:
 
 
 @kernel
-def _point_at(
-    x0: float, y0: float, x1: float, y1: float, bulge: float, fraction: float
-) -> tuple[float, float]:
+def _point_at(segment: _Segment, fraction: float) -> tuple[float, float]:
     """Return the point at a fraction (0 … 1) of the length of a segment."""
+    x0, y0, x1, y1, bulge = segment
     if abs(bulge) < _STRAIGHT:
         return x0 + (x1 - x0) * fraction, y0 + (y1 - y0) * fraction
     half = 2.0 * math.atan(bulge)
@@ -364,24 +355,21 @@ def _fraction_at(
 
 @kernel
 def _add_cuts(
-    x0: float,
-    y0: float,
-    x1: float,
-    y1: float,
-    bulge: float,
-    edge_x: float,
-    edge_y: float,
-    edge_to_x: float,
-    edge_to_y: float,
+    segment: _Segment,
+    start: tuple[float, float],
+    end: tuple[float, float],
     margin: float,
     cuts: OutF64_1,
     count: int,
 ) -> int:
     """Add the fractions of a segment at which it may cross an edge, and return their new number.
 
-    These are its common points with the edge, and the points next to the start of the edge.
+    The edge goes from ``start`` to ``end``.  The fractions are those of common
+    points with the edge, and of the points next to the start of the edge.
     """
-    across_x, across_y = edge_to_x - edge_x, edge_to_y - edge_y
+    x0, y0, x1, y1, bulge = segment
+    edge_x, edge_y = start
+    across_x, across_y = end[0] - edge_x, end[1] - edge_y
     size = math.hypot(across_x, across_y)
     if size == 0.0:
         return count
@@ -432,25 +420,15 @@ def _add_cuts(
 
 
 @kernel
-def _is_inside(
-    x: float,
-    y: float,
-    edges: F64_3,
-    part: I64_1,
-    even_odd: Bool_1,
-    strip: I64_1,
-    begin: int,
-    end: int,
-    margin: float,
-) -> bool:
+def _is_inside(x: float, y: float, region: _Edges, near: I64_1, margin: float) -> bool:
     """Return whether a point lies inside a region or within ``margin`` of an edge of it.
 
-    ``strip[begin:end]`` are the edges that reach into the strip of the point.
+    ``near`` are the edges that reach into the strip of the point.
     """
+    edges, part, even_odd = region
     winding = 0
     current = -1
-    for at in range(begin, end):
-        edge = strip[at]
+    for edge in near:
         if part[edge] != current:
             if current >= 0 and (winding % 2 != 0 if even_odd[current] else winding != 0):
                 return True
