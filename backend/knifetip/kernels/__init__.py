@@ -27,7 +27,8 @@ How to write a kernel::
 2. Give each argument exactly one type, and convert other types in the callers.  An integer literal
    may be passed for ``int`` and ``float``.  A float is never cast to ``int``, nor an ``int`` to
    ``I32``: each of these raises an error that names the argument.
-3. Combine arrays that belong together in a ``NamedTuple`` at the top of the module.
+3. Combine arrays that belong together in a ``NamedTuple`` at the top of the module; a function has
+   at most eight arguments.  Unpack it once at the top of the kernel, outside loops.
 4. Use no default values: callers pass every argument.
 
 The annotation of the return value is for readers and mypy; numba infers the type.
