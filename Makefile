@@ -1,4 +1,5 @@
 # knifetip: two commands do everything, `make run` and `make test`; the others are their parts.
+# `make test-all` tests longer.
 
 PYTHON ?= python3
 VENV   := .venv
@@ -6,17 +7,20 @@ BIN    := $(VENV)/bin
 # pip, carried out by uv where that runs.
 INSTALL := $(BIN)/python backend/install.py
 PYTEST := $(BIN)/python -m pytest -c backend/pyproject.toml --rootdir .
+# What `make test` leaves to `make test-all`: long campaigns, and most random examples (ADR 140).
+SELECTED := -m "not long" --hypothesis-profile=quick
 HOST   ?= 127.0.0.1
 PORT   ?= 8080
 SPEED  ?= 4
 DATA   ?= .data/knifetip.sqlite
 
-.PHONY: help install dev page wheel image shop run test failed lint check bench system lock licences tables sbom audit \
+.PHONY: help install dev page wheel image shop run test test-all failed slowest lint check bench system lock licences tables sbom audit \
 	client clean
 
 help:
 	@echo "make run      build what is missing and serve http://$(HOST):$(PORT)"
-	@echo "make test     lint, then all tests"
+	@echo "make test     lint, then the tests"
+	@echo "make test-all the same with long campaigns and all random examples"
 	@echo "make install  $(BIN)/knifetip, the command"
 	@echo "make lint     ruff, mypy, import-linter, TypeScript, Biome"
 	@echo "make bench    side by side with the peers, to build/bench.json"
@@ -87,12 +91,15 @@ lint: dev page
 test: dev page system lint
 	$(BIN)/python frontend/build.py test
 	@# 1 says that tests failed; any other code, that the tests did not run to their end.
-	$(PYTEST) tests || { [ $$? -eq 1 ] && $(MAKE) --no-print-directory failed; }
+	$(PYTEST) tests $(SELECTED) || { [ $$? -eq 1 ] && $(MAKE) --no-print-directory failed; }
+
+test-all:
+	$(MAKE) test SELECTED=
 
 # A test that fails beside the others and passes alone is reported, and must be mended (ADR 138).
 failed:
 	@echo "Tests have failed. They are run once more, alone."
-	$(PYTEST) tests -v --last-failed --last-failed-no-failures none -n 1
+	$(PYTEST) tests $(SELECTED) -v --last-failed --last-failed-no-failures none -n 1
 
 bench: dev
 	$(BIN)/python -m tests.benchmarks

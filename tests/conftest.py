@@ -13,6 +13,7 @@ from hypothesis import settings
 
 from knifetip.cli import main
 from tests.support.command import Command
+from tests.support.examples import LEAST, QUICK
 from tests.support.revisions import write_later_steps
 from tests.support.serving.postgresql import (
     create_database,
@@ -23,9 +24,11 @@ from tests.support.serving.postgresql import (
 from tests.support.stored import migrated_store
 
 # Tests do not fail because a machine is busy (`make bench` measures time) or by chance:
-# every run uses the same examples; `--hypothesis-profile=explore` draws new ones.
+# every run uses the same examples; `--hypothesis-profile=explore` draws new ones. `make test`
+# draws a share of them.
 settings.register_profile("knifetip", deadline=None, derandomize=True)
 settings.register_profile("explore", deadline=None)
+settings.register_profile(QUICK, deadline=None, derandomize=True, max_examples=LEAST)
 settings.load_profile("knifetip")
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.compensation.corner import corner_lengths, d_type_shape
@@ -16,6 +16,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
 from knifetip.offset.transition import Corner, transitions
+from tests.support.examples import examples
 
 A = np.array([[10.0, 0.0]])
 EAST = np.array([[1.0, 0.0]])
@@ -108,7 +109,7 @@ def test_d_at_120_degrees_worked_by_hand() -> None:
 
 turns = st.floats(5.0, 178.0)
 k_values = st.floats(0.05, 0.95)
-many = settings(max_examples=1000, deadline=None)
+many = examples(1000)
 
 
 @many

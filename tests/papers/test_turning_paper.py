@@ -10,7 +10,7 @@ from math import acos, cos, degrees, radians, sin, sqrt, tan
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.compensation.vgroove import sideways_move
@@ -23,6 +23,7 @@ from knifetip.sequencing.air_moves import (
     lift_clear,
     tool_axis,
 )
+from tests.support.examples import examples
 
 
 def test_1_a_track_square_to_the_edge_needs_no_more_way() -> None:
@@ -51,7 +52,7 @@ def test_1_along_the_edge_there_is_no_answer() -> None:
         corner_run_outs(np.array([[0.0, 1.0]]), np.array([[1.0, 0.0]]), np.array([6.0]))
 
 
-@settings(deadline=None, max_examples=500)
+@examples(500)
 @given(st.floats(-85.0, 85.0), st.floats(0.0, 360.0), st.floats(0.1, 20.0))
 def test_1_then_both_corners_are_out_and_a_little_earlier_one_is_not(
     off: float, edge: float, width: float

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import shapely
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from knifetip.cleaning.clean import clean
@@ -16,6 +16,7 @@ from knifetip.geometry.tolerance import GAP, SAME
 from knifetip.model.cleaned import Cleaned, CleaningReason
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import ImportOutcome
+from tests.support.examples import examples
 from tests.support.shapes import BY_HAND, rotation
 
 WORK = [LineType.CUT, LineType.CREASE, LineType.V_GROOVE, LineType.PERFORATION, LineType.HALF_CUT]
@@ -127,7 +128,7 @@ fractions = st.lists(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(line=dielines(), data=st.data())
 def test_edges_drawn_twice_split_and_reversed_are_restored(
     line: Dieline, data: st.DataObject
@@ -154,7 +155,7 @@ def test_edges_drawn_twice_split_and_reversed_are_restored(
     assert_adds_up(broken, made)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(line=dielines(), data=st.data())
 def test_gaps_are_closed_and_debris_is_dropped(line: Dieline, data: st.DataObject) -> None:
     line = taken(line, np.flatnonzero(line.bulge == 0.0))
@@ -178,7 +179,7 @@ def test_gaps_are_closed_and_debris_is_dropped(line: Dieline, data: st.DataObjec
     assert_adds_up(broken, made)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(line=dielines(), data=st.data())
 def test_cleaning_is_idempotent(line: Dieline, data: st.DataObject) -> None:
     n = len(line)
@@ -200,7 +201,7 @@ def test_cleaning_is_idempotent(line: Dieline, data: st.DataObject) -> None:
     assert_adds_up(broken, once)
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(
     line=dielines(),
     row=st.integers(0, 11),
@@ -228,7 +229,7 @@ def _union(line: Dieline) -> shapely.Geometry:
     return shapely.union_all([shapely.LineString(one) for one in points])
 
 
-@settings(max_examples=30, deadline=None)
+@examples(30)
 @given(line=dielines(), data=st.data())
 def test_the_union_of_edges_is_the_same_before_and_after(
     line: Dieline, data: st.DataObject

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from knifetip.compensation.compensate import compensate
@@ -14,6 +14,7 @@ from knifetip.geometry.columns import F64
 from knifetip.model.dieline import LineType
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.planning.plan import plan
+from tests.support.examples import examples
 from tests.support.shapes import BOARD, CUTTER, KNIFE, MACHINE, closed, dieline, edges, rotation
 
 angles = st.floats(-360.0, 360.0)
@@ -22,7 +23,7 @@ lengths = st.floats(15.0, 800.0)
 bulges = st.floats(-0.9, 0.9).filter(lambda b: abs(b) > 0.01)
 straight = st.sampled_from([LineType.CREASE, LineType.V_GROOVE, LineType.CUT, LineType.HALF_CUT])
 bent = st.sampled_from([LineType.CREASE, LineType.CUT])
-thousand = settings(max_examples=1000, deadline=None)
+thousand = examples(1000)
 
 
 def edge(place: tuple[float, float], azimuth: float, length: float) -> F64:

@@ -9,7 +9,7 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
 from knifetip.errors import KnifetipError
@@ -17,6 +17,7 @@ from knifetip.formats.limits import REACH
 from knifetip.model.interpretation import Interpretation
 from knifetip.presentation.columns import unpack_columns
 from knifetip.service.processes import tasks
+from tests.support.examples import examples
 from tests.support.writers import cf2_text, hpgl_text, lightburn_text, svg_text
 from tests.support.writers import dxf_text as dxf
 
@@ -129,7 +130,7 @@ def check_import(data: bytes, unit: str) -> bool:
 def test_damage_to_lines_and_numbers_ends_in_a_drawing_or_a_refusal(kind: str) -> None:
     read: list[bool] = []
 
-    @settings(max_examples=100, suppress_health_check=list(HealthCheck))
+    @examples(100, suppress_health_check=list(HealthCheck))
     @given(damage(FILES[kind]), st.sampled_from(["", "mm", "in"]))
     def imported(data: bytes, unit: str) -> None:
         read.append(check_import(data, unit))

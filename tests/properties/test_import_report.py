@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections import Counter
 
 import numpy as np
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
 from knifetip.dxf.read import read
 from knifetip.dxf.value_types import DECIMAL, INTEGER, TYPE
 from knifetip.errors import KnifetipError, NotADrawing
 from knifetip.model.drawing import Drawing, ImportOutcome
+from tests.support.examples import examples
 from tests.support.writers.random_dxf import drawings
 
 DAMAGED = ("1,5", "1.2.3", "-1.#IND", "12O", "", "nan", "1_0")
 
-slow = settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))
+slow = examples(200, suppress_health_check=list(HealthCheck))
 
 
 def read_or_error(data: bytes) -> Drawing | KnifetipError:

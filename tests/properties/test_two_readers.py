@@ -6,8 +6,9 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 
+from tests.support.examples import examples
 from tests.support.truth.readers import difference, fast_reader_accepts, read_by_both
 from tests.support.writers.random_dxf import drawings
 
@@ -35,7 +36,7 @@ ACCEPTED = 78
 def test_both_readers_return_the_same_for_generated_drawings(plain: bool, share: float) -> None:
     tally: Counter[bool] = Counter()
 
-    @settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))
+    @examples(200, suppress_health_check=list(HealthCheck))
     @given(drawings(plain))
     def same(data: bytes) -> None:
         tally[fast_reader_accepts(data)] += 1

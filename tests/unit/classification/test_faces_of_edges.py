@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from shapely import LineString, Point
 from shapely.ops import polygonize
@@ -15,6 +15,7 @@ from knifetip.classification.shape.features import extract_shape_features
 from knifetip.cleaning.clean import clean
 from knifetip.geometry.columns import F64
 from knifetip.model.dieline import Dieline, LineType
+from tests.support.examples import examples
 from tests.support.shapes import dieline, edges
 
 #: Side of a square of the lattice (mm).
@@ -32,7 +33,7 @@ def lattice(chosen: list[bool]) -> F64:
     return SIDE * np.array(sorted(sides), np.float64)
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(chosen=st.lists(st.booleans(), min_size=36, max_size=36).filter(any))
 def test_faces_are_the_polygons_of_shapely(chosen: list[bool]) -> None:
     ends = lattice(chosen)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from knifetip.cleaning import merge_collinear
@@ -20,6 +20,7 @@ from knifetip.geometry.tolerance import CURVE
 from knifetip.model.cleaned import Cleaned, CleaningReason
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.checks.cleaning.check import check_cleaning
+from tests.support.examples import examples
 from tests.support.shapes import dieline, rotation
 
 CUT, CREASE = LineType.CUT, LineType.CREASE
@@ -220,7 +221,7 @@ def test_small_steps_of_a_curve_with_rounded_vertices_are_fitted() -> None:
     assert radii(made) == pytest.approx([25.0], abs=0.01)
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@examples(40)
 @given(
     seed=st.integers(0, 2**32 - 1),
     step=st.sampled_from([0.1, 0.5, 2.0]),

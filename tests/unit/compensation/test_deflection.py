@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.compensation.deflection import fit_deflection, shift_centres
 from knifetip.errors import CompensationError, ZeroLengthEdge
 from knifetip.geometry import arc
 from knifetip.geometry.path import Paths, path_through
+from tests.support.examples import examples
 
 QUARTER = np.tan(np.pi / 8)
 angles = st.floats(0.0, 360.0)
@@ -53,7 +54,7 @@ def test_a_square_hole_grows() -> None:
     np.testing.assert_allclose(path.start[[0, 2]], [[-0.1, -0.05], [100.1, 100.05]], atol=1e-12)
 
 
-@settings(max_examples=200, deadline=None)
+@examples(200)
 @given(x=given_way, y=given_way, radius=st.floats(1.0, 20.0))
 def test_round_corners_become_elliptical_within_the_tolerance(
     x: float, y: float, radius: float
@@ -87,7 +88,7 @@ def test_no_deflection_is_the_identity_to_the_bit() -> None:
     assert rows.tolist() == list(range(8))
 
 
-@settings(max_examples=200, deadline=None)
+@examples(200)
 @given(x=given_way, y=given_way, bulge=st.floats(-0.9, 0.9).filter(lambda b: abs(b) > 0.05))
 def test_a_line_and_an_arc_at_a_bend_remain_connected(x: float, y: float, bulge: float) -> None:
     paths = path_through(np.array([[0, 0], [40, 0], [40, 30], [0, 30], [0, 0]], float),
@@ -100,7 +101,7 @@ def test_a_line_and_an_arc_at_a_bend_remain_connected(x: float, y: float, bulge:
     np.testing.assert_allclose(path.start[south][:, 1], y, atol=1e-9)
 
 
-@settings(max_examples=100, deadline=None)
+@examples(100)
 @given(x=given_way, y=given_way, shift=st.integers(0, 7))
 def test_direction_and_start_do_not_change_the_shifted_contour(
     x: float, y: float, shift: int

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from knifetip.compensation.centre_paths import centre_paths
@@ -28,12 +28,13 @@ from knifetip.model.operation import End, Operation
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.planning.plan import plan
 from tests.support.contours import distance, random_contour
+from tests.support.examples import examples
 from tests.support.operations import ROUTER, contour
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges, rotation
 
 ROUTED = replace(MACHINE, stations=(Station(4, "Router", ROUTER, 0.0, 0.0, 0.0, 0.0, 3),))
 QUARTER = np.tan(np.pi / 8)
-many = settings(max_examples=300, deadline=None)
+many = examples(300)
 
 
 def open_cut(

@@ -6,13 +6,14 @@ import time
 from collections.abc import Sequence
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
 from knifetip.dxf.read import read
 from knifetip.errors import DrawingTooLarge, KnifetipError, NotADrawing
 from knifetip.formats.limits import Limits
 from tests.support.drawings import report_reasons
+from tests.support.examples import examples
 from tests.support.truth.readers import difference, fast_reader_accepts, read_by_both
 from tests.support.writers.dxf_text import Tag, block, dxf, entity, insert, layer, line
 
@@ -277,7 +278,7 @@ def _damaged(draw: st.DrawFn) -> bytes:
     return bytes(data)
 
 
-@settings(max_examples=250, deadline=None, suppress_health_check=list(HealthCheck))
+@examples(250, suppress_health_check=list(HealthCheck))
 @given(_damaged())
 def test_damage_ends_in_a_drawing_or_a_refusal_the_same_for_both_readers(data: bytes) -> None:
     ours, reference = read_by_both(data)

@@ -8,11 +8,12 @@ from importlib import import_module
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 
 from knifetip.dxf.fast_reader import fields as f
 from knifetip.errors import KnifetipError
 from knifetip.model.drawing import Drawing
+from tests.support.examples import examples
 from tests.support.truth.readers import difference, reading
 from tests.support.writers.dxf_text import block, dxf, entity, insert, layer, line
 from tests.support.writers.random_dxf import drawings
@@ -139,7 +140,7 @@ def test_a_second_section_after_the_first_is_detected(set_parts: SetParts) -> No
 def test_generated_drawings_in_parts_and_as_one(set_parts: SetParts) -> None:
     tally: Counter[bool] = Counter()
 
-    @settings(max_examples=150, deadline=None, suppress_health_check=list(HealthCheck))
+    @examples(150, suppress_health_check=list(HealthCheck))
     @given(drawings(plain=True))
     def same(data: bytes) -> None:
         set_parts(1)

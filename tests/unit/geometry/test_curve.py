@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+import shapely
+from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
@@ -16,6 +17,7 @@ from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.ellipse import Ellipse, fit_ellipses
 from knifetip.geometry.spline import Spline, Splines, fit_splines
 from knifetip.geometry.tolerance import CURVE
+from tests.support.examples import examples
 
 #: Largest distance of the chords between sampled points from an arc (mm).
 SAGITTA = 1e-5
@@ -38,15 +40,11 @@ def sample_points(segments: curve.Segments) -> F64:
 def deviation(segments: curve.Segments, points: F64) -> float:
     """Return the largest distance from the segments of points on the true curve (mm)."""
     walk = sample_points(segments)
-    pieces = np.stack([walk[:-1], walk[1:]], axis=1)
-    chord = pieces[:, 1] - pieces[:, 0]
-    square = np.maximum((chord**2).sum(axis=1), 1e-300)
-    worst = 0.0
-    for place in points:
-        share = np.clip(((place - pieces[:, 0]) * chord).sum(axis=1) / square, 0.0, 1.0)
-        nearest = pieces[:, 0] + share[:, None] * chord
-        worst = max(worst, float(np.hypot(*(place - nearest).T).min()))
-    return worst
+    pieces = shapely.STRtree(shapely.linestrings(np.stack([walk[:-1], walk[1:]], axis=1)))
+    places = shapely.points(points)
+    _, far = pieces.query_nearest(places, return_distance=True, all_matches=False)
+    assert len(far) == len(points)
+    return float(far.max())
 
 
 def is_connected(segments: curve.Segments) -> bool:
@@ -167,7 +165,7 @@ def test_an_ellipse_without_width_is_a_line_in_both_directions() -> None:
     assert arc.length(start, end, bulge).sum() == pytest.approx(40.0)
 
 
-@settings(max_examples=20, deadline=None)
+@examples(20)
 @given(
     major=st.floats(0.5, 900.0),
     ratio=st.floats(0.02, 1.0),

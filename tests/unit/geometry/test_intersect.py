@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64
 from knifetip.geometry.intersect import intersect_pairs
+from tests.support.examples import examples
 
 #: Half circle from (10, 0) through (0, 10) to (-10, 0).
 HALF = ((10.0, 0.0), (-10.0, 0.0), 1.0)
@@ -95,7 +96,7 @@ places = st.floats(-50.0, 50.0)
 bulges = st.one_of(st.just(0.0), st.floats(-2.0, 2.0).filter(lambda b: abs(b) > 1e-3))
 
 
-@settings(max_examples=1000, deadline=None)
+@examples(1000)
 @given(st.tuples(*[places] * 8), bulges, bulges)
 # Two arcs that end where they touch.
 @example((-4.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0), 0.1875, 0.1875)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.errors import CompensationError, GeometryError, ZeroLengthEdge
@@ -20,6 +20,7 @@ from knifetip.geometry.path import Paths, reverse_paths, select_paths
 from knifetip.offset.clearance import DISTANCE_TOLERANCE
 from knifetip.offset.offset_paths import OffsetPaths, offset_paths
 from knifetip.offset.transition import Corner
+from tests.support.examples import examples
 from tests.support.shapes import paths as paths_of
 from tests.support.shapes import rotation
 
@@ -395,7 +396,7 @@ def test_hausdorff_distance_to_shapely_is_the_error_of_its_chords(seed: int) -> 
             assert off < 2e-3 * radius
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(seed=st.integers(0, 10_000), radius=st.floats(0.2, 20.0), side=st.sampled_from([1, -1]))
 def test_offsets_of_contours_with_arcs_enclose_the_areas_of_shapely(
     seed: int, radius: float, side: int
@@ -419,7 +420,7 @@ def test_offsets_of_contours_with_arcs_enclose_the_areas_of_shapely(
     assert tight(made)
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(seed=st.integers(0, 10_000), radius=st.floats(0.5, 12.0))
 def test_pockets_with_islands_enclose_the_areas_of_shapely(seed: int, radius: float) -> None:
     random = np.random.default_rng(seed)
@@ -465,7 +466,7 @@ def alike(
     assert one[3:] == other[3:]
 
 
-@settings(max_examples=150, deadline=None)
+@examples(150)
 @given(
     seed=st.integers(0, 10_000),
     radius=st.floats(0.1, 15.0),
@@ -494,7 +495,7 @@ def test_rotation_mirroring_direction_and_start_do_not_change_the_offset(
     alike(described(offset_paths(begun, radius, side, corner=kind)), plain)
 
 
-@settings(max_examples=150, deadline=None)
+@examples(150)
 @given(
     seed=st.integers(0, 10_000),
     radius=st.floats(0.1, 15.0),

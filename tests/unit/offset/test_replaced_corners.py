@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.geometry import arc
@@ -15,6 +15,7 @@ from knifetip.geometry.columns import F64, I32, U8
 from knifetip.geometry.path import Paths
 from knifetip.offset.offset_paths import OffsetPaths, offset_paths
 from knifetip.offset.transition import Corner, transitions
+from tests.support.examples import examples
 from tests.support.shapes import paths as paths_of
 
 
@@ -127,7 +128,7 @@ def test_a_refused_offset_is_checked_as_type_b() -> None:
     assert made.replaced.tolist() == [0, 4]
 
 
-@settings(max_examples=200, deadline=None)
+@examples(200)
 @given(
     seed=st.integers(0, 100_000),
     kind=st.sampled_from([Corner.C, Corner.D]),

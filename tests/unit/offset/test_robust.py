@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -19,6 +19,7 @@ from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
 from knifetip.offset.offset_paths import OffsetPaths, offset_paths
 from knifetip.offset.transition import Corner
+from tests.support.examples import examples
 from tests.support.shapes import paths as paths_of
 
 
@@ -34,7 +35,7 @@ def points(made: OffsetPaths) -> NDArray[Any]:
     return found
 
 
-@settings(max_examples=100, deadline=None)
+@examples(100)
 @given(
     seed=st.integers(0, 10_000),
     jitter=st.sampled_from([1e-3, 1e-4, 1e-5, 1e-6]),
@@ -136,7 +137,7 @@ def test_two_parts_on_the_same_side_of_a_common_corner_have_one_offset(turn: flo
     assert shapely.distance(outlines, points(made)).min() >= 1.0 - 1e-9
 
 
-@settings(max_examples=100, deadline=None)
+@examples(100)
 @given(
     seed=st.integers(0, 10_000),
     kind=st.sampled_from([Corner.C, Corner.D]),
@@ -166,7 +167,7 @@ def test_open_paths_with_c_and_d_corners_keep_clear_and_start_square(
             np.testing.assert_allclose(mine, square, atol=1e-6)
 
 
-@settings(max_examples=40, deadline=None)
+@examples(40)
 @given(kind=st.sampled_from([Corner.C, Corner.D]), k=st.floats(0, 1), radius=st.floats(0.5, 12.0))
 def test_offsets_of_islands_with_c_and_d_corners_are_inside_those_with_b(
     kind: Corner, k: float, radius: float

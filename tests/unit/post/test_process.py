@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.errors import LibraryError, ProgramError
@@ -16,6 +16,7 @@ from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.emit import process
 from tests.controllers.grbl_words import read_grbl
+from tests.support.examples import examples
 from tests.support.shapes import toolpath as toolpath_of
 
 QUARTER = np.tan(np.radians(90) / 4)
@@ -564,7 +565,7 @@ steps = st.tuples(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@examples(60)
 @given(walk=st.lists(steps, min_size=1, max_size=20))
 def test_the_program_for_grbl_matches_the_toolpath_within_half_a_unit(
     walk: list[tuple[float, float, float, float, float, float]],

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.errors import CompensationError
@@ -22,6 +22,7 @@ from knifetip.sequencing.air_moves import (
     unwind,
     with_full_retracts,
 )
+from tests.support.examples import examples
 from tests.support.shapes import CUTTER, KNIFE, MACHINE, WHEEL, closed, rotation, toolpath
 
 
@@ -152,7 +153,7 @@ poses = st.tuples(
 circles = st.builds(TipCircle, st.floats(0.1, 12.0), st.floats(0.0, 10.0), st.floats(0.0, 80.0))
 
 
-@settings(deadline=None, max_examples=3000)
+@examples(3000)
 @given(start=poses, end=poses, circle=circles, share=st.floats(0.0, 1.0))
 def test_no_pose_of_a_corrected_turn_dips_the_tip_circle_below_the_face(
     start: tuple[float, float, float, float],
@@ -169,7 +170,7 @@ def test_no_pose_of_a_corrected_turn_dips_the_tip_circle_below_the_face(
     assert over[:, 2].min(initial=FACE) >= FACE - 1e-9
 
 
-@settings(deadline=None, max_examples=1000)
+@examples(1000)
 @given(pose=poses, circle=circles)
 def test_the_lift_is_the_least_that_clears(
     pose: tuple[float, float, float, float], circle: TipCircle
@@ -184,7 +185,7 @@ def test_the_lift_is_the_least_that_clears(
         np.testing.assert_array_equal(up, ends)
 
 
-@settings(deadline=None, max_examples=300)
+@examples(300)
 @given(start=poses, end=poses, circle=circles, angle=st.floats(0.0, 360.0))
 def test_lifts_do_not_depend_on_the_direction_of_the_board(
     start: tuple[float, float, float, float],

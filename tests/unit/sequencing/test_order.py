@@ -13,6 +13,7 @@ from knifetip.geometry.columns import F64, I32, Bool
 from knifetip.model.tool import Reversal
 from knifetip.sequencing.nearest import nearest_neighbour
 from knifetip.sequencing.order import greedy_order, link_times, short_order
+from tests.support.examples import examples
 
 PACE = np.array([[1500.0, 1500.0, 3600.0], [8000.0, 8000.0, 36000.0]])
 #: Limits of axes with which the time of an air move is the greater of its X and Y distances.
@@ -82,7 +83,7 @@ def test_the_best_order_of_five_tracks_is_found(way: Reversal, seed: int) -> Non
 
 
 @pytest.mark.parametrize("way", Reversal)
-@settings(deadline=None, max_examples=25)
+@examples(25)
 @given(seed=st.integers(0, 10_000), count=st.integers(1, 60))
 def test_every_track_comes_once_and_the_order_is_no_longer_than_greedy(
     way: Reversal, seed: int, count: int

@@ -1,13 +1,14 @@
 import math
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from knifetip.verification.columns import F64
 from knifetip.verification.curves.curve import arc_curves, line_curves, point_at
 from knifetip.verification.curves.intervals import Overlaps, uncovered_curves
 from knifetip.verification.curves.overlap import find_overlaps
+from tests.support.examples import examples
 
 
 def line(x1: float, y1: float, x2: float, y2: float) -> F64:
@@ -109,7 +110,7 @@ def test_an_edge_with_an_empty_part_has_no_overlap() -> None:
     assert len(find_overlaps(edge, edge, np.array([0.0]), np.array([-1.0]), 0.01).curve) == 0
 
 
-@settings(deadline=None, max_examples=60)
+@examples(60)
 @given(
     seed=st.integers(0, 10_000),
     kinds=st.tuples(st.booleans(), st.booleans()),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, given
 from hypothesis import strategies as st
 
 from knifetip.contract.job import Actor, ActorKind
@@ -13,6 +13,7 @@ from knifetip.errors import StaleEpoch, StaleVersion, WrongState
 from knifetip.library.definition import Definition, Shelf
 from knifetip.service.queues.store import Place, WaitingChange, order_version
 from knifetip.service.store import Store
+from tests.support.examples import examples
 from tests.support.job_states import (
     RESULT,
     WAITING,
@@ -49,11 +50,7 @@ def events(store: Store, id: str) -> list[tuple[str, str]]:
 # Order
 
 
-@settings(
-    max_examples=40,
-    deadline=None,
-    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
-)
+@examples(40, suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(data=st.data())
 def test_the_listed_order_is_the_order_of_the_claims(
     store: Store, clock: Clock, data: st.DataObject
