@@ -25,6 +25,9 @@ from knifetip.service.library.definition_files import add_definition_files
 from knifetip.service.refusals.control_characters import describe_texts
 
 _JSON: Final = "application/json"
+#: Descriptions by the operations of the applications of this process. They take a second each,
+#: and processes with several applications, such as tests, have the same operations in all of them.
+_descriptions: Final[dict[tuple[ScopedOperation, ...], dict[str, Any]]] = {}
 
 
 class Description:
@@ -32,14 +35,13 @@ class Description:
 
     def __init__(self, app: FastAPI, operations: Sequence[ScopedOperation]) -> None:
         self._app = app
-        self._operations = operations
-        self._with_alias: dict[str, Any] | None = None
+        self._operations = tuple(operations)
 
     def alias(self) -> dict[str, Any]:
         """Return the description with the paths of the alias, ``/api/…``."""
-        if self._with_alias is None:
-            self._with_alias = describe(self._app, self._operations)
-        return self._with_alias
+        if self._operations not in _descriptions:
+            _descriptions[self._operations] = describe(self._app, self._operations)
+        return _descriptions[self._operations]
 
     def versioned(self) -> dict[str, Any]:
         """Return the description with the paths of the current version, ``/api/v1/…``."""
