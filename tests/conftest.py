@@ -16,6 +16,7 @@ from tests.support.command import Command
 from tests.support.examples import LEAST, QUICK
 from tests.support.revisions import write_later_steps
 from tests.support.serving.postgresql import (
+    ReusedDatabase,
     create_database,
     installed_binaries,
     run_server,
@@ -89,11 +90,29 @@ def sqlite_template(tmp_path_factory: pytest.TempPathFactory) -> Path:
         return file
 
 
+class _Tables:
+    """A PostgreSQL database with all tables, and the number of those that were made."""
+
+    def __init__(self, server: str) -> None:
+        self._server = server
+        self._made = 0
+        self._database: ReusedDatabase | None = None
+
+    def url(self) -> str:
+        """Return the URL of the database with its first rows, or of a new one."""
+        if self._database is None or not self._database.reset():
+            self._made += 1
+            url = create_database(self._server, f"tables{self._made}")
+            with migrated_store(url):
+                pass
+            self._database = ReusedDatabase(url)
+        return self._database.url
+
+
 @pytest.fixture(scope="session")
-def postgresql_template(postgresql_server: str) -> str:
-    """Return the name of a PostgreSQL database with all tables, to be copied."""
-    with migrated_store(create_database(postgresql_server, "tables")):
-        return "tables"
+def postgresql_tables(postgresql_server: str) -> _Tables:
+    """Return a PostgreSQL database with all tables, which tests use one after the other."""
+    return _Tables(postgresql_server)
 
 
 @pytest.fixture
@@ -103,10 +122,9 @@ def migrated_sqlite(sqlite_template: Path, tmp_path: Path) -> str:
 
 
 @pytest.fixture
-def migrated_postgresql(postgresql_server: str, postgresql_template: str) -> Iterator[str]:
-    """URL of a new PostgreSQL database with all tables."""
-    with temporary_database(postgresql_server, postgresql_template) as url:
-        yield url
+def migrated_postgresql(postgresql_tables: _Tables) -> str:
+    """URL of a PostgreSQL database with all tables and no rows of other tests."""
+    return postgresql_tables.url()
 
 
 @pytest.fixture(params=["sqlite", "postgresql"])

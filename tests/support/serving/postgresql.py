@@ -8,9 +8,10 @@ import signal
 import subprocess
 import tempfile
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import sqlalchemy as sa
 
@@ -118,6 +119,91 @@ def temporary_database(server: str, template: str = "template1") -> Iterator[str
     name = f"t{uuid.uuid4().hex}"
     yield create_database(server, name, template)
     _execute(server, f'DROP DATABASE "{name}" WITH (FORCE)')
+
+
+#: The last change of each table, column, index, constraint, trigger and function.
+_STRUCTURE = " UNION ALL ".join(
+    f"SELECT '{catalogue}' || oid || ' ' || xmin AS one FROM {catalogue} WHERE {space} = %s"
+    for catalogue, space in (
+        ("pg_class", "relnamespace"),
+        ("pg_constraint", "connamespace"),
+        ("pg_proc", "pronamespace"),
+    )
+).replace("%s", "'public'::regnamespace") + (
+    " UNION ALL SELECT a.attrelid || ' ' || a.attnum || ' ' || a.xmin FROM pg_attribute a"
+    " JOIN pg_class c ON c.oid = a.attrelid WHERE c.relnamespace = 'public'::regnamespace"
+    " AND a.attnum > 0"
+    " UNION ALL SELECT 'trigger' || oid || ' ' || xmin FROM pg_trigger"
+    " UNION ALL SELECT 'setting' || setdatabase || ' ' || xmin FROM pg_db_role_setting"
+)
+_END_CONNECTIONS = (
+    "SELECT pg_terminate_backend(pid, 10000) FROM pg_stat_activity WHERE datname ="
+    " current_database() AND pid <> pg_backend_pid() AND backend_type = 'client backend'"
+)
+
+
+class ReusedDatabase:
+    """A database that one test after the other gets as if it was new.
+
+    To create and to drop a database takes a third of a second of CPU time, to delete the rows of
+    a test some milliseconds.
+
+    Parameters
+    ----------
+    url
+        URL of a database with all tables, which nothing uses at this time.
+    """
+
+    def __init__(self, url: str) -> None:
+        self.url = url
+        with self._connected() as connection:
+            tables = sa.MetaData()
+            tables.reflect(connection)
+            self._tables = tables.sorted_tables
+            self._rows = {
+                table: [dict(row) for row in connection.execute(sa.select(table)).mappings()]
+                for table in self._tables
+            }
+            self._sequences = _sequences(connection)
+            self._structure = _structure(connection)
+
+    def reset(self) -> bool:
+        """Restore the first rows; return False if a test has changed more than rows."""
+        with self._connected() as connection:
+            connection.execute(sa.text(_END_CONNECTIONS))
+            if _structure(connection) != self._structure:
+                return False
+            # Without checks of foreign keys.
+            connection.execute(sa.text("SET LOCAL session_replication_role = replica"))
+            statements = [f'DELETE FROM "{table.name}"' for table in self._tables]
+            connection.exec_driver_sql("; ".join(statements))
+            for table, rows in self._rows.items():
+                if rows:
+                    connection.execute(sa.insert(table), rows)
+            for name, last in _sequences(connection).items():
+                if self._sequences[name] != last:
+                    value, used = self._sequences[name] or 1, self._sequences[name] is not None
+                    connection.execute(sa.select(sa.func.setval(name, value, used)))
+        return True
+
+    @contextmanager
+    def _connected(self) -> Iterator[sa.Connection]:
+        engine = sa.create_engine(self.url)
+        with engine.begin() as connection:
+            yield connection
+        engine.dispose()
+
+
+def _structure(connection: sa.Connection) -> Sequence[Any]:
+    return sorted(connection.scalars(sa.text(_STRUCTURE)))
+
+
+def _sequences(connection: sa.Connection) -> dict[str, int | None]:
+    """Return the last number of each sequence; None if it has given none."""
+    found = connection.execute(
+        sa.text("SELECT quote_ident(sequencename), last_value FROM pg_sequences")
+    )
+    return {str(name): last for name, last in found}
 
 
 def _execute(server: str, statement: str) -> None:
