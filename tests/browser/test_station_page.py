@@ -40,7 +40,7 @@ MACHINE = "demo-table"
 #: Fast enough for a test, slow enough to hold a job.
 SPEED = 2.0
 #: Sizes of the tablet and its colour scheme.
-TABLETS = [(1024, 768, "dark"), (820, 1180, "light")]
+TABLETS = [(1024, 768, "dark"), pytest.param((820, 1180, "light"), marks=pytest.mark.long)]
 #: Height from which the head may move across the board (mm).
 LIFT = 20.0
 #: Smallest side of what a finger presses (CSS pixels).

@@ -60,7 +60,11 @@ async def moving(program: bytes, machine: Machine) -> float:
 
 
 @pytest.mark.parametrize(
-    ("named", "machine"), [(SAMPLES[0], TABLE), (SAMPLES[1], QUICK)], ids=["table", "quick"]
+    ("named", "machine"),
+    [
+        pytest.param(SAMPLES[0], TABLE, id="table"),
+        pytest.param(SAMPLES[1], QUICK, id="quick", marks=pytest.mark.long),
+    ],
 )
 async def test_it_moves_as_long_as_stated(named: Named, machine: Machine) -> None:
     drawing, dieline, board = named.classified(None)

@@ -403,13 +403,13 @@ async def step(controller: Linuxcnc) -> None:
     """Execute one line and wait for its end."""
     before = await controller.status()
     await controller.step()
-    async with asyncio.timeout(10.0):
+    async with asyncio.timeout(120.0):
         while (await controller.status()).position == before.position:
             pass
     await wait_until_still(controller, State.HOLD)
 
 
 async def wait_until_still(controller: Linuxcnc, state: State = State.IDLE) -> None:
-    async with asyncio.timeout(10.0):
+    async with asyncio.timeout(120.0):
         while (status := await controller.status()).state is not state or not status.still:
             pass

@@ -221,14 +221,14 @@ FILES, EMPTY = 103, 20
     ("machine", "least"),
     [
         ("demo-table", 76),
-        ("router-table", 68),
+        pytest.param("router-table", 68, marks=pytest.mark.long),
         # The outline of one file has corner loops of 0.1 mm, narrower than the kerf.  They cannot
         # be left out one by one, because all of them belong to one polyline.  Two maps have
         # contours 0.15 mm wide that share edges: beside them there is no path for a kerf of 0.2 mm.
-        ("laser-table", 69),
+        pytest.param("laser-table", 69, marks=pytest.mark.long),
         # In two files, slits cross small circles.  Planning and verification nest these circles
         # differently, so some slits are refused.
-        ("flat-cutter-hpgl", 74),
+        pytest.param("flat-cutter-hpgl", 74, marks=pytest.mark.long),
     ],
 )
 def test_most_drawings_of_the_corpus_become_accepted_programs(

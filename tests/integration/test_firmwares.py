@@ -51,7 +51,7 @@ async def run(address: str, program: bytes, safe: SafeState | None = SAFE) -> li
     controller = await driver.dial(address, safe, silence=1.0, poll=0.02)
     try:
         course = stream(program, controller, limits=Limits.of(MACHINE), interval=0.01)
-        async with asyncio.timeout(20.0), aclosing(course) as steps:
+        async with asyncio.timeout(120.0), aclosing(course) as steps:
             return [progress async for progress in steps]
     finally:
         await controller.close()
@@ -92,7 +92,7 @@ async def test_a_cancelled_program_leaves_such_a_machine_safe() -> None:
     async with table_with(Firmware("XYZA")) as (table, address):
         controller = await driver.dial(address, SAFE, silence=1.0, poll=0.02)
         course = stream(PROGRAM, controller, limits=Limits.of(MACHINE), interval=0.005)
-        async with asyncio.timeout(20.0), aclosing(course) as steps:
+        async with asyncio.timeout(120.0), aclosing(course) as steps:
             async for progress in steps:
                 if progress.position[2] < 0.0:
                     break
@@ -144,7 +144,7 @@ async def test_a_controller_that_does_not_state_its_buffer_gets_one_line_at_a_ti
         controller = await driver.dial(address, SAFE, silence=1.0, poll=0.02)
         try:
             course = stream(PROGRAM, controller, limits=Limits.of(MACHINE), interval=0.001)
-            async with asyncio.timeout(20.0), aclosing(course) as steps:
+            async with asyncio.timeout(120.0), aclosing(course) as steps:
                 pending = [controller.sent - controller.acknowledged async for _ in steps]
         finally:
             await controller.close()

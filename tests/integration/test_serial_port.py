@@ -61,7 +61,7 @@ async def test_a_job_is_held_resumed_and_runs_to_its_end() -> None:
     async with connected() as (table, controller):
         held = False
         course = stream(PROGRAM, controller, limits=Limits.of(MACHINE), interval=0.01)
-        async with asyncio.timeout(30.0), aclosing(course) as steps:
+        async with asyncio.timeout(120.0), aclosing(course) as steps:
             async for progress in steps:
                 if progress.executed > LINES // 2 and not held:
                     held = True
@@ -81,7 +81,7 @@ async def test_a_job_is_held_resumed_and_runs_to_its_end() -> None:
 async def test_a_cancelled_job_leaves_the_machine_safe() -> None:
     async with connected(speed=2.0) as (table, controller):
         course = stream(PROGRAM, controller, limits=Limits.of(MACHINE), interval=0.01)
-        async with asyncio.timeout(30.0), aclosing(course) as steps:
+        async with asyncio.timeout(120.0), aclosing(course) as steps:
             async for progress in steps:
                 if progress.output == 0 and progress.position[2] < 0.0:
                     break

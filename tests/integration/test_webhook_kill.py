@@ -18,7 +18,7 @@ def test_killed_between_sending_and_storing_it_sends_again(tmp_path: Path) -> No
     database = tmp_path / "shop.sqlite"
     killed = threading.Event()
     with run_receiver() as receiver:
-        first = Running(database, simulator=False)
+        first = Running(database, processes=1, simulator=False)
         added = first.client.post("/api/webhooks", json={"url": receiver.url}).json()
 
         def answer_late(_call: Call) -> tuple[int, dict[str, str]]:
@@ -35,7 +35,7 @@ def test_killed_between_sending_and_storing_it_sends_again(tmp_path: Path) -> No
             leased = connection.execute("UPDATE webhook_delivery SET lease = 0 WHERE lease > 0")
             assert leased.rowcount == 1
         connection.close()
-        with Running(database, simulator=False):
+        with Running(database, processes=1, simulator=False):
             lost, again, *_ = receiver.wait(lambda calls: len(calls) >= 2)
         assert again.id == lost.id
         assert again.body == lost.body

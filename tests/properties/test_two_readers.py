@@ -13,6 +13,7 @@ from tests.support.truth.readers import difference, fast_reader_accepts, read_by
 from tests.support.writers.random_dxf import drawings
 
 
+@pytest.mark.long
 @pytest.mark.corpus
 def test_both_readers_return_the_same_for_every_drawing_of_the_corpus(corpus: Path) -> None:
     files = sorted(path for path in corpus.rglob("*") if path.suffix.lower() == ".dxf")

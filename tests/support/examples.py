@@ -19,6 +19,9 @@ def examples(count: int, suppress_health_check: Collection[HealthCheck] = ()) ->
 
 def drawn(count: int) -> int:
     """Return how many of ``count`` random examples a test draws in this run."""
-    if settings.get_current_profile_name() != QUICK:
-        return count
-    return min(count, max(LEAST, count // SHARE))
+    return min(count, max(LEAST, count // SHARE)) if is_quick() else count
+
+
+def is_quick() -> bool:
+    """Return whether this is the shorter run, ``make test``."""
+    return settings.get_current_profile_name() == QUICK

@@ -133,7 +133,7 @@ def course(store: Store, id: str) -> list[str]:
 
 def ended(store: Store, id: str, state: str) -> Job:
     """Wait until a job is in a state, and return the job."""
-    until = time.monotonic() + 20.0
+    until = time.monotonic() + 60.0
     while (job := store.jobs.get(id)).state != state:
         assert time.monotonic() < until
         time.sleep(0.02)

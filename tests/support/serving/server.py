@@ -173,7 +173,7 @@ class Running:
         self.client.close()
         if self.process.poll() is None:
             self.process.send_signal(signal_number)
-        code = self.process.wait(20.0)
+        code = self.process.wait(120.0)
         assert self.process.stdout is not None
         self.process.stdout.close()
         return code

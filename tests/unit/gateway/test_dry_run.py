@@ -41,7 +41,7 @@ async def waiting_job(
     async with (
         await simulator.serve(machine, speed=speed, sample=0.001) as server,
         httpx.AsyncClient(transport=httpx.MockTransport(office)) as client,
-        asyncio.timeout(30.0),
+        asyncio.timeout(120.0),
     ):
         running = asyncio.create_task(
             run_gateway(
@@ -153,7 +153,7 @@ async def test_a_dry_run_that_a_killed_gateway_left_held_is_stopped_at_the_next_
     async with await simulator.serve(MACHINE, speed=20.0) as server:
         host, _, port = server.address.rpartition(":")
         _, writer = await asyncio.open_connection(host, int(port))
-        async with asyncio.timeout(10.0):
+        async with asyncio.timeout(120.0):
             writer.write(b"G1 X500 F600\n")
             while server.table.state != "Run":
                 await asyncio.sleep(0.01)

@@ -54,7 +54,7 @@ async def report_of(path: Path, machine: Machine, connect: Connecting) -> dict[s
     office = Office()
     async with (
         httpx.AsyncClient(transport=httpx.MockTransport(office)) as client,
-        asyncio.timeout(30.0),
+        asyncio.timeout(120.0),
     ):
         settings = GatewaySettings(
             "http://office", machine, "table-7", wait=0.1, beat=0.01, journal=path
@@ -168,7 +168,7 @@ async def test_a_board_is_asked_and_stops_where_its_lines_are_known(tmp_path: Pa
     async with await board_simulator.serve(TABLE, speed=2.0) as server:
         first = await mcx314.dial(server.address, SAFE, poll=0.02)
         running = asyncio.create_task(first.run(program))
-        async with asyncio.timeout(30.0):
+        async with asyncio.timeout(120.0):
             while server.board.position[2] >= 0.0:  # until it cuts
                 await asyncio.sleep(0.01)
         path = tmp_path / "journal"

@@ -31,7 +31,7 @@ def on_time() -> bool:
 
 @asynccontextmanager
 async def machine(speed: float = 50.0) -> AsyncIterator[tuple[Table, driver.Grbl]]:
-    async with await simulator.serve(MACHINE, speed=speed) as server, asyncio.timeout(15.0):
+    async with await simulator.serve(MACHINE, speed=speed) as server, asyncio.timeout(120.0):
         controller = await driver.dial(server.address, SAFE, silence=0.5, poll=0.02)
         try:
             yield server.table, controller
@@ -222,7 +222,7 @@ class _HomingWire(Wire):
 
 async def test_homing_is_stopped_although_the_controller_reports_nothing() -> None:
     wire = _HomingWire()
-    async with opened(wire) as controller, asyncio.timeout(15.0):
+    async with opened(wire) as controller, asyncio.timeout(120.0):
         homing = asyncio.create_task(controller.home())
         while "$H" not in wire.lines:
             await asyncio.sleep(0.01)

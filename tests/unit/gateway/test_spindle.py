@@ -31,7 +31,7 @@ MACHINE = replace(DEMO, stations=(KNIFE, *DEMO.stations[1:]))
 
 @asynccontextmanager
 async def machine() -> AsyncIterator[tuple[Table, driver.Grbl]]:
-    async with await simulator.serve(MACHINE, speed=50.0) as server, asyncio.timeout(15.0):
+    async with await simulator.serve(MACHINE, speed=50.0) as server, asyncio.timeout(120.0):
         controller = await driver.dial(
             server.address, SafeState.of(MACHINE), silence=0.5, poll=0.02
         )

@@ -22,6 +22,7 @@ from knifetip.gateway.hot_folder import HotFolder
 from knifetip.gateway.job_server import GatewaySettings
 from knifetip.simulators.grbl import simulator
 from knifetip.simulators.grbl.table import BANNER, Table
+from tests.support.expiry import EXPIRY
 from tests.unit.gateway.test_claim import MACHINE, Office
 
 JOG: dict[str, Any] = {"operation": "jog", "axis": "X", "distance": 120.0, "feed": 30000.0}
@@ -101,14 +102,14 @@ async def shop(
     async with (
         await simulator.serve(MACHINE, speed=speed) as server,
         httpx.AsyncClient(transport=httpx.MockTransport(office)) as client,
-        asyncio.timeout(20.0),
+        asyncio.timeout(120.0),
     ):
         prepare(server.table)
         running = asyncio.create_task(
             run_gateway(
                 GatewaySettings("http://office", MACHINE, "table-7", wait=0.1, beat=0.01),
                 lambda safe, stop_motion: driver.dial(
-                    server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
+                    server.address, safe, stop_motion=stop_motion, silence=5.0, poll=0.02
                 ),
                 client=client,
             )
@@ -145,7 +146,7 @@ async def test_a_folder_of_any_language_reports_that_it_reports_nothing(
 
     async with (
         httpx.AsyncClient(transport=httpx.MockTransport(office)) as client,
-        asyncio.timeout(20.0),
+        asyncio.timeout(120.0),
     ):
         settings = GatewaySettings("http://office", MACHINE, "table-7", wait=0.1, beat=0.01)
         running = asyncio.create_task(run_gateway(settings, connect, client=client))
@@ -183,7 +184,7 @@ async def test_after_a_reset_at_the_machine_an_operation_connects_again(
 async def test_a_late_operation_is_dropped(monkeypatch: pytest.MonkeyPatch) -> None:
     async with shop(monkeypatch) as (office, table):
         await office.report(connected=True, state="idle")
-        late = await office.result(office.ask(age=3.0, **JOG))
+        late = await office.result(office.ask(age=EXPIRY, **JOG))
         assert late["state"] == "expired"
         assert late["message"]["code"] == "operation.expired"
         assert table.position == (0.0, 0.0, 20.0, 0.0)
@@ -199,7 +200,7 @@ async def test_an_operation_that_waits_too_long_for_another_is_dropped(
         await office.report(state="idle", position=[0.0, 0.0, 5.0, 0.0])
         assert table.position[2] == pytest.approx(5.0)
         office.ask(operation="park")
-        jog = office.ask(age=2.8, **JOG)
+        jog = office.ask(age=EXPIRY - 0.2, **JOG)
         assert (await office.result(jog))["state"] == "expired"
         assert table.position[0] == 0.0
 
@@ -403,7 +404,7 @@ async def test_an_alarm_with_an_unlock_that_fails_stays(monkeypatch: pytest.Monk
         await office.report(connected=True, state="idle")
         table.trip_limit()
         await office.report(state="alarm")
-        late = await office.result(office.ask(age=3.5, operation="unlock"))
+        late = await office.result(office.ask(age=EXPIRY, operation="unlock"))
         assert late["state"] == "expired"
         await office.report(state="alarm")
         assert table.state == "Alarm"
@@ -447,7 +448,7 @@ async def test_the_feed_of_a_running_job_is_changed_within_the_limits_of_the_mac
             assert refused["message"]["code"] == "operation.bad-override"
             assert refused["message"]["arguments"]["low"] == 50
         assert table.override == 53
-        late = await office.result(office.ask(age=3.5, operation="feed_override", percent=60))
+        late = await office.result(office.ask(age=EXPIRY, operation="feed_override", percent=60))
         assert late["state"] == "expired"
 
 
@@ -600,7 +601,7 @@ async def test_a_gateway_that_finds_its_machine_held_says_so_and_releases_it(
     async with (
         await simulator.serve(MACHINE, speed=50.0) as server,
         httpx.AsyncClient(transport=httpx.MockTransport(office)) as client,
-        asyncio.timeout(20.0),
+        asyncio.timeout(120.0),
     ):
         table = server.table
         table.open_door()
@@ -609,7 +610,7 @@ async def test_a_gateway_that_finds_its_machine_held_says_so_and_releases_it(
             run_gateway(
                 GatewaySettings("http://office", MACHINE, "table-7", wait=0.1, beat=0.01),
                 lambda safe, stop_motion: driver.dial(
-                    server.address, safe, stop_motion=stop_motion, silence=0.5, poll=0.02
+                    server.address, safe, stop_motion=stop_motion, silence=5.0, poll=0.02
                 ),
                 client=client,
             )
@@ -701,7 +702,7 @@ async def test_a_connection_is_reported_at_once(monkeypatch: pytest.MonkeyPatch)
     async with (
         await simulator.serve(MACHINE, speed=50.0) as server,
         httpx.AsyncClient(transport=httpx.MockTransport(office)) as client,
-        asyncio.timeout(20.0),
+        asyncio.timeout(120.0),
     ):
 
         async def connect(safe: SafeState, stop_motion: bool) -> driver.Grbl:

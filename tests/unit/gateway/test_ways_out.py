@@ -167,7 +167,7 @@ async def test_exactly_the_operations_of_the_table_lead_out(state: ControllerSta
 async def test_the_operation_brings_the_controller_to_rest(
     state: ControllerState, way: str
 ) -> None:
-    async with asyncio.timeout(20.0), connected(state) as controller:
+    async with asyncio.timeout(120.0), connected(state) as controller:
         await perform(Operation(OperationName(way)), controller, MACHINE, lambda: False)
         assert controller.alarm is None
         assert (await controller.status()).state is State.IDLE
@@ -187,7 +187,7 @@ async def test_a_job_in_a_cut_is_held_or_ends(state: ControllerState) -> None:
     try:
         await controller.open()
         async with (
-            asyncio.timeout(20.0),
+            asyncio.timeout(120.0),
             aclosing(stream(PROGRAM, controller, check=False, interval=0.01)) as updates,
         ):
             wire.obliging = False

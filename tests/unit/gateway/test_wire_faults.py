@@ -126,7 +126,7 @@ class Bench:
     async def run(self, program: bytes = PROGRAM) -> Progress:
         """Stream a program; return the last report of progress."""
         course = stream(program, self.controller, limits=Limits.of(MACHINE), interval=0.001)
-        async with asyncio.timeout(30.0), aclosing(course) as steps:
+        async with asyncio.timeout(120.0), aclosing(course) as steps:
             return [progress async for progress in steps][-1]
 
     def at_answer(self, spoil: SpoilAnswer, number: int = MIDDLE) -> None:

@@ -139,7 +139,7 @@ async def test_a_wrong_address_ends_the_gateway() -> None:
     async def connect(safe: SafeState, stop_motion: bool) -> Controller:
         raise NoSuchController("controller.web-server", address="table:80")
 
-    async with asyncio.timeout(5.0):
+    async with asyncio.timeout(60.0):
         with pytest.raises(NoSuchController):
             await run(connect)
 
@@ -167,7 +167,7 @@ async def test_a_controller_that_was_reached_is_waited_for_whatever_answers_now(
         raise NoSuchController("controller.web-server", address="table:80")
 
     running = asyncio.create_task(run(connect))
-    async with asyncio.timeout(10.0):
+    async with asyncio.timeout(120.0):
         await asyncio.wait(
             [running, asyncio.create_task(tried.wait())], return_when=asyncio.FIRST_COMPLETED
         )

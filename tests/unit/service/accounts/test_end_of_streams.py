@@ -20,7 +20,7 @@ from tests.support.serving.server import LocalClient, run_server, square, upload
 
 PASSWORD = "four words of text"
 #: A stream is open for two seconds at most, on a machine that has nothing else to do.
-SOON = 20.0
+SOON = 60.0
 
 
 class Listener(threading.Thread):

@@ -30,7 +30,7 @@ def store(migrated_url: str) -> Iterator[Store]:
 
 
 def until(condition: Callable[[], bool]) -> None:
-    end = time.monotonic() + 20.0
+    end = time.monotonic() + 60.0
     while not condition():
         assert time.monotonic() < end
         time.sleep(0.02)

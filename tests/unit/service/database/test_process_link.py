@@ -99,7 +99,7 @@ def linked_store(url: str, name: str) -> Iterator[Store]:
 
 def until(condition: object) -> None:
     assert callable(condition)
-    end = time.monotonic() + 20.0
+    end = time.monotonic() + 60.0
     while not condition():
         assert time.monotonic() < end
         time.sleep(0.01)

@@ -70,7 +70,7 @@ async def test_a_waiting_call_runs_in_the_context_of_its_own_request() -> None:
             return await work.run(call)
 
     waiting = [asyncio.create_task(request(user)) for user in ("anna", "ben", "carla")]
-    async with asyncio.timeout(10.0):
+    async with asyncio.timeout(120.0):
         while work.waiting < 2:
             await asyncio.sleep(0.001)
     gate.set()
@@ -135,7 +135,7 @@ async def test_one_client_does_not_hold_all_threads_or_places() -> None:
         return asyncio.create_task(work.run(partial(call, name), Client(name)))
 
     async def begun(count: int) -> list[str]:
-        async with asyncio.timeout(10.0):
+        async with asyncio.timeout(120.0):
             while len(made) < count:
                 await asyncio.sleep(0.001)
         return made
@@ -374,7 +374,7 @@ def test_a_full_queue_refuses_uploads_and_accepts_heartbeats(
     gate.clear()
     # More calls than threads in the common pool, which would all wait.
     with held(client, 60) as answers:
-        deadline = time.monotonic() + 20.0
+        deadline = time.monotonic() + 60.0
         busy = None
         while time.monotonic() < deadline:
             busy = client.post("/api/drawings", files={"file": ("late.dxf", square())})
