@@ -14,13 +14,14 @@ PORT   ?= 8080
 SPEED  ?= 4
 DATA   ?= .data/knifetip.sqlite
 
-.PHONY: help install dev page wheel image shop run test test-all failed slowest lint check bench system lock licences tables sbom audit \
-	client clean
+.PHONY: help install dev page wheel image shop run test test-all failed slowest lint check bench system lock licences \
+	tables sbom audit client clean
 
 help:
 	@echo "make run      build what is missing and serve http://$(HOST):$(PORT)"
 	@echo "make test     lint, then the tests"
 	@echo "make test-all the same with long campaigns and all random examples"
+	@echo "make slowest  the same tests one after the other; write which take most CPU time"
 	@echo "make install  $(BIN)/knifetip, the command"
 	@echo "make lint     ruff, mypy, import-linter, TypeScript, Biome"
 	@echo "make bench    side by side with the peers, to build/bench.json"
@@ -92,6 +93,10 @@ test: dev page system lint
 	$(BIN)/python frontend/build.py test
 	@# 1 says that tests failed; any other code, that the tests did not run to their end.
 	$(PYTEST) tests $(SELECTED) || { [ $$? -eq 1 ] && $(MAKE) --no-print-directory failed; }
+
+# backend/docs/slowest-tests.md: on what `make test` spends its CPU time.
+slowest: dev page
+	$(PYTEST) tests $(SELECTED) -n 1 -p tests.support.cpu_time
 
 test-all:
 	$(MAKE) test SELECTED=
