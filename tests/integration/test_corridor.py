@@ -20,7 +20,7 @@ from tests.support.serving.server import (
 from tests.support.truth.named import NAMED, SAMPLES, Named
 from tests.support.writers import cf2_text, pdf_text, svg_text
 
-pytestmark = pytest.mark.xdist_group("server")
+pytestmark = pytest.mark.xdist_group("corridor")
 
 MAILER = Named("generated__kyholdings__diecut_generator", "mailer_200x150x60_t3.svg", "e-flute")
 

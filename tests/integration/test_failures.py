@@ -22,7 +22,7 @@ from tests.failures.violations import JobRecord, Violations, check_jobs
 from tests.failures.watched_table import Run, WatchedTable
 from tests.support.serving.postgresql import installed_binaries
 
-pytestmark = pytest.mark.xdist_group("server")
+pytestmark = pytest.mark.xdist_group("failures")
 
 LINES = [b"(drawing ab12)", b"G0 Z20", b"G0 X30 Y30", b"G1 Z-1 F600", b"G1 X80", b"G0 Z20", b"M30"]
 

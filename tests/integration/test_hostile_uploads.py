@@ -19,7 +19,7 @@ import pytest
 from tests.support.serving.server import Running, square, upload_drawing
 from tests.support.writers import hostile, svg_text
 
-pytestmark = pytest.mark.xdist_group("server")
+pytestmark = pytest.mark.xdist_group("uploads")
 
 _MEGABYTE = 1 << 20
 #: Time limit on a busy machine; on an idle one no request takes more than 5.

@@ -19,7 +19,7 @@ from tests.support.serving.server import (
 )
 from tests.support.writers import dxf_text as text
 
-pytestmark = pytest.mark.xdist_group("server")
+pytestmark = pytest.mark.xdist_group("kill")
 
 #: 10,000 slits of 8.5 mm: their compilation takes long enough to be killed in the middle.
 SLITS = text.dxf(

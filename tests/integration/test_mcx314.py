@@ -314,7 +314,7 @@ def ordered(client: httpx.Client) -> str:
     return str(order["id"])
 
 
-@pytest.mark.xdist_group("server")
+@pytest.mark.xdist_group("mcx314")
 def test_a_job_runs_through_the_service_with_hold_abort_and_rest(tmp_path: Path) -> None:
     with shop(tmp_path, speed=4.0) as (client, table):
         job = ordered(client)
@@ -347,7 +347,7 @@ def test_a_job_runs_through_the_service_with_hold_abort_and_rest(tmp_path: Path)
         assert board.position[2] >= MACHINE.travel_z
 
 
-@pytest.mark.xdist_group("server")
+@pytest.mark.xdist_group("mcx314")
 def test_an_interrupted_job_is_continued_from_a_contour_through_the_service(
     tmp_path: Path,
 ) -> None:

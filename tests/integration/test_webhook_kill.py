@@ -11,7 +11,7 @@ import pytest
 from tests.support.serving.server import Running, square, upload_drawing
 from tests.support.serving.webhook_receiver import Call, run_receiver
 
-pytestmark = pytest.mark.xdist_group("server")
+pytestmark = pytest.mark.xdist_group("kill")
 
 
 def test_killed_between_sending_and_storing_it_sends_again(tmp_path: Path) -> None:

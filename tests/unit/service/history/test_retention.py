@@ -28,7 +28,7 @@ from tests.support.serving.server import (
     wait_for_state,
 )
 
-pytestmark = pytest.mark.xdist_group("server")
+pytestmark = pytest.mark.xdist_group("retention")
 DAY = 86_400.0
 
 

@@ -19,7 +19,7 @@ from tests.support.serving.server import (
     upload_drawing,
 )
 
-pytestmark = pytest.mark.xdist_group("server")
+pytestmark = pytest.mark.xdist_group("limits")
 
 
 def settings(folder: Path, **limits: Any) -> Settings:

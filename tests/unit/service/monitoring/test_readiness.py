@@ -30,7 +30,7 @@ from knifetip.service.settings import Settings
 from knifetip.service.store import Store
 from tests.support.serving.server import order_job, run_server, square, upload_drawing
 
-pytestmark = pytest.mark.xdist_group("server")
+pytestmark = pytest.mark.xdist_group("readiness")
 
 MEGABYTE = 1 << 20
 
