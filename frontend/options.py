@@ -1,9 +1,11 @@
-"""options: writes which options of a job the page shows as fields without a form of their own.
+"""options: writes what the page shows without a form or a line of its own, from the declarations.
 
 knifetip.model.job_options -> src/api/options.gen.ts          options.py
+knifetip.model.edge_figures, program_figures -> src/api/figures.gen.ts
 
 Options whose value is a number, a choice or a switch are fields of the order form; choices for some
-edges (``EdgeChoice``) are fields of the selected edges.
+edges (``EdgeChoice``) are fields of the selected edges.  Figures of a verdict are lines with a title
+of the catalogue of messages.
 """
 
 from __future__ import annotations
@@ -12,11 +14,15 @@ import json
 from pathlib import Path
 from typing import Any, get_args
 
+from knifetip.messages import Message, render
 from knifetip.model.edge_choice import EdgeChoice, LineTypeChoice
+from knifetip.model.edge_figures import EDGE_FIGURES
 from knifetip.model.job_options import JobOptions
+from knifetip.model.program_figures import PROGRAM_FIGURES
 
-TARGET = Path(__file__).resolve().parent / "src" / "api" / "options.gen.ts"
+FOLDER = Path(__file__).resolve().parent / "src" / "api"
 HEADER = "/** Options of a job with plain values, and options of edges. Written by frontend/options.py: do not edit. */\n"
+FIGURES_HEADER = "/** Figures of a verdict that are lines with a title. Written by frontend/options.py: do not edit. */\n"
 
 
 def _field(schema: dict[str, Any]) -> dict[str, Any] | None:
@@ -85,5 +91,28 @@ def options() -> str:
     )
 
 
+def figures() -> str:
+    """Return the TypeScript source of the figures of a verdict that the page lists by themselves."""
+    of_program = {
+        name: {"title": _title(one.title), "unit": one.unit}
+        for name, one in PROGRAM_FIGURES.items()
+    }
+    of_edges = {
+        name: {"title": _title(one.title)} for name, one in EDGE_FIGURES.items() if one.title
+    }
+    listed, edges = (json.dumps(found, indent=2) for found in (of_program, of_edges))
+    return (
+        f"{FIGURES_HEADER}\nexport const PROGRAM_FIGURES = {listed} as const;\n"
+        f"\nexport const EDGE_FIGURES = {edges} as const;\n"
+    )
+
+
+def _title(code: str) -> dict[str, Any]:
+    """Return the message of a title, with its text in English."""
+    message = Message(code)
+    return {**message.as_json(), "text": render(message)}
+
+
 if __name__ == "__main__":
-    TARGET.write_text(options(), encoding="utf-8")
+    for name, source in (("options", options()), ("figures", figures())):
+        (FOLDER / f"{name}.gen.ts").write_text(source, encoding="utf-8")

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Final
 
 import numpy as np
 import typer
@@ -44,9 +45,17 @@ from knifetip.model.board import Board
 from knifetip.model.drawing import Drawing
 from knifetip.model.job_options import JobOptions, VerifiedOptions
 from knifetip.model.machine import Machine
+from knifetip.model.program_figures import PROGRAM_FIGURES, Unit
 from knifetip.model.verdict import Severity, Verdict
 from knifetip.presentation.verdict import verdict_json
 from knifetip.verification.verify import read_placement
+
+#: Codes of the lines of figures, by unit.
+_FIGURE_LINES: Final[Mapping[Unit, str]] = {
+    "mm": "figure.in-mm",
+    "s": "figure.in-seconds",
+    "": "figure.number",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +99,10 @@ def print_verdict(verdict: Verdict) -> None:
     if verdict.slit_length.any():
         length, count = verdict.slit_length.sum(), (verdict.slit_length > 0.0).sum()
         print_message(Message("output.wide-slits", length=length, count=count), indent=2)
+    for name, figure in PROGRAM_FIGURES.items():
+        if value := getattr(verdict.program, name):
+            title = Message(figure.title)
+            print_message(Message(_FIGURE_LINES[figure.unit], title=title, value=value), indent=2)
     for finding in verdict.findings[:20]:
         print_message(finding.located_message, indent=2)
         if finding.acceptance is not None:

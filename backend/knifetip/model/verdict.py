@@ -9,7 +9,8 @@ import numpy as np
 
 from knifetip.geometry.columns import F64, I32, freeze
 from knifetip.messages import Message, render
-from knifetip.model.edge_figures import EDGE_FIGURES
+from knifetip.model.edge_figures import EDGE_FIGURES, EdgeFigures
+from knifetip.model.program_figures import ProgramFigures
 
 
 class Severity(StrEnum):
@@ -128,47 +129,17 @@ class Unreached:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Verdict:
+class Verdict(EdgeFigures):
     """The verifier's verdict on a program: accepted or refused, with findings and measurements.
 
-    The measurements, such as the deviation, have one value for each of n edges: the columns that
-    ``EDGE_FIGURES`` describes.
+    The measurements of n edges, such as the deviation, are the columns of ``EdgeFigures``.
     """
 
     accepted: bool
     tolerance: float  #: mm
-    #: (n,) maximum distance of the tip from the drawing (mm): at each point the sum of the three
-    #: columns ``path_deviation``, ``blending`` and ``fit_error``
-    deviation: F64
-    overcut: F64  #: (n,) length machined beyond the ends of the edge (mm)
-    uncut: F64  #: (n,) length not machined by mistake (mm)
-    setback: F64  #: (n,) length not machined by plan, such as crease ends (mm)
     findings: tuple[Finding, ...]
     seconds: float  #: nominal machine time of the program: lengths over feeds
-    width: F64 = field(default_factory=_empty_column)  #: (n,) width of a V-groove (mm), or 0
-    web: F64 = field(default_factory=_empty_column)  #: (n,) board left below a groove (mm), or 0
-    flank: F64 = field(default_factory=_empty_column)  #: (n,) maximum deviation of the flanks (mm)
-    unreached: F64 = field(default_factory=_empty_column)  #: (n,) length no cutter can reach (mm)
-    bottom_uncut: F64 = field(
-        default_factory=_empty_column
-    )  #: (n,) length not cut in the bottom face (mm)
-    top_overcut: F64 = field(
-        default_factory=_empty_column
-    )  #: (n,) cut beyond the ends in the top face (mm)
-    #: (n,) maximum distance of an unreached stretch from the area that the cutter sweeps (mm)
-    unreached_distance: F64 = field(default_factory=_empty_column)
-    slit_length: F64 = field(
-        default_factory=_empty_column
-    )  #: (n,) slit milled as wide as the cutter (mm)
-    path_deviation: F64 = field(default_factory=_empty_column)  #: (n,) tip path from the edge (mm)
-    blending: F64 = field(
-        default_factory=_empty_column
-    )  #: (n,) distance by which the controller may round the tip path (mm)
-    fit_error: F64 = field(
-        default_factory=_empty_column
-    )  #: (n,) distance of the edge from the curve of the file that it approximates (mm)
-    #: (n,) maximum distance by which cleaning moved the edge (mm)
-    tidied: F64 = field(default_factory=_empty_column)
+    program: ProgramFigures = field(default_factory=ProgramFigures)
     samples: Samples = field(default_factory=lambda: Samples())
     areas: Unreached = field(default_factory=lambda: Unreached())  #: areas no cutter can reach
 

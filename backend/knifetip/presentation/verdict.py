@@ -17,6 +17,7 @@ from knifetip.geometry.columns import F64
 from knifetip.messages import Message, finite, from_json, with_text
 from knifetip.model.edge_figures import EDGE_FIGURES
 from knifetip.model.verdict import Acceptance, Finding, Severity, Unreached, Verdict
+from knifetip.model.verdict_summary import SUMMARY
 from knifetip.presentation.columns import pack_columns
 
 #: Greatest number of findings in the message about a refused program.
@@ -34,35 +35,17 @@ def finite_column(measures: F64) -> F64:
 def verdict_summary(verdict: Verdict) -> dict[str, Any]:
     """Return the maxima and totals of the measurements in a verdict as JSON data.
 
-    The maxima over all edges (mm) are ``deviation`` (distance of the tip from the drawing) with its
-    parts ``path_deviation``, ``blending`` and ``fit_error`` (see ``Verdict``), ``overcut`` (length
-    machined beyond the ends of the edge) and ``uncut`` (length not machined by mistake).  The sums
-    over all edges (mm) are ``uncut_total`` and ``setback_total`` (length not machined by plan).
-    ``unreached`` is the total of the areas that no cutter reaches (mm²), ``unreached_places`` the
-    number of these areas.  ``unreached_length`` is the length of all edges that no cutter reaches,
-    and ``unreached_distance`` the maximum distance of these edges from the area that the cutter
-    sweeps (mm).  ``slit_length`` is the length of slits that are milled as wide as the cutter (mm),
-    and ``slit_places`` the number of these slits.  ``faults`` and ``shortfalls`` count the findings
-    that refuse the program, ``exceptions`` the accepted shortfalls.  ``accepted``, ``tolerance``
-    (mm) and ``seconds`` are copied from the verdict.
+    They are those of ``SUMMARY``.  ``faults`` and ``shortfalls`` count the findings that refuse the
+    program, ``exceptions`` the accepted shortfalls.  ``accepted``, ``tolerance`` (mm) and
+    ``seconds`` are copied from the verdict.
     """
     return {
         "accepted": bool(verdict.accepted),
         "tolerance": verdict.tolerance,
         **{
-            name: finite(getattr(verdict, name).max(initial=0.0))
-            for name in ("deviation", "path_deviation", "blending", "fit_error")
+            name: one.value(verdict) if one.is_count else finite(one.value(verdict))
+            for name, one in SUMMARY.items()
         },
-        "overcut": finite(verdict.overcut.max(initial=0.0)),
-        "uncut": finite(verdict.uncut.max(initial=0.0)),
-        "uncut_total": finite(verdict.uncut.sum()),
-        "setback_total": finite(verdict.setback.sum()),
-        "unreached": float(verdict.areas.area.sum()),
-        "unreached_places": len(verdict.areas),
-        "unreached_length": finite(verdict.unreached.sum()),
-        "unreached_distance": finite(verdict.unreached_distance.max(initial=0.0)),
-        "slit_length": finite(verdict.slit_length.sum()),
-        "slit_places": int((verdict.slit_length > 0.0).sum()),
         "seconds": finite(verdict.seconds),
         **count_findings(verdict.findings),
     }

@@ -26,7 +26,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Samples, Verdict
 from knifetip.verification.checks.common.chosen_passes import check_chosen_passes
-from knifetip.verification.checks.common.context import CheckContext, EdgeFigures
+from knifetip.verification.checks.common.context import CheckContext, MeasuredFigures
 from knifetip.verification.checks.crease.rim import check_rims
 from knifetip.verification.checks.edge_checks import check_edges
 from knifetip.verification.checks.knife.passes import check_knife_passes, last_passes
@@ -37,6 +37,7 @@ from knifetip.verification.checks.motion.board_moves import check_board_moves
 from knifetip.verification.checks.motion.carriages import check_carriages
 from knifetip.verification.checks.motion.outputs import check_switching
 from knifetip.verification.checks.motion.overlap import check_overlaps
+from knifetip.verification.checks.motion.program_figures import measure_program
 from knifetip.verification.checks.motion.zones import check_zones
 from knifetip.verification.checks.order.chosen_starts import check_chosen_starts
 from knifetip.verification.checks.order.repeated_work import check_repeated_work
@@ -130,12 +131,12 @@ def verify(
         raise ProgramError("verify.bad-tolerance", tolerance=tolerance)
     machine = machine.for_board(board)
     edges = place_edges(dieline, placement)
-    figures = EdgeFigures.zeros(len(dieline))
+    figures = MeasuredFigures.zeros(len(dieline))
     findings, joined_findings = Findings(), Findings()
     area = None if sheet is None else place_sheet(sheet, edges)
     earlier, chosen = job.earlier, job.chosen
     split = CutDepth in chosen
-    moves, _, paths, swivels = _trace(text, machine, board, tolerance, findings, area, split)
+    moves, tip, paths, swivels = _trace(text, machine, board, tolerance, findings, area, split)
     _check_placement(text, placement, machine, findings)
     _check_unclassified(dieline, findings)
     _check_caliper(machine, board, findings)
@@ -180,6 +181,7 @@ def verify(
         areas=merge_unreached(context.unreached, placement),
         findings=found,
         seconds=motion_checks.nominal_seconds(moves, machine),
+        program=measure_program(moves, tip, machine, board),
     )
 
 

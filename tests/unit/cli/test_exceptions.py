@@ -6,11 +6,11 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from knifetip.cli.program import faulty_edges
 from knifetip.messages import Message
+from knifetip.model.edge_figures import EdgeFigures
 from knifetip.model.verdict import Finding, Severity, Verdict
 from tests.support.command import Command
 from tests.support.writers import dxf_text as text
@@ -68,12 +68,12 @@ def test_a_wrong_acceptance_is_refused_with_its_reason(
 
 def test_the_edges_of_faults_can_be_left_out() -> None:
     message = Message("verify.past-end", tool="knife", length=0.07)
-    none = np.zeros(9)
+    figures = EdgeFigures.zeros(9).columns()
     findings = tuple(Finding("overcut", message, 0.07, edge=row) for row in (7, 2, 7, -1))
     # Edge 3 is the first chord of a curve.
     curve = Finding("overcut", message, 0.07, edge=3, edges=(3, 4, 5))
-    verdict = Verdict(False, 0.01, none, none, none, none, (*findings, curve), 1.0)
+    verdict = Verdict(False, 0.01, (*findings, curve), 1.0, **figures)
     assert faulty_edges(verdict) == [2, 3, 4, 5, 7]
     shortfall = replace(findings[0], severity=Severity.SHORTFALL)
-    verdict = Verdict(False, 0.01, none, none, none, none, (shortfall,), 1.0)
+    verdict = Verdict(False, 0.01, (shortfall,), 1.0, **figures)
     assert faulty_edges(verdict) == []

@@ -173,6 +173,12 @@ def test_the_page_has_the_options_that_the_model_declares() -> None:
     assert written == expected, "run: python frontend/options.py"
 
 
+def test_the_page_has_the_figures_that_the_model_declares() -> None:
+    expected = _script("options").figures()
+    written = (FRONTEND / "src" / "api" / "figures.gen.ts").read_text(encoding="utf-8")
+    assert written == expected, "run: python frontend/options.py"
+
+
 def test_the_progress_bar_has_the_stages_of_a_compile_in_order() -> None:
     source = STAGES.read_text(encoding="utf-8")
     table = source[source.index("COMPILE_STAGES") : source.index("};")]

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from knifetip.messages import Message
+from knifetip.model.program_figures import ProgramFigures
 from knifetip.model.verdict import Finding, Severity, Unreached, Verdict
 from knifetip.presentation.verdict import (
     areas_json,
@@ -37,6 +38,7 @@ def refused() -> Verdict:
             slit_length=np.array([0.0, 20.0]),
             areas=type("Areas", (), {"area": areas.area, "__len__": lambda _self: 2})(),
             seconds=4.0,
+            program=ProgramFigures(lowest_travel=3.0),
             findings=(
                 Finding("uncut", Message("stored.text", text="a\0b", hint=""), np.nan, 1, 7),
             ),
@@ -53,6 +55,7 @@ def test_a_summary_has_the_greatest_measures_and_the_sums_under_names_of_their_o
     assert (summary["unreached"], summary["unreached_places"]) == (5.0, 2)
     assert (summary["unreached_length"], summary["unreached_distance"]) == (7.0, 1.5)
     assert (summary["slit_length"], summary["slit_places"]) == (20.0, 1)
+    assert summary["lowest_travel"] == 3.0
 
 
 def test_findings_have_the_handles_of_their_edges_and_finite_measures() -> None:

@@ -26,7 +26,7 @@ def verdict_out(block: bytes) -> VerdictOut:
         f"edge_{name}": columns[name].tolist() if name in columns else [] for name in EDGE_FIGURES
     }
     summary = {name: meta[name] for name in VerdictSummary.model_fields if name in meta}
-    return VerdictOut.model_validate(
+    result: VerdictOut = VerdictOut.model_validate(
         {
             **summary,
             **figures,
@@ -34,6 +34,7 @@ def verdict_out(block: bytes) -> VerdictOut:
             "areas": areas_json(unpack_areas(columns)),
         }
     )
+    return result
 
 
 def verdict(_progress: Progress, block: bytes) -> bytes:

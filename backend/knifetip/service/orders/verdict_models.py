@@ -8,61 +8,27 @@ from pydantic import BaseModel, Field, create_model
 
 from knifetip.model.edge_figures import EDGE_FIGURES
 from knifetip.model.verdict import Severity
+from knifetip.model.verdict_summary import SUMMARY
 from knifetip.service.http.message_models import MessageOut
 from knifetip.service.http.times import Moment
 
 
-class VerdictSummary(BaseModel):
-    """Measurements of a program by the verifier: maxima over all edges, and totals (mm, mm², s)."""
-
+class _Limits(BaseModel):
     accepted: bool = Field(description="Whether the program may be sent to the machine")
     tolerance: float = Field(description="Maximum permitted deviation (mm)")
-    deviation: float = Field(
-        description="Maximum distance of the tip from the drawing (mm): the sum of the distance of "
-        "the tip path from the edge, the rounding of the path by the controller, and the distance "
-        "of the edge from the curve of the drawing file"
-    )
-    path_deviation: float = Field(
-        default=0.0, description="Maximum distance of the tip path from an edge (mm)"
-    )
-    blending: float = Field(
-        default=0.0,
-        description="Maximum distance by which the controller may round the tip path (mm); 0 if it "
-        "follows the path exactly",
-    )
-    fit_error: float = Field(
-        default=0.0,
-        description="Maximum distance of an edge from the curve of the drawing file that it "
-        "approximates (mm); 0 for lines and circular arcs of the file",
-    )
-    overcut: float = Field(description="Maximum length cut beyond the end of an edge (mm)")
-    uncut: float = Field(
-        description="Maximum length of one edge that is left uncut by mistake (mm)"
-    )
-    uncut_total: float = Field(
-        default=0.0, description="Length of all edges that is left uncut by mistake (mm)"
-    )
-    setback_total: float = Field(
-        default=0.0,
-        description="Length of all edges that is left uncut by plan, such as at the ends of "
-        "creases (mm)",
-    )
-    unreached: float = Field(default=0.0, description="Total area that no cutter reaches (mm²)")
-    unreached_places: int = Field(default=0, description="Number of areas that no cutter reaches")
-    unreached_length: float = Field(
-        default=0.0, description="Length of all edges that no cutter reaches (mm)"
-    )
-    unreached_distance: float = Field(
-        default=0.0,
-        description="Maximum distance of an edge that no cutter reaches from the area that the "
-        "cutter sweeps (mm)",
-    )
-    slit_length: float = Field(
-        default=0.0, description="Length of slits that are milled as wide as the cutter (mm)"
-    )
-    slit_places: int = Field(
-        default=0, description="Number of slits that are milled as wide as the cutter"
-    )
+
+
+_FIGURES: Any = {
+    name: (kind, Field(... if one.is_in_all else kind(0), description=one.meaning))
+    for name, one in SUMMARY.items()
+    for kind in (int if one.is_count else float,)
+}
+_Figures = create_model("_Figures", __base__=_Limits, **_FIGURES)
+
+
+class VerdictSummary(_Figures):  # type: ignore[misc, valid-type]
+    """Measurements of a program by the verifier: maxima over all edges, and totals (mm, mm², s)."""
+
     faults: int = Field(default=0, description="Number of faults; they cannot be accepted")
     shortfalls: int = Field(default=0, description="Number of shortfalls that no user has accepted")
     exceptions: int = Field(default=0, description="Number of accepted shortfalls")

@@ -11,11 +11,13 @@ import {
 } from "../../geometry/records";
 import { formatFixed } from "../../language/numbers";
 import { translate } from "../../language/translate";
+import { messageText } from "../../messages/translateMessage";
 import { ruleText } from "../../state/drawing/inspect";
 import { LINE_STYLES, TRAVEL } from "../../state/drawing/palette";
 import { layerOf } from "../../state/drawing/rows";
 import { useFormatLength } from "../../state/drawing/useFormatLength";
 import { formatDeviation, formatHundredths } from "../../state/format";
+import { EDGE_FIGURE_LINES } from "../../state/job/figures";
 import { useEdges, useJob, useMachines, useToolpath, useVerdict } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
@@ -158,15 +160,6 @@ function optionalFigures(verdict: Verdict, row: number): Figure[] {
       },
     );
   }
-  const top = figure(verdict.edge_top_overcut);
-  const bottom = figure(verdict.edge_bottom_uncut);
-  if (top >= MIN_LISTED)
-    listed.push({ title: translate("edgeTooltip.overcutOnTopFace"), value: formatHundredths(top) });
-  if (bottom >= MIN_LISTED)
-    listed.push({
-      title: translate("edgeTooltip.uncutOnBottomFace"),
-      value: formatHundredths(bottom),
-    });
   const left = figure(verdict.edge_unreached);
   if (left >= MIN_LISTED)
     listed.push({
@@ -176,9 +169,11 @@ function optionalFigures(verdict: Verdict, row: number): Figure[] {
         distance: formatHundredths(figure(verdict.edge_unreached_distance)),
       }),
     });
-  const slit = figure(verdict.edge_slit_length);
-  if (slit >= MIN_LISTED)
-    listed.push({ title: translate("edgeTooltip.slitAsWideAsThe"), value: formatHundredths(slit) });
+  for (const { name, title } of EDGE_FIGURE_LINES) {
+    const value = figure(verdict[name]);
+    if (value >= MIN_LISTED)
+      listed.push({ title: messageText(title), value: formatHundredths(value) });
+  }
   return listed;
 }
 

@@ -10,6 +10,7 @@ import {
 } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
 import type { Finding, Job, VerdictSummary } from "../../api/client";
+import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { UNCUT } from "../../state/drawing/palette";
@@ -20,6 +21,7 @@ import {
   formatHundredths,
   formatLength,
 } from "../../state/format";
+import { type FigureUnit, PROGRAM_FIGURE_LINES } from "../../state/job/figures";
 import { useVerdict } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
@@ -31,6 +33,13 @@ const SHOWN = 100;
 /** Half the side of the zoom box: at least (mm), and relative to the size of the area. */
 const MIN_VIEW = 8;
 const VIEW = 2;
+
+/** How a figure is shown, by its unit. */
+const FORMATS: Readonly<Record<FigureUnit, (value: number) => string>> = {
+  mm: formatHundredths,
+  s: formatDuration,
+  "": formatNumber,
+};
 
 export function VerdictCard({ job }: { job: Job }) {
   const { data: fullVerdict } = useVerdict();
@@ -75,6 +84,15 @@ export function VerdictCard({ job }: { job: Job }) {
           <dt>{translate("verdictCard.machineTime")}</dt>
           <dd>{formatDuration(verdict.seconds)}</dd>
         </div>
+        {PROGRAM_FIGURE_LINES.map(({ name, title, unit }) => {
+          const value = verdict[name] ?? 0;
+          return value === 0 ? null : (
+            <div key={name} data-testid={`figure-${name}`}>
+              <dt>{messageText(title)}</dt>
+              <dd>{FORMATS[unit](value)}</dd>
+            </div>
+          );
+        })}
       </dl>
       <div className={verdictCss.notes}>
         <Unreached verdict={verdict} />

@@ -9,6 +9,7 @@ import numpy as np
 
 from knifetip.model.board import Board
 from knifetip.model.chosen_work import ChosenWork
+from knifetip.model.edge_figures import EdgeFigures
 from knifetip.model.job_options import CutDepth
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Unreached
@@ -32,28 +33,9 @@ MIN_SLACK: Final = 5e-4
 PRINT_TURN: Final = 1.5e-4
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class EdgeFigures:
-    """Lengths measured on each edge for the verdict, such as its deviation and overcut, in mm.
-
-    Each figure is one column; the columns have one row for each edge of the dieline.
-    """
-
-    deviation: F64  #: greatest sum of the three parts below
-    path_deviation: F64  #: distance of the tip path from the edge
-    blending: F64  #: distance by which the controller may round the tip path
-    fit_error: F64  #: distance of the edge from the curve of the file
-    overcut: F64
-    uncut: F64
-    setback: F64
-    width: F64
-    web: F64
-    flank: F64
-    unreached: F64
-    bottom_uncut: F64
-    top_overcut: F64
-    unreached_distance: F64
-    slit_length: F64
+@dataclass(frozen=True, eq=False, slots=True, kw_only=True)
+class MeasuredFigures(EdgeFigures):
+    """The figures of the edges of the dieline while the checks measure them."""
 
     def record_deviation(self, rows: I32, distance: F64, blend: F64, fit_error: F64) -> F64:
         """Record the three parts of the deviation of k stretches of edges; return the sums, (k,).
@@ -84,17 +66,8 @@ class EdgeFigures:
 
         ``source`` and ``target`` are the row indices of these edges in the dieline, (k,) each.
         """
-        for column in (getattr(self, name) for name in self.__slots__):
+        for column in self.columns().values():
             column[target] = column[source]
-
-    def columns(self) -> dict[str, F64]:
-        """Return the figures as columns of a verdict, by name."""
-        return {name: getattr(self, name) for name in self.__slots__}
-
-    @classmethod
-    def zeros(cls, count: int) -> EdgeFigures:
-        """Return figures that are all 0, with ``count`` rows, one for each edge of the dieline."""
-        return cls(*(np.zeros(count) for _ in cls.__slots__))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -109,7 +82,7 @@ class CheckContext:
     machine: Machine
     board: Board
     tolerance: float  #: mm, including the rounding of printed points
-    figures: EdgeFigures
+    figures: MeasuredFigures
     findings: Findings
     fit_error: F64  #: (n,) mm, distance of each edge of the dieline from the curve of the file
     programmed: str = "XYZC"  #: the axes that the program moves

@@ -1,0 +1,34 @@
+"""Measure the figures of a program as a whole."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from knifetip.model.board import Board
+from knifetip.model.machine import Machine
+from knifetip.model.program_figures import ProgramFigures
+from knifetip.verification.kinematics import TipPoses
+from knifetip.verification.reading.moves import Moves
+
+#: Shorter moves along X and Y are no travel (mm).
+_LEAST_TRAVEL: Final = 0.01
+
+
+def measure_program(moves: Moves, tip: TipPoses, machine: Machine, board: Board) -> ProgramFigures:
+    """Return the figures of a program from its moves and the poses of the tip, n each."""
+    return ProgramFigures(lowest_travel=_lowest_travel(moves, tip, machine, board))
+
+
+def _lowest_travel(moves: Moves, tip: TipPoses, machine: Machine, board: Board) -> float:
+    """Return the least height above the board at which a tool travels over it (mm); 0 for none.
+
+    A beam works at any height, so its travel does not count.
+    """
+    is_beam = np.array([*(station.is_beam for station in machine.stations), True])
+    distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
+    travels = ~tip.inside & ~is_beam[moves.station] & (distance > _LEAST_TRAVEL)
+    height = np.minimum(tip.start[:, 2], tip.end[:, 2])[travels] - board.caliper
+    height = height[np.isfinite(height)]
+    return float(height.min()) if len(height) else 0.0
