@@ -2,6 +2,7 @@
 
 knifetip.model.job_options -> src/api/options.gen.ts          options.py
 knifetip.model.edge_figures, program_figures -> src/api/figures.gen.ts
+titles and descriptions of all -> src/language/declared.gen.ts
 
 Options whose value is a number, a choice or a switch are fields of the order form; choices for some
 edges (``EdgeChoice``) are fields of the selected edges.  Figures of a verdict are lines with a title
@@ -11,6 +12,8 @@ of the catalogue of messages.
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, get_args
 
@@ -20,8 +23,11 @@ from knifetip.model.edge_figures import EDGE_FIGURES
 from knifetip.model.job_options import JobOptions
 from knifetip.model.program_figures import PROGRAM_FIGURES
 
-FOLDER = Path(__file__).resolve().parent / "src" / "api"
+#: Options with a plain value and a form of their own: only some machines have the least lift.
+OWN_FORM = ("lift",)
+SRC = Path(__file__).resolve().parent / "src"
 HEADER = "/** Options of a job with plain values, and options of edges. Written by frontend/options.py: do not edit. */\n"
+TEXTS_HEADER = "/** English texts of options, from their declarations. Written by frontend/options.py: do not edit. */\n"
 FIGURES_HEADER = "/** Figures of a verdict that are lines with a title. Written by frontend/options.py: do not edit. */\n"
 
 
@@ -32,6 +38,8 @@ def _field(schema: dict[str, Any]) -> dict[str, Any] | None:
         return {"kind": "choice", "choices": schema["enum"], **default}
     if schema.get("type") == "boolean":
         return {"kind": "switch", **default}
+    if schema.get("type") == "string":
+        return {"kind": "text", "maxLength": schema["maxLength"], **default}
     if schema.get("type") in ("number", "integer"):
         return {
             "kind": "number",
@@ -45,32 +53,49 @@ def _field(schema: dict[str, Any]) -> dict[str, Any] | None:
 def _plain() -> dict[str, Any]:
     """Return the options with a plain value, by name."""
     properties = JobOptions.model_json_schema()["properties"]
-    fields = {name: _field(schema) for name, schema in properties.items()}
+    fields = {
+        name: _field(schema)
+        for name, schema in properties.items()
+        if name not in OWN_FORM
+    }
     return {name: field for name, field in fields.items() if field is not None}
 
 
 def _of_edges() -> dict[str, Any]:
     """Return the line types and the fields of each option of edges, by name."""
     result = {}
+    for name, kind in _kinds_of_edges():
+        properties = kind.model_json_schema()["properties"]
+        result[name] = {
+            "types": kind.types,
+            "byType": issubclass(kind, LineTypeChoice),
+            "fields": {
+                key: _field_of_edges(properties[key]) for key in _fields_of(kind)
+            },
+        }
+    return result
+
+
+def _kinds_of_edges() -> Iterator[tuple[str, type[EdgeChoice]]]:
+    """Yield each option of edges with the class of its choices."""
     for name, option in JobOptions.model_fields.items():
         for kind in get_args(option.annotation):
             if isinstance(kind, type) and issubclass(kind, EdgeChoice):
-                properties = kind.model_json_schema()["properties"]
-                result[name] = {
-                    "types": kind.types,
-                    "byType": issubclass(kind, LineTypeChoice),
-                    "fields": {
-                        key: _field_of_edges(schema)
-                        for key, schema in properties.items()
-                        if key not in LineTypeChoice.model_fields
-                    },
-                }
-    return result
+                yield name, kind
+
+
+def _fields_of(kind: type[EdgeChoice]) -> list[str]:
+    """Return the names of the fields that are chosen."""
+    return [
+        name for name in kind.model_fields if name not in LineTypeChoice.model_fields
+    ]
 
 
 def _given(schema: dict[str, Any]) -> dict[str, Any]:
     """Return the schema of a field that may be null, if it is given."""
-    return next((one for one in schema.get("anyOf", ()) if one.get("type") != "null"), {})
+    return next(
+        (one for one in schema.get("anyOf", ()) if one.get("type") != "null"), {}
+    )
 
 
 def _field_of_edges(schema: dict[str, Any]) -> dict[str, Any]:
@@ -78,8 +103,39 @@ def _field_of_edges(schema: dict[str, Any]) -> dict[str, Any]:
     given = _given(schema)
     field = _field({**given, **schema})
     assert field is not None, schema
-    whole = {"whole": given.get("type") == "integer"} if field["kind"] == "number" else {}
+    whole = (
+        {"whole": given.get("type") == "integer"} if field["kind"] == "number" else {}
+    )
     return {**field, **whole, "unit": schema.get("unit", "")}
+
+
+def _texts() -> dict[str, str]:
+    """Return the English texts of the options and of their fields and choices, by identifier."""
+    found: dict[str, str] = {}
+    properties = JobOptions.model_json_schema()["properties"]
+    for name in _plain():
+        found |= _texts_of(f"option.{name}", properties[name])
+        found[f"option.{name}.description"] = _icu(properties[name]["description"])
+    for name, kind in _kinds_of_edges():
+        found[f"edgeOption.{name}"] = _icu(properties[name]["title"])
+        own = kind.model_json_schema()["properties"]
+        for key in _fields_of(kind):
+            found |= _texts_of(f"edgeOption.{name}.{key}", own[key])
+    return found
+
+
+def _texts_of(identifier: str, schema: dict[str, Any]) -> dict[str, str]:
+    """Return the texts of a field: its title, and its choices, which are words."""
+    choices = {
+        f"{identifier}.{choice}": _icu(choice.replace("-", " ").capitalize())
+        for choice in schema.get("enum", ())
+    }
+    return {identifier: _icu(schema["title"]), **choices}
+
+
+def _icu(text: str) -> str:
+    """Return a text in ICU MessageFormat."""
+    return re.sub(r"[{}]+", lambda found: f"'{found[0]}'", text.replace("'", "''"))
 
 
 def options() -> str:
@@ -91,6 +147,11 @@ def options() -> str:
     )
 
 
+def texts() -> str:
+    """Return the TypeScript source of the English texts of what the backend declares."""
+    return f"{TEXTS_HEADER}\nexport const DECLARED_TEXTS = {json.dumps(_texts(), indent=2)} as const;\n"
+
+
 def figures() -> str:
     """Return the TypeScript source of the figures of a verdict that the page lists by themselves."""
     of_program = {
@@ -98,7 +159,9 @@ def figures() -> str:
         for name, one in PROGRAM_FIGURES.items()
     }
     of_edges = {
-        name: {"title": _title(one.title)} for name, one in EDGE_FIGURES.items() if one.title
+        name: {"title": _title(one.title)}
+        for name, one in EDGE_FIGURES.items()
+        if one.title
     }
     listed, edges = (json.dumps(found, indent=2) for found in (of_program, of_edges))
     return (
@@ -113,6 +176,15 @@ def _title(code: str) -> dict[str, Any]:
     return {**message.as_json(), "text": render(message)}
 
 
+def sources() -> dict[str, str]:
+    """Return the sources of all generated files by their paths in ``src``."""
+    return {
+        "api/options.gen.ts": options(),
+        "api/figures.gen.ts": figures(),
+        "language/declared.gen.ts": texts(),
+    }
+
+
 if __name__ == "__main__":
-    for name, source in (("options", options()), ("figures", figures())):
-        (FOLDER / f"{name}.gen.ts").write_text(source, encoding="utf-8")
+    for name, source in sources().items():
+        (SRC / name).write_text(source, encoding="utf-8")

@@ -26,6 +26,7 @@ from knifetip.classification.customer_answers import answer_from_drawings
 from knifetip.classification.questions import list_questions
 from knifetip.compensation.compensate import compensate
 from knifetip.compensation.contour_starts import contour_starts
+from knifetip.compensation.edge_feeds import with_edge_feeds
 from knifetip.error_places import located_errors
 from knifetip.errors import OpenQuestions, PlanError
 from knifetip.formats import open_file
@@ -455,7 +456,10 @@ def _toolpath(
         operations = plan(shifted, machine, board, options.corners, outline, offset, chosen.work)
         operations = apply_starts(operations, chosen.starts)
         progress(Stage.COMPENSATE, 0.2)
-        toolpaths = [compensate(_with_starts(operation, machine)) for operation in operations]
+        toolpaths = [
+            with_edge_feeds(compensate(_with_starts(operation, machine)), chosen.work)
+            for operation in operations
+        ]
         progress(Stage.SEQUENCE, 0.4)
         edges = None if outline is None else outline.edges
         found.append(sequence(toolpaths, machine, edges, safety))
@@ -486,13 +490,12 @@ def _write_and_verify(
     ``notes`` are comments that are added to the head of the program.
     """
     progress(Stage.PROCESS, 0.5)
-    machine, board, sheet = job.machine, job.board, job.options.sheet
+    machine, board = job.machine, job.board
     head = (
         f"machine {machine.name}",
         f"board {board.name} caliper {board.caliper:g}",
         f"placement X{job.offset[0]:.4f} Y{job.offset[1]:.4f}",
-        *([sheet.note] if sheet else []),
-        *([f"feed factor {factor:g}"] if (factor := job.options.feed_factor) != 1.0 else []),
+        *job.options.head_notes,
         *notes,
     )
     program = process(toolpath, machine, tolerance=TOLERANCE, notes=head)

@@ -56,11 +56,25 @@ class CutDepth(LineTypeChoice):
         default=None,
         gt=0.0,
         le=100.0,
-        title="Depth",
+        title="Depth from top",
         description="Depth of the last pass below the top face of the board (mm), up to the depth "
         "of a cut into the underlay. A cut that is not deeper than the board is thick is a "
         "half-cut, and parts are not separated there; null for the depth of the line type",
         json_schema_extra={"unit": "mm"},
+    )
+
+
+class EdgeFeed(LineTypeChoice):
+    """The feed with which some edges are cut."""
+
+    types = ("cut", "half-cut", "perforation")
+    factor: float = Field(
+        default=1.0,
+        ge=0.1,
+        le=1.0,
+        title="Feed factor",
+        description="Factor of the feed of the tool along the edges, 0.1 to 1, besides the feed "
+        "factor of the job: less than 1 where the board tears",
     )
 
 
@@ -97,6 +111,23 @@ class VerifiedOptions(Table):
         "Of several for one edge the last counts, and one for the edge before one for its line "
         "type",
     )
+    edge_feeds: tuple[EdgeFeed, ...] = Field(
+        default=(),
+        strict=False,  # JSON has lists
+        max_length=1000,
+        title="Feed of edges",
+        description="Feed factors of cuts, half-cuts and perforations; empty for the feeds of the "
+        "tools. Of several for one edge the last counts, and one for the edge before one for its "
+        "line type",
+    )
+
+    @property
+    def head_notes(self) -> tuple[str, ...]:
+        """Comments about the options at the head of a program."""
+        return (
+            *([self.sheet.note] if self.sheet else []),
+            *([f"feed factor {self.feed_factor:g}"] if self.feed_factor != 1.0 else []),
+        )
 
 
 class JobOptions(VerifiedOptions):
@@ -112,3 +143,16 @@ class JobOptions(VerifiedOptions):
         "machine. least: the `turn_clearance` of the machine where that is faster; only for board "
         "that lies flat",
     )
+    program_note: str = Field(
+        default="",
+        max_length=60,
+        title="Note in the program",
+        description="Comment at the head of the program, for a person at the controller, such as "
+        "the side of the board that lies up. Letters that controllers do not take become spaces; "
+        "empty for none",
+    )
+
+    @property
+    def head_notes(self) -> tuple[str, ...]:
+        """Comments about the options at the head of a program."""
+        return (*super().head_notes, *([self.program_note] if self.program_note else []))

@@ -27,6 +27,11 @@ from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Samples, Verdict
 from knifetip.verification.checks.common.chosen_passes import check_chosen_passes
 from knifetip.verification.checks.common.context import CheckContext, MeasuredFigures
+from knifetip.verification.checks.common.edge_feeds import (
+    check_edge_feeds,
+    least_parts,
+    without_slowed,
+)
 from knifetip.verification.checks.crease.rim import check_rims
 from knifetip.verification.checks.edge_checks import check_edges
 from knifetip.verification.checks.knife.passes import check_knife_passes, last_passes
@@ -137,6 +142,8 @@ def verify(
     earlier, chosen = job.earlier, job.chosen
     split = CutDepth in chosen
     moves, tip, paths, swivels = _trace(text, machine, board, tolerance, findings, area, split)
+    parts = least_parts(moves, tip, machine, chosen)
+    motion_checks.check_feeds(without_slowed(moves, parts), tip, machine, findings)
     _check_placement(text, placement, machine, findings)
     _check_unclassified(dieline, findings)
     _check_caliper(machine, board, findings)
@@ -170,6 +177,7 @@ def verify(
     check_repeated_work(context, work)
     check_chosen_passes(context, work.paths)
     check_chosen_starts(context, job.starts, work.paths)
+    check_edge_feeds(context, paths, moves, parts)
     check_near_lines(context)
     findings.extend(work.own_line(finding) for finding in joined_findings.sorted())
     found = findings.sorted()
@@ -234,7 +242,6 @@ def _trace(
     usable = motion_checks.check_travel(moves, machine, findings)
     check_carriages(moves, machine, findings)
     check_zones(moves, machine, findings)
-    motion_checks.check_feeds(moves, tip, machine, findings)
     motion_checks.check_outputs(moves, tip, machine, findings)
     check_switching(moves, machine, board, findings)
     check_board_moves(turned, tip, machine, board, tolerance + moves.resolution, sheet, findings)

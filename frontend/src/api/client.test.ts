@@ -56,6 +56,8 @@ describe("an error", () => {
         feed_factor: 1,
         contour_starts: [],
         cut_depths: [],
+        edge_feeds: [],
+        program_note: "",
         external_id: "PO-1",
         customer: "",
         due: null,

@@ -36,7 +36,7 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
   /** Revision of the drawing on display; null if unknown. */
   revision: number | null;
   copies: number;
-} & Pick<Job, "corners" | "sheet" | keyof typeof OPTIONS | keyof typeof EDGE_OPTIONS> &
+} & Pick<Job, "corners" | "sheet" | "lift" | keyof typeof OPTIONS | keyof typeof EDGE_OPTIONS> &
   OrderDetails;
 export type JobState = Job["state"];
 export type ImportReportRow = Schemas["ImportReportRow"];

@@ -7,13 +7,10 @@ export const OPTIONS = {
     "max": 1.0,
     "default": 1.0
   },
-  "lift": {
-    "kind": "choice",
-    "choices": [
-      "clearance",
-      "least"
-    ],
-    "default": "clearance"
+  "program_note": {
+    "kind": "text",
+    "maxLength": 60,
+    "default": ""
   }
 } as const;
 
@@ -67,6 +64,24 @@ export const EDGE_OPTIONS = {
         "default": null,
         "whole": false,
         "unit": "mm"
+      }
+    }
+  },
+  "edge_feeds": {
+    "types": [
+      "cut",
+      "half-cut",
+      "perforation"
+    ],
+    "byType": true,
+    "fields": {
+      "factor": {
+        "kind": "number",
+        "min": 0.1,
+        "max": 1.0,
+        "default": 1.0,
+        "whole": false,
+        "unit": ""
       }
     }
   }

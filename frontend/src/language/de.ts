@@ -892,9 +892,14 @@ export const de = {
   "orderPanel.leastLiftInTurnsMm":
     "Werkzeuge zum Drehen nur {turnClearance, number, ::group-off} mm über den Karton heben",
   "orderPanel.savesTimeOnlyForBoard": "Spart Zeit. Nur für Karton, der flach auf dem Tisch liegt.",
-  "option.feedFactor": "Vorschubfaktor (0,1 bis 1)",
-  "option.feedFactorDescription":
+  "option.feed_factor": "Vorschubfaktor (0,1 bis 1)",
+  "option.feed_factor.description":
     "Kleiner als 1 ist langsamer: für Karton, der reißt, oder ein abgenutztes Werkzeug. Ein Laser schneidet dann tiefer",
+  "option.program_note": "Notiz im Programm",
+  "option.program_note.description":
+    "Kommentar am Anfang des Programms, für die Person an der Steuerung, etwa welche Seite oben liegt",
+  "option.on": "Ja",
+  "option.off": "Nein",
   "orderPanel.copies": "Exemplare",
   "orderPanel.prepareProgram": "Vorbereiten",
   "orderPanel.prepareAgain": "Neu vorbereiten",
@@ -917,6 +922,8 @@ export const de = {
   "edgeOption.cut_depths": "Durchgänge und Tiefe",
   "edgeOption.cut_depths.passes": "Durchgänge",
   "edgeOption.cut_depths.depth": "Tiefe unter der Oberseite",
+  "edgeOption.edge_feeds": "Vorschub der Kanten",
+  "edgeOption.edge_feeds.factor": "Vorschubfaktor",
   // panels/order/SheetForm.tsx
   "sheetForm.largerThanTheDrawing": "Größer als die Zeichnung",
   "sheetForm.cutToTheOutlineOf": "Auf die Außenkontur der Zeichnung zugeschnitten",

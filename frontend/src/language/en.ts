@@ -1,6 +1,9 @@
 /** English texts of the page: the source of the other languages. */
 
+import { DECLARED_TEXTS } from "./declared.gen";
+
 export const en = {
+  ...DECLARED_TEXTS,
   // api/columns.ts
   "columns.theServerSentDataOf":
     "The server sent data of an unknown format (“{magic}” instead of “{magic2}”). Reload the page.",
@@ -867,9 +870,8 @@ export const en = {
   "orderPanel.leastLiftInTurnsMm":
     "Lift tools only {turnClearance, number, ::group-off} mm above the board to turn them",
   "orderPanel.savesTimeOnlyForBoard": "Saves time. Only for board that lies flat on the table.",
-  "option.feedFactor": "Feed factor (0.1 to 1)",
-  "option.feedFactorDescription":
-    "Less than 1 is slower: for board that tears, or for a worn tool. A laser cuts deeper at a lower feed",
+  "option.on": "Yes",
+  "option.off": "No",
   "orderPanel.copies": "Copies",
   "orderPanel.prepareProgram": "Prepare program",
   "orderPanel.prepareAgain": "Prepare again",
@@ -883,15 +885,6 @@ export const en = {
   "edgeOption.choicesForEdges": "Choices for edges",
   "edgeOption.edges": "{n, plural, one {Edge {edge}} other {# edges}}",
   "edgeOption.remove": "Remove: {subject}",
-  "edgeOption.contour_starts": "Start and direction",
-  "edgeOption.contour_starts.at": "Cut begins here",
-  "edgeOption.contour_starts.direction": "Direction",
-  "edgeOption.contour_starts.direction.free": "Free",
-  "edgeOption.contour_starts.direction.forward": "Forward",
-  "edgeOption.contour_starts.direction.reverse": "Reverse",
-  "edgeOption.cut_depths": "Passes and depth",
-  "edgeOption.cut_depths.passes": "Passes",
-  "edgeOption.cut_depths.depth": "Depth below the top face",
   // panels/order/SheetForm.tsx
   "sheetForm.largerThanTheDrawing": "Larger than the drawing",
   "sheetForm.cutToTheOutlineOf": "Cut to the outline of the drawing",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -68,7 +69,7 @@ def test_a_wrong_acceptance_is_refused_with_its_reason(
 
 def test_the_edges_of_faults_can_be_left_out() -> None:
     message = Message("verify.past-end", tool="knife", length=0.07)
-    figures = EdgeFigures.zeros(9).columns()
+    figures: dict[str, Any] = {**EdgeFigures.zeros(9).columns()}
     findings = tuple(Finding("overcut", message, 0.07, edge=row) for row in (7, 2, 7, -1))
     # Edge 3 is the first chord of a curve.
     curve = Finding("overcut", message, 0.07, edge=3, edges=(3, 4, 5))

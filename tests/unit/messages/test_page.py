@@ -167,15 +167,10 @@ def test_the_page_has_the_roles_that_the_routes_declare() -> None:
     assert written == expected, "run: python frontend/roles.py"
 
 
-def test_the_page_has_the_options_that_the_model_declares() -> None:
-    expected = _script("options").options()
-    written = (FRONTEND / "src" / "api" / "options.gen.ts").read_text(encoding="utf-8")
-    assert written == expected, "run: python frontend/options.py"
-
-
-def test_the_page_has_the_figures_that_the_model_declares() -> None:
-    expected = _script("options").figures()
-    written = (FRONTEND / "src" / "api" / "figures.gen.ts").read_text(encoding="utf-8")
+@pytest.mark.parametrize("name", _script("options").sources())
+def test_the_page_has_the_options_and_figures_that_the_model_declares(name: str) -> None:
+    expected = _script("options").sources()[name]
+    written = (FRONTEND / "src" / name).read_text(encoding="utf-8")
     assert written == expected, "run: python frontend/options.py"
 
 

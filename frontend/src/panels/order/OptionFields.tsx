@@ -1,40 +1,68 @@
 /** Fields of the options of a job that need no form of their own. */
 
-import { NumberInput } from "@mantine/core";
-import { OPTIONS } from "../../api/options.gen";
-import { translate } from "../../language/translate";
-import { OPTION_NAMES, type OptionName } from "../../state/order/options";
+import { Checkbox, NumberInput, Select, TextInput } from "@mantine/core";
+import { OPTION_NAMES, type OptionName, optionField } from "../../state/order/options";
 import { useUiStore } from "../../state/store";
-
-export const OPTION_LABELS: Readonly<Record<OptionName, string>> = {
-  feed_factor: translate("option.feedFactor"),
-};
-
-const DESCRIPTIONS: Readonly<Record<OptionName, string>> = {
-  feed_factor: translate("option.feedFactorDescription"),
-};
+import { descriptionText, optionLabel, valueLabel } from "./optionTexts";
 
 /** Part of the range of a number by which its buttons change it. */
 const STEPS = 18;
 
 export function OptionFields() {
+  return OPTION_NAMES.map((name) => <OptionInput key={name} name={name} />);
+}
+
+function OptionInput({ name }: { name: OptionName }) {
   const options = useUiStore((ui) => ui.options);
   const set = useUiStore((ui) => ui.set);
-  return OPTION_NAMES.map((name) => {
-    const { min, max, default: usual } = OPTIONS[name];
-    return (
-      <NumberInput
-        key={name}
-        label={OPTION_LABELS[name]}
-        description={DESCRIPTIONS[name]}
-        min={min}
-        max={max}
-        step={(max - min) / STEPS}
-        decimalScale={2}
-        value={options[name]}
-        onChange={(value) => set({ options: { ...options, [name]: Number(value) || usual } })}
-        data-testid={`option-${name}`}
-      />
-    );
-  });
+  const field = optionField(name);
+  const change = (value: string | number | boolean) =>
+    set({ options: { ...options, [name]: value } });
+  const shown = {
+    label: optionLabel(name),
+    description: descriptionText(name),
+    "data-testid": `option-${name}`,
+  };
+  const value = options[name] as string | number | boolean;
+  switch (field.kind) {
+    case "number":
+      return (
+        <NumberInput
+          {...shown}
+          min={field.min}
+          max={field.max}
+          step={(field.max - field.min) / STEPS}
+          decimalScale={2}
+          value={Number(value)}
+          onChange={(given) => change(Number(given) || field.default)}
+        />
+      );
+    case "choice":
+      return (
+        <Select
+          {...shown}
+          data={field.choices.map((choice) => ({ value: choice, label: valueLabel(name, choice) }))}
+          value={String(value)}
+          allowDeselect={false}
+          onChange={(given) => change(given ?? field.default)}
+        />
+      );
+    case "text":
+      return (
+        <TextInput
+          {...shown}
+          maxLength={field.maxLength}
+          value={String(value)}
+          onChange={({ currentTarget }) => change(currentTarget.value)}
+        />
+      );
+    case "switch":
+      return (
+        <Checkbox
+          {...shown}
+          checked={value === true}
+          onChange={({ currentTarget }) => change(currentTarget.checked)}
+        />
+      );
+  }
 }

@@ -1,13 +1,12 @@
 /** Number, customer and due time of an order, as they are shown with a job. */
 
 import type { Job } from "../../api/client";
-import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { changedEdgeOptions, changedOptions } from "../../state/order/options";
 import { hasDetails, isOverdue } from "../../state/order/orderDetails";
 import { dateTimeText } from "../../state/times";
 import { choiceLine, optionTitle } from "./edgeOptionTexts";
-import { OPTION_LABELS } from "./OptionFields";
+import { optionLabel, valueLabel } from "./optionTexts";
 import css from "./orderDetails.module.css";
 
 /** Number, customer and due time in one line; nothing if the job has none. */
@@ -44,8 +43,8 @@ export function OrderCard({ job }: { job: Job }) {
         <dl className={css.metadata}>
           {changed.map((name) => (
             <div key={name} data-testid={`changed-${name}`}>
-              <dt>{OPTION_LABELS[name]}</dt>
-              <dd>{formatNumber(job[name])}</dd>
+              <dt>{optionLabel(name)}</dt>
+              <dd>{valueLabel(name, job[name])}</dd>
             </div>
           ))}
           {ofEdges.map((name) => (

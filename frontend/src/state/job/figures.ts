@@ -21,6 +21,6 @@ export const PROGRAM_FIGURE_LINES = Object.entries(PROGRAM_FIGURES).map(([name, 
 
 /** Figures of edges, by the names of their columns; all are lengths. */
 export const EDGE_FIGURE_LINES = Object.entries(EDGE_FIGURES).map(([name, { title }]) => ({
-  name: `edge_${name}`,
+  name: `edge_${name as EdgeFigure}` as const,
   title,
-})) as readonly Line<`edge_${EdgeFigure}`>[];
+})) satisfies readonly Line<`edge_${EdgeFigure}`>[];

@@ -4,15 +4,24 @@ import type { Job } from "../../api/client";
 import { OPTIONS } from "../../api/options.gen";
 import { EDGE_OPTION_NAMES, type EdgeChoice, type EdgeOptionName } from "./edgeOptions";
 
-/** The least lift is a part of the form, because only some machines have it. */
-const OWN_FORM = ["lift"] as const;
-
-export type OptionName = Exclude<keyof typeof OPTIONS, (typeof OWN_FORM)[number]>;
+export type OptionName = keyof typeof OPTIONS;
 export type Options = Pick<Job, OptionName | EdgeOptionName>;
 
-export const OPTION_NAMES = (Object.keys(OPTIONS) as (keyof typeof OPTIONS)[]).filter(
-  (name): name is OptionName => !OWN_FORM.some((own) => own === name),
-);
+export const OPTION_NAMES = Object.keys(OPTIONS) as OptionName[];
+
+/** An option with a plain value, as the server declares it. */
+export type OptionField =
+  | {
+      readonly kind: "number";
+      readonly min: number;
+      readonly max: number;
+      readonly default: number;
+    }
+  | { readonly kind: "choice"; readonly choices: readonly string[]; readonly default: string }
+  | { readonly kind: "text"; readonly maxLength: number; readonly default: string }
+  | { readonly kind: "switch"; readonly default: boolean };
+
+export const optionField = (name: OptionName): OptionField => OPTIONS[name];
 
 const valuesOf = (
   plain: (name: OptionName) => unknown,

@@ -14,7 +14,7 @@ from knifetip.library.definition import Definition, Shelf
 from knifetip.model.acceptance import Exceptions
 from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.interpretation import Interpretation
-from knifetip.model.job_options import ContourStart, CutDepth, JobOptions
+from knifetip.model.job_options import ContourStart, CutDepth, EdgeFeed, JobOptions
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Acceptance
 from knifetip.service.compiling import key as module
@@ -36,6 +36,8 @@ CHOICES = JobOptions(
     feed_factor=0.5,
     contour_starts=(ContourStart(edges=(3, 4), at=0.25, direction="reverse"),),
     cut_depths=(CutDepth(edges=(5,), passes=2, depth=1.5), CutDepth(line_type="cut", passes=3)),
+    edge_feeds=(EdgeFeed(edges=(6,), factor=0.5),),
+    program_note="grain up",
 )
 FULL: dict[str, Any] = {
     "stored": StoredDrawing(b"dxf", b"edges", Interpretation("mm", "default", "a = 1", b"\x01")),

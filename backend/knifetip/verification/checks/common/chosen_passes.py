@@ -58,15 +58,24 @@ def check_chosen_passes(context: CheckContext, paths: TipPaths) -> None:
             continue
         own = paths.select(paths.station == index)
         passes = _expected_passes(context, station)
-        found = _follow(context, passes.edges, station, own)
-        size = np.diff(found.along)[:, 0]
-        path_size = own.curve[found.curve, 5]
-        # A path that only crosses an edge, or runs on past the end of another one, does not follow
-        # it.
-        follows = found.best & (size > _longest_overrun(context, station))
-        follows &= size > 0.5 * np.minimum(path_size, passes.edges.curve[found.edge, 5])
-        follows &= np.abs(np.diff(found.place)[:, 0]) >= 0.5 * size
-        _compare(context, passes, found.select(follows), context.board.caliper - own.z)
+        found = followed_edges(context, passes.edges, station, own)
+        _compare(context, passes, found, context.board.caliper - own.z)
+
+
+def followed_edges(
+    context: CheckContext, edges: Edges, station: Station, own: TipPaths
+) -> Overlaps:
+    """Return the stretches in which tip paths of a station follow edges.
+
+    A path that only crosses an edge, or runs on past the end of another one, does not follow it.
+    """
+    found = _follow(context, edges, station, own)
+    size = np.diff(found.along)[:, 0]
+    path_size = own.curve[found.curve, 5]
+    follows = found.best & (size > _longest_overrun(context, station))
+    follows &= size > 0.5 * np.minimum(path_size, edges.curve[found.edge, 5])
+    follows &= np.abs(np.diff(found.place)[:, 0]) >= 0.5 * size
+    return found.select(follows)
 
 
 def _longest_overrun(context: CheckContext, station: Station) -> float:
