@@ -1,7 +1,7 @@
 """options: writes what the page shows without a form or a line of its own, from the declarations.
 
 knifetip.model.job_options -> src/api/options.gen.ts          options.py
-knifetip.model.edge_figures, program_figures -> src/api/figures.gen.ts
+knifetip.model.edge_figures, program_figures, program_facts -> src/api/figures.gen.ts
 titles and descriptions of all -> src/language/declared.gen.ts
 
 Options whose value is a number, a choice or a switch are fields of the order form; choices for some
@@ -21,14 +21,15 @@ from knifetip.messages import Message, render
 from knifetip.model.edge_choice import EdgeChoice, LineTypeChoice
 from knifetip.model.edge_figures import EDGE_FIGURES
 from knifetip.model.job_options import JobOptions
+from knifetip.model.program_facts import ProgramFacts
 from knifetip.model.program_figures import PROGRAM_FIGURES
 
 #: Options with a plain value and a form of their own: only some machines have the least lift.
 OWN_FORM = ("lift",)
 SRC = Path(__file__).resolve().parent / "src"
 HEADER = "/** Options of a job with plain values, and options of edges. Written by frontend/options.py: do not edit. */\n"
-TEXTS_HEADER = "/** English texts of options, from their declarations. Written by frontend/options.py: do not edit. */\n"
-FIGURES_HEADER = "/** Figures of a verdict that are lines with a title. Written by frontend/options.py: do not edit. */\n"
+TEXTS_HEADER = "/** English texts of options and facts, from their declarations. Written by frontend/options.py: do not edit. */\n"
+FIGURES_HEADER = "/** Figures of a verdict and facts of a program that are lines with a title. Written by frontend/options.py: do not edit. */\n"
 
 
 def _field(schema: dict[str, Any]) -> dict[str, Any] | None:
@@ -121,6 +122,8 @@ def _texts() -> dict[str, str]:
         own = kind.model_json_schema()["properties"]
         for key in _fields_of(kind):
             found |= _texts_of(f"edgeOption.{name}.{key}", own[key])
+    for name, fact in ProgramFacts.model_json_schema()["properties"].items():
+        found |= _texts_of(f"fact.{name}", fact)
     return found
 
 
@@ -163,11 +166,20 @@ def figures() -> str:
         for name, one in EDGE_FIGURES.items()
         if one.title
     }
-    listed, edges = (json.dumps(found, indent=2) for found in (of_program, of_edges))
+    listed, edges, facts = (
+        json.dumps(found, indent=2) for found in (of_program, of_edges, _facts())
+    )
     return (
         f"{FIGURES_HEADER}\nexport const PROGRAM_FIGURES = {listed} as const;\n"
         f"\nexport const EDGE_FIGURES = {edges} as const;\n"
+        f"\nexport const PROGRAM_FACTS = {facts} as const;\n"
     )
+
+
+def _facts() -> dict[str, Any]:
+    """Return the units of the facts about a program, by name."""
+    properties = ProgramFacts.model_json_schema()["properties"]
+    return {name: {"unit": schema["unit"]} for name, schema in properties.items()}
 
 
 def _title(code: str) -> dict[str, Any]:

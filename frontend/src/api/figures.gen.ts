@@ -1,4 +1,4 @@
-/** Figures of a verdict that are lines with a title. Written by frontend/options.py: do not edit. */
+/** Figures of a verdict and facts of a program that are lines with a title. Written by frontend/options.py: do not edit. */
 
 export const PROGRAM_FIGURES = {
   "lowest_travel": {
@@ -32,5 +32,11 @@ export const EDGE_FIGURES = {
       "arguments": {},
       "text": "Slit as wide as the tool"
     }
+  }
+} as const;
+
+export const PROGRAM_FACTS = {
+  "program_bytes": {
+    "unit": "bytes"
   }
 } as const;

@@ -1,4 +1,4 @@
-/** English texts of options, from their declarations. Written by frontend/options.py: do not edit. */
+/** English texts of options and facts, from their declarations. Written by frontend/options.py: do not edit. */
 
 export const DECLARED_TEXTS = {
   "option.feed_factor": "Feed factor",
@@ -15,5 +15,6 @@ export const DECLARED_TEXTS = {
   "edgeOption.cut_depths.passes": "Passes",
   "edgeOption.cut_depths.depth": "Depth from top",
   "edgeOption.edge_feeds": "Feed of edges",
-  "edgeOption.edge_feeds.factor": "Feed factor"
+  "edgeOption.edge_feeds.factor": "Feed factor",
+  "fact.program_bytes": "Size of the program"
 } as const;

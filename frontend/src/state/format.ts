@@ -14,6 +14,13 @@ export function formatLength(value: number): string {
   return `${formatFixed(value, Math.abs(value) >= 100 ? 0 : 1)}${THIN}mm`;
 }
 
+/** A size in bytes, kB or MB. */
+export function formatBytes(size: number): string {
+  if (size < 1000) return `${formatNumber(size)}${THIN}B`;
+  if (size < 1e6) return `${formatFixed(size / 1000, 1)}${THIN}kB`;
+  return `${formatFixed(size / 1e6, 1)}${THIN}MB`;
+}
+
 /** A length in m. */
 export const formatMetres = (value: number): string =>
   `${formatNumber(value, { maximumFractionDigits: value < 100 ? 1 : 0 })}${THIN}m`;

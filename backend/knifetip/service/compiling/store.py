@@ -38,6 +38,7 @@ _RESULT_COLUMNS: Final = (
     "tools",
     "seconds",
     "lengths",
+    "facts",
 )
 _log = logging.getLogger("knifetip.jobs")
 _NEXT = sa.select(Job.id).where(Job.state == State.RECEIVED).order_by(Job.serial).limit(1)
@@ -467,6 +468,7 @@ def result_columns(result: CompileResult) -> dict[str, Any]:
         "tools": result.tools,
         "seconds": result.verdict_summary["seconds"],
         "lengths": result.lengths,
+        "facts": result.facts,
         # Programs that are made in another way are not found by later jobs.
         "compile_key": "",
         "program_of": "",

@@ -107,14 +107,14 @@ class Content(Base):
     data: Mapped[bytes | None] = mapped_column(sa.LargeBinary, deferred=True)
 
 
-def _column_not_inherited(*arguments: Any, **options: Any) -> MappedColumn[Any]:
+def _own_column(*arguments: Any, **options: Any) -> MappedColumn[Any]:
     """Declare a column of a job that another job which continues its work does not take over."""
     return mapped_column(*arguments, info={OWN: True}, **options)
 
 
 def _address_column(*, own: bool = False) -> MappedColumn[str | None]:
     # The database finds what refers to a content by the index, before it deletes the content.
-    declare = _column_not_inherited if own else mapped_column
+    declare = _own_column if own else mapped_column
     return declare(sa.ForeignKey("content.address"), index=True, default=None)
 
 
@@ -194,9 +194,9 @@ class Job(Base):
         sa.Index("job_by_updated", "updated"),
     )
 
-    serial: Mapped[int] = _column_not_inherited(SERIAL, primary_key=True, autoincrement=True)
-    id: Mapped[str] = _column_not_inherited(sa.String(32), unique=True)
-    state: Mapped[str] = _column_not_inherited(sa.String(16), default=State.RECEIVED)
+    serial: Mapped[int] = _own_column(SERIAL, primary_key=True, autoincrement=True)
+    id: Mapped[str] = _own_column(sa.String(32), unique=True)
+    state: Mapped[str] = _own_column(sa.String(16), default=State.RECEIVED)
     drawing: Mapped[str] = mapped_column(sa.ForeignKey("drawing.id"), index=True)
     drawing_name: Mapped[str] = mapped_column(sa.String(200))
     machine: Mapped[str] = mapped_column(sa.String(200))
@@ -213,63 +213,57 @@ class Job(Base):
     copies: Mapped[int]
     priority: Mapped[int]
     release: Mapped[bool]  #: queue the job when it is ready
-    created: Mapped[float] = _column_not_inherited(sa.Double)
-    updated: Mapped[float] = _column_not_inherited(sa.Double)
-    queued: Mapped[float] = _column_not_inherited(
-        sa.Double, default=0.0
-    )  #: time of queueing; 0 before
+    created: Mapped[float] = _own_column(sa.Double)
+    updated: Mapped[float] = _own_column(sa.Double)
+    queued: Mapped[float] = _own_column(sa.Double, default=0.0)  #: time of queueing; 0 before
     #: orders the queued jobs of equal priority, see ``machine_queues.TURN``
-    rank: Mapped[float] = _column_not_inherited(sa.Double, default=0.0)
-    on_hold: Mapped[bool] = _column_not_inherited(default=False)  #: not claimed while it is True
+    rank: Mapped[float] = _own_column(sa.Double, default=0.0)
+    on_hold: Mapped[bool] = _own_column(default=False)  #: not claimed while it is True
     #: why the machine refused the program in its check run; not claimed while it is set
-    check_refusal: Mapped[Message | None] = _column_not_inherited(MessageColumn)
+    check_refusal: Mapped[Message | None] = _own_column(MessageColumn)
     #: time of the last move to one of the states ``job.ENDED``; 0 before
-    ended: Mapped[float] = _column_not_inherited(sa.Double, default=0.0)
+    ended: Mapped[float] = _own_column(sa.Double, default=0.0)
     #: why it was refused or interrupted, or why its compile has not begun
-    message: Mapped[Message | None] = _column_not_inherited(MessageColumn)
-    source: Mapped[list[str]] = _column_not_inherited(sa.JSON, default=list)
+    message: Mapped[Message | None] = _own_column(MessageColumn)
+    source: Mapped[list[str]] = _own_column(sa.JSON, default=list)
     #: rows of the edges of the drawing that the message concerns
-    edges: Mapped[list[int]] = _column_not_inherited(sa.JSON, default=list)
-    questions: Mapped[list[dict[str, Any]]] = _column_not_inherited(sa.JSON, default=list)
-    attempt: Mapped[int] = _column_not_inherited(default=1)  #: number of compile attempts
+    edges: Mapped[list[int]] = _own_column(sa.JSON, default=list)
+    questions: Mapped[list[dict[str, Any]]] = _own_column(sa.JSON, default=list)
+    attempt: Mapped[int] = _own_column(default=1)  #: number of compile attempts
     #: increases with each owner; reports of earlier owners are refused
-    epoch: Mapped[int] = _column_not_inherited(default=0)
+    epoch: Mapped[int] = _own_column(default=0)
     #: worker or gateway that owns the job
-    owner: Mapped[str] = _column_not_inherited(sa.String(200), default="")
-    lease: Mapped[float] = _column_not_inherited(
-        sa.Double, default=0.0
-    )  #: expiry time of the lease
+    owner: Mapped[str] = _own_column(sa.String(200), default="")
+    lease: Mapped[float] = _own_column(sa.Double, default=0.0)  #: expiry time of the lease
     #: epoch of the last gateway that claimed the job
-    owner_epoch: Mapped[int] = _column_not_inherited(default=0)
+    owner_epoch: Mapped[int] = _own_column(default=0)
     #: what the operator must confirm: see ``Confirmation``
-    confirmation: Mapped[str] = _column_not_inherited(sa.String(8), default="")
+    confirmation: Mapped[str] = _own_column(sa.String(8), default="")
     #: stations that the program uses, ordered by number: number, name, kind
-    tools: Mapped[list[dict[str, Any]]] = _column_not_inherited(sa.JSON, default=list)
+    tools: Mapped[list[dict[str, Any]]] = _own_column(sa.JSON, default=list)
     #: requested by the operator: hold, resume or cancel; empty when done
-    requested_action: Mapped[str] = _column_not_inherited(sa.String(8), default="")
+    requested_action: Mapped[str] = _own_column(sa.String(8), default="")
     #: phase of the run that the gateway reported last: see ``GatewayReport.phase``
-    phase: Mapped[int] = _column_not_inherited(default=0)
-    stage: Mapped[str] = _column_not_inherited(sa.String(80), default="")
-    progress: Mapped[float] = _column_not_inherited(sa.Double, default=0.0)
-    line: Mapped[int] = _column_not_inherited(default=0)
-    lines: Mapped[int] = _column_not_inherited(default=0)
-    copies_done: Mapped[int] = _column_not_inherited(default=0)
-    copies_before: Mapped[int] = _column_not_inherited(
-        default=0
-    )  #: copies completed under earlier owners
-    position: Mapped[list[float] | None] = _column_not_inherited(sa.JSON(none_as_null=True))
-    seconds: Mapped[float] = _column_not_inherited(sa.Double, default=0.0)
-    seconds_left: Mapped[float | None] = _column_not_inherited(sa.Double)
-    program_sha256: Mapped[str] = _column_not_inherited(sa.String(64), default="")
-    verdict_summary: Mapped[dict[str, Any] | None] = _column_not_inherited(
-        sa.JSON(none_as_null=True)
-    )
+    phase: Mapped[int] = _own_column(default=0)
+    stage: Mapped[str] = _own_column(sa.String(80), default="")
+    progress: Mapped[float] = _own_column(sa.Double, default=0.0)
+    line: Mapped[int] = _own_column(default=0)
+    lines: Mapped[int] = _own_column(default=0)
+    copies_done: Mapped[int] = _own_column(default=0)
+    copies_before: Mapped[int] = _own_column(default=0)  #: copies completed under earlier owners
+    position: Mapped[list[float] | None] = _own_column(sa.JSON(none_as_null=True))
+    seconds: Mapped[float] = _own_column(sa.Double, default=0.0)
+    seconds_left: Mapped[float | None] = _own_column(sa.Double)
+    program_sha256: Mapped[str] = _own_column(sa.String(64), default="")
+    verdict_summary: Mapped[dict[str, Any] | None] = _own_column(sa.JSON(none_as_null=True))
+    #: the fields of ``ProgramFacts``
+    facts: Mapped[dict[str, Any]] = _own_column(sa.JSON, default=dict, server_default="{}")
     #: hash of the input of an accepted program (see ``compiling.key``); empty if it was changed
-    compile_key: Mapped[str] = _column_not_inherited(sa.String(64), default="")
+    compile_key: Mapped[str] = _own_column(sa.String(64), default="")
     #: id of an earlier job with the same input whose program this job has; empty if compiled
-    program_of: Mapped[str] = _column_not_inherited(sa.String(32), default="")
-    key: Mapped[str | None] = _column_not_inherited(sa.String(200), unique=True)
-    fingerprint: Mapped[str] = _column_not_inherited(sa.String(64))
+    program_of: Mapped[str] = _own_column(sa.String(32), default="")
+    key: Mapped[str | None] = _own_column(sa.String(200), unique=True)
+    fingerprint: Mapped[str] = _own_column(sa.String(64))
     #: the fields of ``options``
     stored_options: Mapped[dict[str, Any]] = mapped_column("options", sa.JSON, default=dict)
     #: shortfalls that the order accepts: see ``model.acceptance.Exceptions``; None for none
@@ -279,20 +273,18 @@ class Job(Base):
     #: the work that remains on the sheet of that job: see ``rest_record``; None for the whole
     rest: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     #: where the machine stopped a job that was cancelled or interrupted: line, position, station
-    stopped_at: Mapped[dict[str, Any] | None] = _column_not_inherited(sa.JSON(none_as_null=True))
+    stopped_at: Mapped[dict[str, Any] | None] = _own_column(sa.JSON(none_as_null=True))
     #: account that ordered it, see ``acting``; empty for none
-    ordered_by: Mapped[str] = _column_not_inherited(sa.String(80), default="")
+    ordered_by: Mapped[str] = _own_column(sa.String(80), default="")
     #: key of the gateway that claimed it last, see ``acting``; empty for none
-    claimed_by: Mapped[str] = _column_not_inherited(sa.String(80), default="")
-    feeds: Mapped[bool] = _column_not_inherited(
-        default=False
-    )  #: the machine feeds the sheets itself
+    claimed_by: Mapped[str] = _own_column(sa.String(80), default="")
+    feeds: Mapped[bool] = _own_column(default=False)  #: the machine feeds the sheets itself
     #: the program is handed over, and a person must confirm that the machine has executed it
-    awaits_end: Mapped[bool] = _column_not_inherited(default=False)
+    awaits_end: Mapped[bool] = _own_column(default=False)
     #: a line of the program may have been executed since the last claim
-    begun: Mapped[bool] = _column_not_inherited(default=True)
+    begun: Mapped[bool] = _own_column(default=True)
     #: context of the trace of its order, for its compile and its run; empty for none
-    traceparent: Mapped[str] = _column_not_inherited(sa.String(tracing.LENGTH), default="")
+    traceparent: Mapped[str] = _own_column(sa.String(tracing.LENGTH), default="")
     #: details of the order: see ``order_details``
     external_id: Mapped[str] = mapped_column(sa.String(200), default="")
     customer: Mapped[str] = mapped_column(sa.String(200), default="")
@@ -308,7 +300,7 @@ class Job(Base):
     toolpath = LargeValue()
     verdict = LargeValue()
     #: worked lengths by program line, see ``worked_lengths``
-    lengths: Mapped[bytes | None] = _column_not_inherited(sa.LargeBinary, deferred=True)
+    lengths: Mapped[bytes | None] = _own_column(sa.LargeBinary, deferred=True)
 
     @property
     def options(self) -> JobOptions:

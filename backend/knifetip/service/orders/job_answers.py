@@ -8,6 +8,7 @@ from typing import Any
 from knifetip.contract.job import State
 from knifetip.messages import Message, hint, render
 from knifetip.model.job_options import JobOptions
+from knifetip.model.program_facts import ProgramFacts
 from knifetip.service.database.tables import Job
 from knifetip.service.machines.queue_estimate import Estimate, estimates
 from knifetip.service.machines.waiting import Waiting, waiting_of
@@ -54,6 +55,7 @@ def _job_out(
         "verdict", "progress", "waiting_for", "actions", "reason", "hint", "message", "is_rest",
         "remaining_copies", "queue_position", "estimated_start", "no_estimate", "stopped_at",
         *OrderDetailsOut.model_fields, *JobOptions.model_fields,
+        *ProgramFacts.model_fields,
     }  # fmt: skip
     fields: dict[str, Any] = {
         name: getattr(row, name) for name in set(JobOut.model_fields) - computed
@@ -63,6 +65,7 @@ def _job_out(
             **fields,
             **details_fields(row),
             **dict(row.options),
+            **row.facts,
             "waiting_for": waiting.waiting_for,
             "message": message,
             "reason": render(message) if message else "",

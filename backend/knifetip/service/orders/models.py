@@ -9,6 +9,7 @@ from pydantic import BaseModel, ConfigDict, Field, computed_field
 from knifetip.contract.operations import HANDS_CLEAR
 from knifetip.fields import LISTED
 from knifetip.model.job_options import JobOptions
+from knifetip.model.program_facts import ProgramFacts
 from knifetip.model.stage import Stage
 from knifetip.service.http.message_models import MessageOut
 from knifetip.service.http.models import Count, JsonBody, Name, PageQuery, QuestionOut
@@ -128,7 +129,7 @@ class StopOut(BaseModel):
     )
 
 
-class JobOut(OrderDetailsOut, JobOptions):
+class JobOut(OrderDetailsOut, JobOptions, ProgramFacts):
     """A job with its options, state and progress."""
 
     # The answer is built by the server; unlike in orders, it has all fields.

@@ -57,6 +57,7 @@ _WITHOUT_PROGRAM: Mapping[str, Any] = {
     "lines": 0,
     "seconds": 0.0,
     "tools": [],
+    "facts": {},
 }
 #: States of a job that was released, and that its machine makes or has made.
 _RELEASED = (State.QUEUED, State.RUNNING, State.HELD, State.DONE)

@@ -28,6 +28,7 @@ class CompileResult:
     #: stations that the program uses, ordered by number: number, name, kind
     tools: list[dict[str, Any]] = field(default_factory=list)
     lengths: bytes = b""  #: see ``worked_lengths``
+    facts: dict[str, Any] = field(default_factory=dict)  #: the fields of ``ProgramFacts``
 
 
 @dataclass(frozen=True, slots=True)

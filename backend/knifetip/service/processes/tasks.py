@@ -28,6 +28,7 @@ from knifetip.model.drawing import Drawing
 from knifetip.model.earlier_work import EarlierWork
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.model.machine import Machine
+from knifetip.model.program_facts import ProgramFacts
 from knifetip.model.rest import Rest
 from knifetip.model.stage import Progress, Stage
 from knifetip.presentation.drawing import classified_json
@@ -389,6 +390,7 @@ def _result(
         edges=refused_edges(findings),
         tools=used_stations(compiled, target),
         lengths=pack_lengths(compiled.toolpath, program_lines(compiled), line_type),
+        facts=ProgramFacts(program_bytes=len(text)).model_dump(mode="json"),
     )
 
 

@@ -16,12 +16,13 @@ import { messageText } from "../../messages/translateMessage";
 import { UNCUT } from "../../state/drawing/palette";
 import {
   formatArea,
+  formatBytes,
   formatDeviation,
   formatDuration,
   formatHundredths,
   formatLength,
 } from "../../state/format";
-import { type FigureUnit, PROGRAM_FIGURE_LINES } from "../../state/job/figures";
+import { type FigureUnit, PROGRAM_FACT_LINES, PROGRAM_FIGURE_LINES } from "../../state/job/figures";
 import { useVerdict } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
@@ -38,6 +39,7 @@ const VIEW = 2;
 const FORMATS: Readonly<Record<FigureUnit, (value: number) => string>> = {
   mm: formatHundredths,
   s: formatDuration,
+  bytes: formatBytes,
   "": formatNumber,
 };
 
@@ -93,6 +95,14 @@ export function VerdictCard({ job }: { job: Job }) {
             </div>
           );
         })}
+        {PROGRAM_FACT_LINES.map(({ name, unit }) =>
+          job[name] === 0 ? null : (
+            <div key={name} data-testid={`fact-${name}`}>
+              <dt>{translate(`fact.${name}`)}</dt>
+              <dd>{FORMATS[unit](job[name])}</dd>
+            </div>
+          ),
+        )}
       </dl>
       <div className={verdictCss.notes}>
         <Unreached verdict={verdict} />

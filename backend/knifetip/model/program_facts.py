@@ -1,0 +1,27 @@
+"""What a job keeps about its program, each fact declared once.
+
+From a field come the stored value (column ``facts`` of ``job``), the field of the REST API, and the
+line of the page.  ``service.processes.tasks`` fills them in after the compile.
+"""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from knifetip.fields import Table
+
+
+class ProgramFacts(Table):
+    """Facts about the program of a job; those that are not 0 are lines of the page.
+
+    The ``unit`` of a field is ``bytes``, ``mm``, ``s``, or empty for a number of things.
+    """
+
+    program_bytes: int = Field(
+        default=0,
+        ge=0,
+        title="Size of the program",
+        description="Size of the program (bytes), for controllers with a small memory; 0 before "
+        "the job is compiled, or if an older version compiled it",
+        json_schema_extra={"unit": "bytes"},
+    )
