@@ -8,8 +8,8 @@ from annotated_types import Gt, Le
 from pydantic import Field, ValidationInfo, field_validator
 
 from knifetip.fields import LISTED, Table, field_error
-from knifetip.library.machine_properties import group
 from knifetip.model.board import Board, Deflection, ToolLimits
+from knifetip.model.machine_properties import group
 from knifetip.model.tool import KINDS
 from knifetip.model.tool.base import NotNegative, Positive
 

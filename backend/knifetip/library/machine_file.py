@@ -24,13 +24,7 @@ from pydantic import (
 from knifetip.errors import LibraryError
 from knifetip.fields import LISTED, Table, field_error
 from knifetip.languages.registry import find_language, language_names
-from knifetip.library.machine_properties import (
-    CONTROLLER,
-    STATIONS,
-    TABLE,
-    MachineProperties,
-    group,
-)
+from knifetip.library.machine_table import MachineTable
 from knifetip.model.machine import (
     NO_HEADING,
     Axis,
@@ -41,6 +35,7 @@ from knifetip.model.machine import (
     Zone,
     has_spindle,
 )
+from knifetip.model.machine_properties import CONTROLLER, STATIONS, TABLE, group
 from knifetip.model.tool import KINDS, Kind, Tool
 from knifetip.model.tool.base import NotNegative, Positive
 
@@ -365,7 +360,7 @@ class ZoneTable(Table):
         return Zone(**self.model_dump())
 
 
-class MachineFile(MachineProperties):
+class MachineFile(MachineTable):  # type: ignore[misc, valid-type]
     """The fields of the TOML file of a flatbed sample-maker.
 
     Z = 0 is the top of the cutting mat, and Z is positive upwards.

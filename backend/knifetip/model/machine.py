@@ -7,6 +7,7 @@ from typing import Any, Final
 
 from knifetip.model.board import Board
 from knifetip.model.dieline import LineType
+from knifetip.model.machine_properties import MachineProperties
 from knifetip.model.tool import KINDS, Cutter, Knife, Planner, Switching, Tool, kind_of
 
 
@@ -128,44 +129,29 @@ class Station:
 
 
 @dataclass(frozen=True, slots=True)
-class Machine:
+class Machine(MachineProperties):
     """A flatbed machine that cuts, creases and grooves sheets of board, with its tool stations.
 
     Z is 0 on the top face of the cutting mat and positive upwards.
     """
 
     name: str
-    title: str
-    width: float  #: width of the table along X (mm)
-    height: float  #: height of the table along Y (mm)
     x: Axis
     y: Axis
     z: Axis
     c: Axis
     stations: tuple[Station, ...]
-    dialect: str  #: name of the controller language
     origin: tuple[float, float]  #: position of the lower left corner of a drawing (mm)
-    travel_z: float  #: height of the tip above the mat in air moves (mm)
-    clearance: float  #: height of the tip above the board where plunging begins (mm)
-    into_mat: float  #: depth of a through cut in the mat (mm)
-    settle: float  #: dwell after a piston or the oscillation is switched (s)
-    feed: str = "manual"  #: loading of sheets: ``manual`` or ``automatic``
     controller: object = None  #: settings of the controller; their type depends on its language
     gantry: Gantry | None = None  #: carriages, if the machine has more than one
     zones: tuple[Zone, ...] = ()  #: keep-out zones on the table
-    #: least distance of a tool from the board in turns with the least lift (mm); 0 for no such lift
-    turn_clearance: float = 0.0
     version: int = 0  #: version of a user's machine; 0 for a machine of the library or of a file
-    #: number of digital outputs of the controller; 0 if it is not stated, and the default of the
-    #: language applies
-    output_count: int = 0
     #: letter of the words of the axis ``c`` in programs: A, B or C; empty if the machine has no
     #: such axis, and ``c`` is then an axis without limits that only tool paths have
     heading_letter: str = "C"
     #: least and greatest feed override that a person may choose while a program runs (%)
     feed_override: tuple[int, int] = (10, 200)
     arcs: str = "arcs"  #: ``chords`` if programs must not contain arcs, otherwise ``arcs``
-    max_caliper: float = 0.0  #: greatest thickness of a board (mm); 0 for no limit
 
     @property
     def carriages(self) -> tuple[Carriage, ...]:

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import asdict, fields
 from typing import Any
 
 from knifetip.languages.registry import find_language
-from knifetip.library.machine_properties import MachineProperties
 from knifetip.model.machine import Machine, Station
+from knifetip.model.machine_properties import MachineProperties
 
 
 def machine_json(machine: Machine) -> dict[str, Any]:
     """Return a machine without its stations as JSON data (mm, degrees, mm/min)."""
+    names = [one.name for one in fields(MachineProperties)]
     return {
         "name": machine.name,
         "version": machine.version,
-        **{name: getattr(machine, name) for name in MachineProperties.model_fields},
+        **{name: getattr(machine, name) for name in names},
         "language": find_language(machine.dialect).title,
         "origin": list(machine.origin),
         "feed_override": list(machine.feed_override),

@@ -34,6 +34,10 @@ MESSAGES: Final[Entries] = {
         id="text",
         text="message",
     ),
+    "check.setup": entry(
+        "Prepared: {note}",
+        note="text",
+    ),
     "check.sheet-larger": entry(
         "A sheet that is larger than the drawing lies in its place{place}.",
         place="message?",

@@ -28,6 +28,9 @@ TEXTS: Final[Texts] = {
     "check.named": Text(
         "{id} ({text})",
     ),
+    "check.setup": Text(
+        "Vorbereitet: {note}",
+    ),
     "check.sheet-larger": Text(
         "Ein Bogen, der größer ist als die Zeichnung, liegt an seinem Platz{place}.",
     ),

@@ -6,7 +6,7 @@ from typing import Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from knifetip.library.machine_properties import MachineProperties
+from knifetip.library.machine_table import MachineTable
 
 
 class FootprintOut(BaseModel):
@@ -109,7 +109,7 @@ class ToolStationOut(BaseModel):
     tool: ToolOut = Field(description="Tool in the station")
 
 
-class MachineOut(MachineProperties):
+class MachineOut(MachineTable):  # type: ignore[misc, valid-type]
     """A machine of a user or of knifetip's library, with its current job."""
 
     # The answer is built by the server; unlike a file, it has all properties.

@@ -231,7 +231,7 @@ def _operation_out(row: Operation) -> OperationOut:
 
 
 def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineOut:
-    return MachineOut.model_validate(
+    result: MachineOut = MachineOut.model_validate(
         {
             **machine_json(machine),
             "offset_cuts": machine.offset_cuts,
@@ -250,3 +250,4 @@ def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineO
             "job": job,
         }
     )
+    return result

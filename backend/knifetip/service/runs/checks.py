@@ -79,6 +79,8 @@ class CheckList:
         following = row.confirmation == Confirmation.SHEET
         table = Message("check.table-next" if following else "check.table")
         checks.append(Check("table-clear", table))
+        if machine is not None and machine.setup_note:
+            checks.append(Check("setup", Message("check.setup", note=machine.setup_note)))
         checks.append(Check("hands-clear", Message("check.hands")))
         if _feeds(row, machine) and row.rest is None and not left:
             return [check for check in checks if check.id not in FEED_CHECKS]
