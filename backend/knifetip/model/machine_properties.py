@@ -75,8 +75,8 @@ class MachineProperties:
         Field(
             max_length=300,
             title="Preparation of the machine",
-            description="What the operator does at the machine before each start, such as opening the "
-            "vacuum zones; it is one of the checks before the start. Empty for none",
+            description="What the operator does at the machine before each start, such as opening "
+            "the vacuum zones; it is one of the checks before the start. Empty for none",
             json_schema_extra=TABLE,
         ),
     ] = ""
