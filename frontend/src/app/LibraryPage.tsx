@@ -1,7 +1,7 @@
 /** The page of machines, boards and tools: a list, and the editor of the chosen entry. */
 
 import "../messages/load";
-import { Button, FileButton } from "@mantine/core";
+import { Button, FileButton, Text, Title } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { type LibraryEntry, type Shelf, service } from "../api/client";
@@ -10,6 +10,7 @@ import { errorText } from "../messages/translateMessage";
 import { Permitted } from "../panels/accounts/Permitted";
 import { DefinitionEditor } from "../panels/library/DefinitionEditor";
 import css from "../panels/library/library.module.css";
+import panels from "../panels/shared/panels.module.css";
 import { savingOf } from "../state/accounts/accounts";
 import { slugOf } from "../state/drawing/draft";
 import { refreshLibrary, SHELF_TITLES } from "../state/library/definitions";
@@ -43,31 +44,37 @@ export function LibraryPage() {
         <Button component="a" href="#/" variant="default" size="sm">
           {translate("libraryPage.backToDrawings")}
         </Button>
-        <h1>{translate("libraryPage.machinesBoardsAndTools")}</h1>
+        <Title order={1} fz={17} mt={14}>
+          {translate("libraryPage.machinesBoardsAndTools")}
+        </Title>
         {fault !== "" && (
-          <p className={css.fault} role="alert">
+          <Text my={8} c="var(--bad-ink)" role="alert">
             {fault}
-          </p>
+          </Text>
         )}
         {SHELVES.map((shelf) => (
           <section key={shelf}>
-            <h2>{SHELF_TITLES[shelf]}</h2>
+            <Title order={2} fz={13} mt={20} mb={6} c="ink.2">
+              {SHELF_TITLES[shelf]}
+            </Title>
             {byTitle(entries.filter((one) => one.shelf === shelf)).map(
               ({ name, title, shipped, version }) => (
                 <button
                   key={name}
                   type="button"
-                  className={css.entry}
+                  className={panels.pick}
                   aria-pressed={open?.shelf === shelf && open.name === name}
                   onClick={() => setOpen({ shelf, name })}
                   data-testid={`entry-${name}`}
                 >
-                  <span>{title || name}</span>
-                  <span className={css.mark}>
+                  <Text span flex={1}>
+                    {title || name}
+                  </Text>
+                  <Text span fz={11} c="ink.3" flex="none">
                     {shipped
                       ? translate("libraryPage.supplied")
                       : `${translate("libraryPage.own")} · ${translate("libraryPage.v", { version })}`}
-                  </span>
+                  </Text>
                 </button>
               ),
             )}
@@ -85,7 +92,9 @@ export function LibraryPage() {
       </nav>
       <main className={css.editor}>
         {open === null ? (
-          <p className={css.hint}>{translate("libraryPage.chooseAMachineABoard")}</p>
+          <Text maw={560} fz={15}>
+            {translate("libraryPage.chooseAMachineABoard")}
+          </Text>
         ) : (
           <DefinitionEditor key={`${open.shelf} ${open.name}`} entry={open} onOpen={setOpen} />
         )}

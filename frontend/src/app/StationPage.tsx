@@ -1,5 +1,6 @@
 /** The page of the person at a machine, for a tablet beside the table. */
 
+import { Center, Tabs } from "@mantine/core";
 import "../messages/load";
 import { useEffect, useRef, useState } from "react";
 import { translate } from "../language/translate";
@@ -7,6 +8,7 @@ import { translateRich } from "../language/translateRich";
 import { AskOperator, OperatorDialog } from "../panels/accounts/OperatorForm";
 import { Permitted } from "../panels/accounts/Permitted";
 import { NotificationList } from "../panels/shared/NotificationList";
+import panels from "../panels/shared/panels.module.css";
 import { StationAlarm } from "../panels/station/StationAlarm";
 import { StationControls } from "../panels/station/StationControls";
 import { StationHeader } from "../panels/station/StationHeader";
@@ -97,7 +99,9 @@ export function StationPage({ machine: name }: Props) {
       )}
       <div className={css.table} data-idle={job === undefined}>
         {job === undefined ? (
-          <p className={css.idle}>{translate("stationPage.noJobWaitsForThis")}</p>
+          <Center p={24} fz={26} ta="center">
+            {translate("stationPage.noJobWaitsForThis")}
+          </Center>
         ) : (
           <StationPicture place={needsOperator(job)} />
         )}
@@ -107,35 +111,40 @@ export function StationPage({ machine: name }: Props) {
         {station !== undefined && <UnknownOutputs station={station} />}
         {station !== undefined && <StationNotices station={station} />}
         <AskOperator />
-        <div className={css.tabs} role="tablist" aria-label={translate("stationPage.jobOrMachine")}>
-          <TabButton id="job" title={translate("stationPage.job")} tab={tab} select={setTab} />
-          <TabButton
-            id="machine"
-            title={translate("stationPage.moveMachine")}
-            tab={tab}
-            select={setTab}
-          />
-        </div>
-        <div id="station-tab" role="tabpanel" aria-labelledby={`tab-${tab}`}>
-          {tab === "machine" ? (
-            <Permitted request="POST /api/v1/machines/{name}/operations">
-              <StationOperations {...shown} />
-            </Permitted>
-          ) : job === undefined ? (
-            <p className={css.message}>{translate("stationPage.theQueueOfThisMachine")}</p>
-          ) : (
-            <Permitted request="POST /api/v1/jobs/{id}/confirm">
-              <StationJob
-                {...shown}
-                job={job}
-                checks={checks}
-                ticked={ticked}
-                wornTools={wornTools}
-                onTick={onTick}
-              />
-            </Permitted>
-          )}
-        </div>
+        <Tabs
+          variant="pills"
+          value={tab}
+          onChange={(value) => setTab(value === "machine" ? "machine" : "job")}
+        >
+          <Tabs.List grow aria-label={translate("stationPage.jobOrMachine")}>
+            <Tabs.Tab value="job" data-testid="tab-job">
+              {translate("stationPage.job")}
+            </Tabs.Tab>
+            <Tabs.Tab value="machine" data-testid="tab-machine">
+              {translate("stationPage.moveMachine")}
+            </Tabs.Tab>
+          </Tabs.List>
+          <Tabs.Panel value={tab} pt={12}>
+            {tab === "machine" ? (
+              <Permitted request="POST /api/v1/machines/{name}/operations">
+                <StationOperations {...shown} />
+              </Permitted>
+            ) : job === undefined ? (
+              <p className={panels.callout}>{translate("stationPage.theQueueOfThisMachine")}</p>
+            ) : (
+              <Permitted request="POST /api/v1/jobs/{id}/confirm">
+                <StationJob
+                  {...shown}
+                  job={job}
+                  checks={checks}
+                  ticked={ticked}
+                  wornTools={wornTools}
+                  onTick={onTick}
+                />
+              </Permitted>
+            )}
+          </Tabs.Panel>
+        </Tabs>
       </div>
       <StationOutcome state={job === undefined ? "" : `${job.id} ${job.state}`} />
       <NotificationList />
@@ -153,29 +162,6 @@ export function StationPage({ machine: name }: Props) {
         }
       />
     </main>
-  );
-}
-
-interface TabProps {
-  readonly id: Tab;
-  readonly title: string;
-  readonly tab: Tab;
-  select(tab: Tab): void;
-}
-
-function TabButton({ id, title, tab, select }: TabProps) {
-  return (
-    <button
-      type="button"
-      role="tab"
-      id={`tab-${id}`}
-      aria-selected={tab === id}
-      aria-controls="station-tab"
-      onClick={() => select(id)}
-      data-testid={`tab-${id}`}
-    >
-      {title}
-    </button>
   );
 }
 

@@ -84,7 +84,7 @@ export function TopBar() {
           </>
         )}
         <span className={css.gap} />
-        <OperatorButton className={css.operator ?? ""} />
+        <OperatorButton compact />
         <AccountButton />
         <MachineChip />
         <Icon

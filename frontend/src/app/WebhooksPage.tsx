@@ -1,17 +1,17 @@
 /** The page of webhooks: endpoints of other systems, and the deliveries to them. */
 
 import "../messages/load";
-import { Button } from "@mantine/core";
+import { Button, Paper, Text, Title } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { type NewWebhook, webhookService } from "../api/webhooks";
 import { translate } from "../language/translate";
 import { errorText } from "../messages/translateMessage";
 import { Refusal } from "../panels/accounts/Permitted";
+import css from "../panels/shared/panels.module.css";
 import { WebhookCard } from "../panels/webhooks/WebhookCard";
 import { WebhookForm } from "../panels/webhooks/WebhookForm";
 import { WebhookSecret } from "../panels/webhooks/WebhookSecret";
-import css from "../panels/webhooks/webhooks.module.css";
 import { useIsPermitted, useRefusal } from "../state/accounts/accounts";
 import { queries } from "../state/queries";
 import { refreshWebhooks } from "../state/webhooks/webhooks";
@@ -40,9 +40,11 @@ export function WebhooksPage() {
   const shown = fault || (error === null ? "" : errorText(error));
   const none = webhooks?.length === 0;
   return (
-    <main className={css.page} data-testid="webhooks">
+    <main className={css.page} data-touch data-testid="webhooks">
       <header className={css.head}>
-        <h1>{translate("webhooksPage.webhooks")}</h1>
+        <Title order={1} fz={22}>
+          {translate("webhooksPage.webhooks")}
+        </Title>
         {!none && !adding && (
           <Button
             disabled={refusal !== null}
@@ -57,20 +59,26 @@ export function WebhooksPage() {
           {translate("webhooksPage.backToDrawings")}
         </Button>
       </header>
-      <p className={css.intro}>
+      <Text mb={16} c="ink.2">
         {none
           ? translate("webhooksPage.changesOfJobsAndDrawings")
           : translate("webhooksPage.changesOfJobsAndDrawings2")}
-      </p>
+      </Text>
       <Refusal reason={refusal} />
       {shown !== "" && (
-        <p className={css.fault} role="alert">
+        <Text mb={12} c="var(--bad-ink)" role="alert">
           {shown}
-        </p>
+        </Text>
       )}
       {added !== null && <WebhookSecret webhook={added} onClose={() => setAdded(null)} />}
       {(none || adding) && (
-        <section className={css.card} aria-label={translate("webhooksPage.newWebhook")}>
+        <Paper
+          component="section"
+          radius={12}
+          p={16}
+          mb={12}
+          aria-label={translate("webhooksPage.newWebhook")}
+        >
           <WebhookForm
             fields={EMPTY}
             label={translate("webhooksPage.add")}
@@ -81,9 +89,9 @@ export function WebhooksPage() {
             }}
             {...(none ? {} : { onCancel: () => setAdding(false) })}
           />
-        </section>
+        </Paper>
       )}
-      <ul className={css.list}>
+      <ul>
         {(webhooks ?? []).map((webhook) => (
           <WebhookCard key={webhook.id} webhook={webhook} act={act} />
         ))}

@@ -58,13 +58,19 @@ const red: MantineColorsTuple = [
   "#971f1f",
 ];
 
+/** Colours of text, which follow the colour scheme: "ink.0" for headings to "ink.3" for notes. */
+const INKS = [0, 1, 2, 3, 3, 3, 3, 3, 3, 3].map((ink) => `var(--ink-${ink})`);
+const ink = INKS as unknown as MantineColorsTuple;
+
 export const theme = createTheme({
   fontFamily: '"Inter Variable", system-ui, sans-serif',
   fontFamilyMonospace: 'ui-monospace, "SF Mono", Menlo, Consolas, monospace',
-  colors: { dark, blue, green, red },
+  colors: { dark, blue, green, red, ink },
   primaryColor: "blue",
   primaryShade: 7,
   defaultRadius: 8,
+  // Those of the style sheets: phones, tablets upright and tablets across.
+  breakpoints: { xs: "37.5em", sm: "56.25em", md: "68.75em", lg: "80em", xl: "90em" },
   cursorType: "pointer",
   focusRing: "auto",
   components: {
@@ -79,6 +85,13 @@ export const theme = createTheme({
     // A comma and a point are both typed as the separator of decimals.
     NumberInput: { defaultProps: { decimalSeparator, allowedDecimalSeparators: [".", ","] } },
     Button: { defaultProps: { fw: 600 } },
+    Text: { defaultProps: { inherit: true } },
+    Title: { defaultProps: { c: "ink.0", fw: 650 } },
+    Anchor: { defaultProps: { c: "var(--accent-ink)", inherit: true } },
+    Badge: { defaultProps: { variant: "light", tt: "none", fw: 600, lts: 0 } },
+    Paper: { defaultProps: { withBorder: true } },
+    Fieldset: { defaultProps: { miw: 0 } },
+    Progress: { defaultProps: { radius: "sm" } },
     // A menu that is longer than the space beside its button scrolls inside the window.
     Menu: {
       defaultProps: {

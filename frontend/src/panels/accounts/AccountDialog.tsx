@@ -2,13 +2,17 @@
 
 import {
   ActionIcon,
+  Box,
   Button,
+  Code,
+  Flex,
   Indicator,
   Modal,
   MultiSelect,
   PasswordInput,
   Select,
   Tabs,
+  Text,
   TextInput,
   Tooltip,
 } from "@mantine/core";
@@ -117,7 +121,7 @@ function Own({ me }: { me: Me }) {
   if (me.kind === "local") return me.has_admin ? null : <FirstAdmin />;
   if (me.kind === "device") return <PairedDevice me={me} />;
   return (
-    <section className={css.section}>
+    <Flex component="section" direction="column" gap={16} pt={16} align="flex-start">
       <p data-testid="account-name">
         {translateRich("accountDialog.signedInAs", {
           name: me.name,
@@ -131,13 +135,13 @@ function Own({ me }: { me: Me }) {
       </Button>
       {me.sign_in === "password" && <OwnPassword />}
       {me.sign_in === "oidc" && <p>{translate("accountDialog.yourPasswordAndYourRole")}</p>}
-    </section>
+    </Flex>
   );
 }
 
 function PairedDevice({ me }: { me: Me }) {
   return (
-    <section className={css.section}>
+    <Flex component="section" direction="column" gap={16} pt={16} align="flex-start">
       <p data-testid="account-name">
         {translateRich("accountDialog.thisDeviceIsPairedWith", {
           name: me.name,
@@ -148,7 +152,7 @@ function PairedDevice({ me }: { me: Me }) {
       <Button variant="default" onClick={() => void signOut()} data-testid="unpair">
         {translate("accountDialog.unpairThisDevice")}
       </Button>
-    </section>
+    </Flex>
   );
 }
 
@@ -175,9 +179,13 @@ function RequestForm({
       {children}
       <Button type="submit">{label}</Button>
       {note.text !== "" && (
-        <p className={css.note} role={note.failed ? "alert" : "status"} data-failed={note.failed}>
+        <Text
+          flex="1 0 100%"
+          c={note.failed ? "var(--bad-ink)" : "ink.2"}
+          role={note.failed ? "alert" : "status"}
+        >
           {note.text}
-        </p>
+        </Text>
       )}
     </form>
   );
@@ -191,9 +199,16 @@ function FirstAdmin() {
     return "";
   };
   return (
-    <section className={css.section} data-testid="first-admin">
+    <Flex
+      component="section"
+      direction="column"
+      gap={16}
+      pt={16}
+      align="flex-start"
+      data-testid="first-admin"
+    >
       <p>{translate("accountDialog.noAdministratorExistsYetEvery")}</p>
-      <pre className={css.command}>knifetip user add NAME --role admin</pre>
+      <Code block>knifetip user add NAME --role admin</Code>
       <RequestForm send={send} label={translate("accountDialog.createTheAdministrator")}>
         <TextInput
           label={translate("accountDialog.name")}
@@ -204,7 +219,7 @@ function FirstAdmin() {
         />
         <NewPassword />
       </RequestForm>
-    </section>
+    </Flex>
   );
 }
 
@@ -248,12 +263,19 @@ function Users() {
     return translate("accountDialog.userCreated", { name });
   };
   return (
-    <section className={css.section} data-testid="users">
-      <ul className={css.list}>
+    <Flex
+      component="section"
+      direction="column"
+      gap={16}
+      pt={16}
+      align="flex-start"
+      data-testid="users"
+    >
+      <Box component="ul" w="100%" mah="44vh" style={{ overflow: "auto" }}>
         {users.map((user) => (
           <UserRow key={user.name} user={user} />
         ))}
-      </ul>
+      </Box>
       <RequestForm send={send} label={translate("accountDialog.createAUser")}>
         <TextInput
           label={translate("accountDialog.name")}
@@ -270,7 +292,7 @@ function Users() {
         />
         <NewPassword />
       </RequestForm>
-    </section>
+    </Flex>
   );
 }
 
@@ -290,11 +312,17 @@ function UserRow({ user }: { user: User }) {
       ? translate("accountDialog.neverSignedIn")
       : dateTimeText(user.signed_in);
   return (
-    <li className={css.row}>
-      <span className={css.main}>
+    <li className={css.item}>
+      <Box
+        component="span"
+        display="grid"
+        flex="1 1 180px"
+        miw={0}
+        style={{ overflowWrap: "anywhere" }}
+      >
         <strong>{user.name}</strong>
         <small>{user.active ? last : translate("accountDialog.disabled")}</small>
-      </span>
+      </Box>
       <Select
         aria-label={translate("accountDialog.roleOf", { name: user.name })}
         data={ROLE_OPTIONS}
@@ -306,9 +334,9 @@ function UserRow({ user }: { user: User }) {
         {user.active ? translate("accountDialog.disable") : translate("accountDialog.enable")}
       </Button>
       {fault !== "" && (
-        <p className={css.note} role="alert" data-failed>
+        <Text flex="1 0 100%" c="var(--bad-ink)" role="alert">
           {fault}
-        </p>
+        </Text>
       )}
     </li>
   );
@@ -334,14 +362,27 @@ function Keys() {
     await refreshKeys();
   };
   return (
-    <section className={css.section} data-testid="keys">
-      <ul className={css.list}>
+    <Flex
+      component="section"
+      direction="column"
+      gap={16}
+      pt={16}
+      align="flex-start"
+      data-testid="keys"
+    >
+      <Box component="ul" w="100%" mah="44vh" style={{ overflow: "auto" }}>
         {keys.map((key) => (
-          <li key={key.id} className={css.row}>
-            <span className={css.main}>
+          <li key={key.id} className={css.item}>
+            <Box
+              component="span"
+              display="grid"
+              flex="1 1 180px"
+              miw={0}
+              style={{ overflowWrap: "anywhere" }}
+            >
               <strong>{key.title}</strong>
               <small>{`${key.scopes.join(", ")} · ${key.used === null ? translate("accountDialog.neverUsed") : translate("accountDialog.used", { used: dateTimeText(key.used) })}${key.customer !== "" ? ` · ${translate("accountDialog.customer", { customer: key.customer })}` : ""}${key.machines.length > 0 ? ` · ${key.machines.join(", ")}` : ""}${key.scopes.includes("gateway") && key.any_machine ? ` · ${translate("accountDialog.anyMachine")}` : ""}${key.expires !== null ? ` · ${translate("accountDialog.expires", { expires: dateTimeText(key.expires) })}` : ""}`}</small>
-            </span>
+            </Box>
             {key.revoked === null ? (
               <Button variant="default" onClick={() => void revoke(key.id)}>
                 {translate("accountDialog.revoke")}
@@ -351,7 +392,7 @@ function Keys() {
             )}
           </li>
         ))}
-      </ul>
+      </Box>
       <RequestForm send={send} label={translate("accountDialog.createAKey")}>
         <TextInput
           label={translate("accountDialog.usedBy")}
@@ -383,29 +424,42 @@ function Keys() {
         <TextInput label={translate("accountDialog.expiresOptional")} name="expires" type="date" />
       </RequestForm>
       {secret !== "" && (
-        <pre className={css.command} data-testid="key-secret">
+        <Code block data-testid="key-secret">
           {secret}
-        </pre>
+        </Code>
       )}
-    </section>
+    </Flex>
   );
 }
 
 function Audit() {
   const { data: entries = [] } = useAudit();
   return (
-    <section className={css.section} data-testid="audit">
-      <ul className={css.list}>
+    <Flex
+      component="section"
+      direction="column"
+      gap={16}
+      pt={16}
+      align="flex-start"
+      data-testid="audit"
+    >
+      <Box component="ul" w="100%" mah="44vh" style={{ overflow: "auto" }}>
         {entries.map((entry) => (
-          <li key={entry.id} className={css.row} data-failed={entry.outcome !== "done"}>
+          <li key={entry.id} className={css.item} data-failed={entry.outcome !== "done"}>
             <small>{dateTimeText(entry.at)}</small>
-            <span className={css.main}>
+            <Box
+              component="span"
+              display="grid"
+              flex="1 1 180px"
+              miw={0}
+              style={{ overflowWrap: "anywhere" }}
+            >
               {`${entry.principal || translate("accountDialog.unknown")}: ${entry.action.replaceAll("_", " ")} ${entry.subject}`}
-            </span>
+            </Box>
             <small>{`${entry.outcome} · ${entry.peer}`}</small>
           </li>
         ))}
-      </ul>
-    </section>
+      </Box>
+    </Flex>
   );
 }

@@ -1,12 +1,13 @@
 /** Asks for the name of the operator, shows it, and changes it. */
 
-import { Modal } from "@mantine/core";
+import { Box, Button, Group, Modal, Text, TextInput } from "@mantine/core";
 import { IconUser } from "@tabler/icons-react";
 import { useId } from "react";
 import { OPERATOR_LENGTH } from "../../api/operator";
 import { translate } from "../../language/translate";
 import { useOperator } from "../../state/accounts/operator";
-import css from "./operator.module.css";
+import css from "../shared/panels.module.css";
+import { Note } from "../shared/parts";
 
 /** The form for the name. It blocks nothing: without an answer, requests carry no name. */
 export function OperatorForm() {
@@ -15,16 +16,20 @@ export function OperatorForm() {
   const close = useOperator((operator) => operator.close);
   const note = useId();
   return (
-    <form
-      className={css.form}
+    <Box
+      component="form"
+      p={12}
+      className={css.section}
+      bg="var(--raise-soft)"
       aria-label={translate("operatorForm.nameOfTheOperator")}
       action={(form) => keep(String(form.get("operator") ?? ""))}
       data-testid="operator-form"
     >
-      <label className={css.label}>
-        {translate("operatorForm.whoWorksAtThisDevice")}
-        <input
-          className={css.input}
+      <Group gap={8} align="flex-end">
+        <TextInput
+          flex="1 1 130px"
+          size="md"
+          label={translate("operatorForm.whoWorksAtThisDevice")}
           name="operator"
           defaultValue={name ?? ""}
           maxLength={OPERATOR_LENGTH}
@@ -33,19 +38,19 @@ export function OperatorForm() {
           aria-describedby={note}
           data-testid="operator-name"
         />
-      </label>
-      <div className={css.answers}>
-        <button type="submit" className={css.yes} data-testid="operator-keep">
+
+        <Button type="submit" mih={44} data-testid="operator-keep">
           {translate("operatorForm.save")}
-        </button>
-        <button type="button" className={css.no} onClick={close} data-testid="operator-close">
+        </Button>
+        <Button variant="default" mih={44} onClick={close} data-testid="operator-close">
           {name === null ? translate("operatorForm.noName") : translate("operatorForm.cancel")}
-        </button>
-      </div>
-      <p className={css.note} id={note}>
-        {translate("operatorForm.recordedWithWhatYouConfirm")}
-      </p>
-    </form>
+        </Button>
+
+        <Note id={note} flex="1 0 100%" visibleFrom="xs">
+          {translate("operatorForm.recordedWithWhatYouConfirm")}
+        </Note>
+      </Group>
+    </Box>
   );
 }
 
@@ -66,20 +71,26 @@ export function OperatorDialog() {
   );
 }
 
-/** The name, which is changed by a click. */
-export function OperatorButton({ className = "" }: { className?: string }) {
+/** The name, which is changed by a click; `compact` leaves it out on a phone. */
+export function OperatorButton({ compact = false }: { compact?: boolean }) {
   const name = useOperator((operator) => operator.name);
   const change = useOperator((operator) => operator.change);
   return (
-    <button
-      type="button"
-      className={`${css.button} ${className}`}
+    <Button
+      variant="subtle"
+      color="gray"
+      size="xs"
+      px={8}
+      mih={34}
+      flex="0 1 auto"
+      leftSection={<IconUser size={18} stroke={1.6} aria-hidden />}
       onClick={change}
       title={translate("operatorForm.changeTheNameOfThe")}
       data-testid="operator"
     >
-      <IconUser size={18} stroke={1.6} aria-hidden />
-      <span className={css.name}>{name || translate("operatorForm.noName")}</span>
-    </button>
+      <Text span fz={13} maw={160} truncate="end" {...(compact ? { visibleFrom: "xs" } : {})}>
+        {name || translate("operatorForm.noName")}
+      </Text>
+    </Button>
   );
 }

@@ -1,6 +1,6 @@
 /** Tablets and other browsers that are paired with a machine; administrators add and revoke them. */
 
-import { Button } from "@mantine/core";
+import { Box, Button, Text } from "@mantine/core";
 import { useState } from "react";
 import { type ApiKey, accounts, type PairingCode } from "../../api/accounts";
 import { translate } from "../../language/translate";
@@ -8,7 +8,7 @@ import { translateRich } from "../../language/translateRich";
 import { errorText } from "../../messages/translateMessage";
 import { refreshDevices, useDevices, useIsPermitted, useMe } from "../../state/accounts/accounts";
 import { dateTimeText } from "../../state/times";
-import panels from "../shared/panels.module.css";
+import { Note } from "../shared/parts";
 import css from "./account.module.css";
 
 export function PairedDevices({ machine }: { machine: string }) {
@@ -30,13 +30,17 @@ export function PairedDevices({ machine }: { machine: string }) {
     await refreshDevices(machine);
   };
   return (
-    <details
-      className={css.devices}
+    <Box
+      component="details"
+      px={8}
+      pb={10}
       data-testid="paired-devices"
       onToggle={() => void refreshDevices(machine)}
     >
-      <summary>{translate("pairedDevices.pairedDevices")}</summary>
-      <ul className={css.list}>
+      <Text component="summary" fw={600}>
+        {translate("pairedDevices.pairedDevices")}
+      </Text>
+      <ul>
         {devices.map((device) => (
           <Device key={device.id} device={device} change={change} />
         ))}
@@ -49,26 +53,35 @@ export function PairedDevices({ machine }: { machine: string }) {
         {translate("pairedDevices.pairADevice")}
       </Button>
       {code !== null && (
-        <p className={panels.note} role="status">
+        <Note role="status">
           {translateRich("pairedDevices.openPairOnTheDevice", {
             origin: globalThis.location.origin,
             code: code.code,
             expires: dateTimeText(code.expires),
             b: (children) => <b>{children}</b>,
             output: (children) => (
-              <output className={css.code} data-testid="pairing-code">
+              <Text
+                component="output"
+                display="block"
+                my={6}
+                c="ink.0"
+                fz={26}
+                fw={700}
+                lts="0.08em"
+                data-testid="pairing-code"
+              >
                 {children}
-              </output>
+              </Text>
             ),
           })}
-        </p>
+        </Note>
       )}
       {fault !== "" && (
-        <p className={css.note} role="alert" data-failed>
+        <Text role="alert" c="var(--bad-ink)">
           {fault}
-        </p>
+        </Text>
       )}
-    </details>
+    </Box>
   );
 }
 
@@ -83,11 +96,19 @@ function Device({ device, change }: DeviceProps) {
       ? translate("pairedDevices.notUsedYet")
       : translate("pairedDevices.lastUsed", { used: dateTimeText(device.used) });
   return (
-    <li className={css.row} data-testid="paired-device">
-      <span className={css.main}>
-        <strong>{device.title}</strong>
+    <li className={css.item} data-testid="paired-device">
+      <Box
+        component="span"
+        display="grid"
+        flex="1 1 180px"
+        miw={0}
+        style={{ overflowWrap: "anywhere" }}
+      >
+        <div>
+          <strong>{device.title}</strong>
+        </div>
         <small>{used}</small>
-      </span>
+      </Box>
       <Button
         variant="default"
         aria-label={translate("pairedDevices.revoke", { title: device.title })}

@@ -2,7 +2,7 @@
 
 import type { ReactNode } from "react";
 import { type RestrictedRequest, useRefusal } from "../../state/accounts/accounts";
-import css from "./account.module.css";
+import { Note } from "../shared/parts";
 
 interface Props {
   /** Request that the controls send; it determines the role. */
@@ -15,7 +15,6 @@ export function Permitted({ request, children }: Props) {
   const reason = useRefusal(request);
   return (
     <fieldset
-      className={css.permitted}
       disabled={reason !== null}
       title={reason ?? undefined}
       data-permitted={reason === null}
@@ -30,8 +29,8 @@ export function Permitted({ request, children }: Props) {
 export function Refusal({ reason }: { reason: string | null }) {
   if (reason === null) return null;
   return (
-    <p className={css.reason} data-testid="role-reason">
+    <Note mt={6} c="ink.2" style={{ overflowWrap: "anywhere" }} data-testid="role-reason">
       {reason}
-    </p>
+    </Note>
   );
 }

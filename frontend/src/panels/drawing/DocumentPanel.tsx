@@ -1,6 +1,6 @@
 /** The open drawing: name, size, import summary and line-type profile. */
 
-import { ActionIcon, Select, Tooltip } from "@mantine/core";
+import { ActionIcon, Box, Select, Title, Tooltip } from "@mantine/core";
 import { IconAdjustments, IconArrowLeft } from "@tabler/icons-react";
 import type { Drawing, Profile } from "../../api/client";
 import { formatNumber } from "../../language/numbers";
@@ -18,6 +18,7 @@ import { Refusal } from "../accounts/Permitted";
 import { CustomerField } from "../order/CustomerField";
 import { TO_ALL_DRAWINGS } from "../shared/labels";
 import css from "../shared/panels.module.css";
+import { LinkButton } from "../shared/parts";
 import { REPORT } from "./ImportPanel";
 import { ShareControl } from "./ShareControl";
 
@@ -41,11 +42,11 @@ export function DocumentPanel() {
             <IconArrowLeft size={17} />
           </ActionIcon>
         </Tooltip>
-        <h1 className={css.docName} style={{ margin: 0 }} title={drawing.name}>
+        <Title order={1} flex={1} fz={15} fw={600} title={drawing.name}>
           {drawing.name}
-        </h1>
+        </Title>
       </div>
-      <dl className={css.facts}>
+      <Box component="dl" className={css.facts} data-end mt={10} fz={12}>
         <dt>{translate("documentPanel.drawingSize")}</dt>
         <dd data-testid="drawing-size">
           {drawing.unit === null
@@ -74,22 +75,18 @@ export function DocumentPanel() {
           <>
             <dt>{translate("documentPanel.importReport")}</dt>
             <dd>
-              <button
-                type="button"
-                className={css.link}
-                style={{ margin: 0 }}
-                onClick={scrollToReport}
-              >
+              <LinkButton type="button" onClick={scrollToReport}>
                 {summarizeReport(drawing.report)}
-              </button>
+              </LinkButton>
             </dd>
           </>
         )}
-      </dl>
+      </Box>
       {importWarnings(drawing).map((warning) => (
         <p
           key={warning.text}
-          className={css.warning}
+          className={css.callout}
+          data-tone="amber"
           style={{ margin: "8px 0 0" }}
           data-testid="import-warning"
         >
@@ -163,20 +160,24 @@ function ProfileChoice({ drawing, profiles }: { drawing: Drawing; profiles: read
       </div>
       <Refusal reason={refusal} />
       {drawing.profile_state !== "current" && (
-        <p className={css.warning} style={{ margin: "8px 0 0" }} data-testid="profile-state">
+        <p
+          className={css.callout}
+          data-tone="amber"
+          style={{ margin: "8px 0 0" }}
+          data-testid="profile-state"
+        >
           {drawing.profile_state === "changed"
             ? translate("documentPanel.theProfileHasChangedSince")
             : translate("documentPanel.thisProfileWasDeletedThe")}{" "}
           {drawing.profile_state === "changed" && (
-            <button
+            <LinkButton
               type="button"
-              className={css.link}
               disabled={busy || refusal !== null}
               data-testid="apply-again"
               onClick={() => void patchDrawing({ profile: drawing.profile })}
             >
               {translate("documentPanel.applyTheChangedProfileTo")}
-            </button>
+            </LinkButton>
           )}
         </p>
       )}

@@ -1,6 +1,6 @@
 /** Upload a drawing, or open one from the list. */
 
-import { Button, Skeleton } from "@mantine/core";
+import { Badge, Box, Button, Flex, Skeleton, Text, ThemeIcon } from "@mantine/core";
 import { IconFileVector, IconUpload } from "@tabler/icons-react";
 import { useRef } from "react";
 import type { DrawingSummary } from "../../api/client";
@@ -13,6 +13,7 @@ import { showDrawing } from "../../state/routes";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
 import css from "../shared/panels.module.css";
+import { Figure, Name, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { ShowMore } from "../shared/ShowMore";
 
@@ -24,25 +25,17 @@ export function DrawingsPanel() {
     <Section
       title={translate("drawingsPanel.drawings")}
       flush
-      aside={
-        drawings && (
-          <span
-            className={css.rowFigure}
-          >{`${drawings.length}${list.hasNextPage ? "+" : ""}`}</span>
-        )
-      }
+      aside={drawings && <Figure>{`${drawings.length}${list.hasNextPage ? "+" : ""}`}</Figure>}
     >
-      <div style={{ padding: "0 8px 10px" }}>
+      <Box px={8} pb={10}>
         <Permitted request="POST /api/v1/drawings">
           <ChooseFile />
         </Permitted>
-      </div>
+      </Box>
       {isPending && [1, 2, 3].map((row) => <Skeleton key={row} height={44} mb={6} radius={8} />)}
-      {error && <p className={css.note}>{errorText(error)}</p>}
+      {error && <Note>{errorText(error)}</Note>}
       {drawings?.length === 0 && (
-        <p className={css.note} style={{ padding: "0 8px" }}>
-          {translate("drawingsPanel.thereAreNoDrawingsYet")}
-        </p>
+        <Note px={8}>{translate("drawingsPanel.thereAreNoDrawingsYet")}</Note>
       )}
       {drawings?.map((drawing) => (
         <Row key={drawing.id} drawing={drawing} current={drawing.id === current} />
@@ -58,31 +51,33 @@ function Row({ drawing, current }: { drawing: DrawingSummary; current: boolean }
   return (
     <button
       type="button"
-      className={css.drawing}
+      className={css.pick}
       aria-current={current}
       data-testid="drawing-row"
       onClick={() => showDrawing(drawing.id)}
     >
-      <span className={css.drawingIcon}>
+      <ThemeIcon component="span" variant="default" size={34} c="ink.3">
         <IconFileVector size={18} stroke={1.5} aria-hidden />
-      </span>
-      <span className={css.drawingName}>{drawing.name}</span>
-      {drawing.questions > 0 ? (
-        <span className={css.badge} data-tone="amber">
-          {translate("drawingsPanel.questions", { questions: drawing.questions })}
-        </span>
-      ) : (
-        <span />
-      )}
-      <small>
-        {translate("drawingsPanel.edges", {
-          width:
-            drawing.unit === null
-              ? translate("drawingsPanel.unitUnknown")
-              : formatSize(drawing.width, drawing.height),
-          segments: drawing.segments,
-        })}
-      </small>
+      </ThemeIcon>
+      <Box component="span" flex={1} miw={0}>
+        <Flex component="span" align="center" gap={8}>
+          <Name fw={550}>{drawing.name}</Name>
+          {drawing.questions > 0 && (
+            <Badge component="span" color="yellow" flex="none">
+              {translate("drawingsPanel.questions", { questions: drawing.questions })}
+            </Badge>
+          )}
+        </Flex>
+        <Text span fz={11.5} c="ink.3">
+          {translate("drawingsPanel.edges", {
+            width:
+              drawing.unit === null
+                ? translate("drawingsPanel.unitUnknown")
+                : formatSize(drawing.width, drawing.height),
+            segments: drawing.segments,
+          })}
+        </Text>
+      </Box>
     </button>
   );
 }

@@ -1,5 +1,6 @@
 /** Question for the line type of some edges; the most likely answer first. */
 
+import { Flex, Text } from "@mantine/core";
 import { useMemo } from "react";
 import type { Question } from "../../api/client";
 import { translate } from "../../language/translate";
@@ -22,10 +23,10 @@ import { useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { SHOW_EDGES } from "../shared/labels";
 import css from "../shared/panels.module.css";
+import { Figure } from "../shared/parts";
 import { Swatch } from "../shared/Swatch";
 import { FollowingEdges } from "./FollowingEdges";
 import { answerHandlers } from "./previewHandlers";
-import questionCss from "./questions.module.css";
 
 interface Props {
   question: Question;
@@ -55,45 +56,54 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
   );
   return (
     <article
-      className={questionCss.question}
+      className={css.callout}
+      data-tone="open"
       data-testid="question"
       {...answerHandlers(rows, "unclassified", question.follows)}
     >
       <button
         type="button"
-        className={questionCss.questionShow}
+        className={css.whole}
         title={SHOW_EDGES}
         onClick={() => zoomToEdges(rows)}
       >
-        <span className={questionCss.questionHead}>
+        <Flex component="span" align="center" gap={8} mb={4} c="ink.0" fw={600}>
           <span className={css.dot} style={{ background: indexColour(question.colour) }} />
-          <span className={questionCss.questionTitle}>{edgeQuestionTitle(question)}</span>
-          <span
-            className={css.rowFigure}
-          >{`${translate("edgeQuestion.edges", { rows: rows.length })}${facts !== null ? ` · ${length(facts.length)}` : ""}`}</span>
-        </span>
-        <span className={questionCss.questionFacts} title={messageText(question)}>
+          <Text span flex={1} miw={0}>
+            {edgeQuestionTitle(question)}
+          </Text>
+          <Figure>{`${translate("edgeQuestion.edges", { rows: rows.length })}${facts !== null ? ` · ${length(facts.length)}` : ""}`}</Figure>
+        </Flex>
+        <Text
+          span
+          display="block"
+          mb={6}
+          fz={11.5}
+          c="ink.3"
+          truncate="end"
+          title={messageText(question)}
+        >
           {edgeQuestionFacts(
             question,
             facts?.linetypes ?? [],
             facts?.lineWidths.map(lineWidth) ?? [],
           )}
-        </span>
+        </Text>
       </button>
-      <p className={questionCss.questionText}>
+      <Text mb={10} fz={12} c="ink.2">
         {text || translate("edgeQuestion.nothingInTheFileSuggests")}
-      </p>
+      </Text>
       {question.follows?.map((following) => (
         <FollowingEdges key={questionKey(following)} following={following} />
       ))}
-      <div className={questionCss.choices}>
+      <div className={css.choices}>
         {choices.map((type, at) => {
           const likely = at === 0 && percent !== null;
           return (
             <button
               key={type}
               type="button"
-              className={`${questionCss.choice} ${likely ? questionCss.choiceWide : ""}`}
+              className={css.choice}
               disabled={busy || refusal !== null}
               title={refusal ?? undefined}
               data-answer={type}
@@ -107,9 +117,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
               <Swatch type={type} />
               {LINE_STYLES[type].title}
               {likely && (
-                <span className={questionCss.choiceFigure}>
-                  {translate("edgeQuestion.mostLikely", { percent })}
-                </span>
+                <Figure ml="auto">{translate("edgeQuestion.mostLikely", { percent })}</Figure>
               )}
             </button>
           );

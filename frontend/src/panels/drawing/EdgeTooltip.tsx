@@ -20,7 +20,7 @@ import { formatDeviation, formatHundredths } from "../../state/format";
 import { EDGE_FIGURE_LINES } from "../../state/job/figures";
 import { useEdges, useJob, useMachines, useToolpath, useVerdict } from "../../state/queries";
 import { useUiStore } from "../../state/store";
-import css from "../shared/panels.module.css";
+import { Figure } from "../shared/parts";
 import { Swatch } from "../shared/Swatch";
 import overlayCss from "./overlay.module.css";
 
@@ -74,9 +74,9 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
       <div className={overlayCss.tooltipHead}>
         <Swatch type={type} />
         {LINE_STYLES[type].title}
-        <span className={css.rowFigure} style={{ marginLeft: "auto", paddingLeft: 12 }}>
+        <Figure style={{ marginLeft: "auto", paddingLeft: 12 }}>
           {length(edges.length[row] ?? 0)}
-        </span>
+        </Figure>
       </div>
       <dl>
         <dt>{translate("edgeTooltip.layerInFile")}</dt>
@@ -91,14 +91,14 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
           <>
             <dt>{translate("edgeTooltip.deviationFromDrawing")}</dt>
             <dd>{formatDeviation(verdict.edge_deviation[row] ?? Number.NaN)}</dd>
-            <Figures figures={deviationParts(verdict, row)} />
+            <Values figures={deviationParts(verdict, row)} />
             <dt>{translate("edgeTooltip.overcutLength")}</dt>
             <dd>{formatHundredths(verdict.edge_overcut[row] ?? Number.NaN)}</dd>
             <dt>{translate("edgeTooltip.uncutLength")}</dt>
             <dd>{formatHundredths(verdict.edge_uncut[row] ?? Number.NaN)}</dd>
             <dt>{translate("edgeTooltip.gapAtEachEndOf")}</dt>
             <dd>{formatHundredths(verdict.edge_setback[row] ?? Number.NaN)}</dd>
-            <Figures figures={optionalFigures(verdict, row)} />
+            <Values figures={optionalFigures(verdict, row)} />
           </>
         )}
       </dl>
@@ -106,12 +106,12 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
   );
 }
 
-interface Figure {
+interface Value {
   readonly title: string;
   readonly value: string;
 }
 
-function Figures({ figures }: { figures: readonly Figure[] }) {
+function Values({ figures }: { figures: readonly Value[] }) {
   return figures.map(({ title, value }) => (
     <Fragment key={title}>
       <dt>{title}</dt>
@@ -121,7 +121,7 @@ function Figures({ figures }: { figures: readonly Figure[] }) {
 }
 
 /** The parts of the deviation of an edge; none if all of it is the deviation of the tool path. */
-function deviationParts(verdict: Verdict, row: number): Figure[] {
+function deviationParts(verdict: Verdict, row: number): Value[] {
   const figure = (column: readonly number[]) => column[row] ?? 0;
   const rounding = figure(verdict.edge_blending);
   const fit = figure(verdict.edge_fit_error);
@@ -140,9 +140,9 @@ function deviationParts(verdict: Verdict, row: number): Figure[] {
 }
 
 /** Figures that only some edges have: groove section, board faces, unreachable length. */
-function optionalFigures(verdict: Verdict, row: number): Figure[] {
+function optionalFigures(verdict: Verdict, row: number): Value[] {
   const figure = (column: readonly number[]) => column[row] ?? 0;
-  const listed: Figure[] = [];
+  const listed: Value[] = [];
   const width = figure(verdict.edge_width);
   if (width > 0) {
     listed.push(

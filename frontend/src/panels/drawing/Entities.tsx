@@ -1,4 +1,6 @@
-/** The entities of a group of the import report; a click zooms to one. */
+/** The entities of a group of the import { Box, Text } from "@mantine/core";
+import { Box, Text } from "@mantine/core";
+import report; a click zooms to one. */
 
 import { useMemo, useState } from "react";
 import type { Drawing, ImportReportRow, ReportGroup } from "../../api/client";
@@ -10,8 +12,8 @@ import { useFormatLength } from "../../state/drawing/useFormatLength";
 import { useEdges, useImportReport } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import panels from "../shared/panels.module.css";
+import { Figure, Note } from "../shared/parts";
 import { ShowMore } from "../shared/ShowMore";
-import css from "./import.module.css";
 
 /** Entities listed at once. */
 const STEP = 100;
@@ -25,7 +27,7 @@ export function Entities({ group, drawing }: { group: ReportGroup; drawing: Draw
   const listed = report.data?.rows ?? firstRows;
   const rows = useMemo(() => entitiesOf(listed, group), [listed, group]);
   return (
-    <div className={css.entities} data-testid="entities">
+    <Box mah={276} mx={8} mb={8} pl={6} className={panels.inset} data-testid="entities">
       {edges !== undefined &&
         rows.slice(0, limit).map((row, at) => (
           <Entity
@@ -37,7 +39,7 @@ export function Entities({ group, drawing }: { group: ReportGroup; drawing: Draw
             drawing={drawing}
           />
         ))}
-      {report.error && <p className={panels.note}>{errorText(report.error)}</p>}
+      {report.error && <Note>{errorText(report.error)}</Note>}
       {(rows.length > limit || report.isFetching) && (
         <ShowMore
           left={Math.max(rows.length, group.count) - Math.min(rows.length, limit)}
@@ -45,7 +47,7 @@ export function Entities({ group, drawing }: { group: ReportGroup; drawing: Draw
           act={() => setLimit(limit + STEP)}
         />
       )}
-    </div>
+    </Box>
   );
 }
 
@@ -67,7 +69,7 @@ function Entity({ row, group, edges, drawing }: Props) {
   return (
     <button
       type="button"
-      className={css.entity}
+      className={panels.pick}
       disabled={location === null}
       aria-pressed={isPinned}
       title={
@@ -82,11 +84,16 @@ function Entity({ row, group, edges, drawing }: Props) {
         else zoomToBox(location.box, location.pin);
       }}
     >
-      <span className={css.entityText}>
+      <Text span flex={1} fz={12}>
         {row.text === "" ? row.kind : `“${row.text}”`}
-        <small>{`${row.text === "" ? translate("entities.onLayer", { handle: row.handle, layer: row.layer }) : translate("entities.onLayer2", { kind: row.kind, handle: row.handle, layer: row.layer })}${reason !== messageText(group.reason) ? ` · ${reason}` : ""}`}</small>
-      </span>
-      {row.length > 0 && <span className={panels.rowFigure}>{length(row.length)}</span>}
+        <Text
+          span
+          display="block"
+          fz={11.5}
+          c="ink.3"
+        >{`${row.text === "" ? translate("entities.onLayer", { handle: row.handle, layer: row.layer }) : translate("entities.onLayer2", { kind: row.kind, handle: row.handle, layer: row.layer })}${reason !== messageText(group.reason) ? ` · ${reason}` : ""}`}</Text>
+      </Text>
+      {row.length > 0 && <Figure>{length(row.length)}</Figure>}
     </button>
   );
 }

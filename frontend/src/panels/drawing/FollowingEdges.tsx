@@ -1,5 +1,6 @@
 /** Edges that an answer decides besides those that the question asks about. */
 
+import { Flex, Text } from "@mantine/core";
 import { useMemo } from "react";
 import type { FollowingEdges as Following } from "../../api/client";
 import { translate } from "../../language/translate";
@@ -12,7 +13,7 @@ import { useFormatLength } from "../../state/drawing/useFormatLength";
 import { useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
-import questionCss from "./questions.module.css";
+import { Figure } from "../shared/parts";
 
 export function FollowingEdges({ following }: { following: Following }) {
   const { data: edges } = useEdges();
@@ -35,25 +36,25 @@ export function FollowingEdges({ following }: { following: Following }) {
   return (
     <button
       type="button"
-      className={questionCss.questionShow}
+      className={css.whole}
       title={messageText(following)}
       data-testid="following-edges"
       onClick={() => zoomToEdges(following.edges)}
     >
-      <span className={questionCss.questionText}>{translate("followingEdges.alsoDecided")}</span>
-      <span className={questionCss.questionHead}>
+      <Text span display="block" mb={4} fz={12} c="ink.2">
+        {translate("followingEdges.alsoDecided")}
+      </Text>
+      <Flex component="span" align="center" gap={8} mb={4} c="ink.0" fw={600}>
         <span className={css.dot} style={{ background: indexColour(following.colour) }} />
-        <span className={questionCss.questionTitle}>
+        <Text span flex={1} miw={0}>
           {edgeQuestionTitle({ kind: "line-type", layer: following.layer })}
-        </span>
-        <span
-          className={css.rowFigure}
-        >{`${translate("edgeQuestion.edges", { rows: following.edges.length })}${facts !== null ? ` · ${length(facts.length)}` : ""}`}</span>
-      </span>
+        </Text>
+        <Figure>{`${translate("edgeQuestion.edges", { rows: following.edges.length })}${facts !== null ? ` · ${length(facts.length)}` : ""}`}</Figure>
+      </Flex>
       {types.map((text) => (
-        <span key={text} className={questionCss.questionFacts}>
+        <Text key={text} span display="block" mb={6} fz={11.5} c="ink.3" truncate="end">
           {text}
-        </span>
+        </Text>
       ))}
     </button>
   );

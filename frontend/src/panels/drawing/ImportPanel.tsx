@@ -1,7 +1,7 @@
 /** The import report: what was kept, merged and dropped, and why. The lengths add up. */
 
-import { SegmentedControl } from "@mantine/core";
-import { IconChevronRight, IconFocusCentered } from "@tabler/icons-react";
+import { Box, Flex, Progress, SegmentedControl, Text } from "@mantine/core";
+import { IconChevronDown, IconFocusCentered } from "@tabler/icons-react";
 import { useState } from "react";
 import type { Drawing, ReportGroup } from "../../api/client";
 import type { ImportOutcome } from "../../geometry/records";
@@ -19,9 +19,9 @@ import { useDrawing, useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { SHOW_EDGES } from "../shared/labels";
 import panels from "../shared/panels.module.css";
+import { Figure, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { Entities } from "./Entities";
-import css from "./import.module.css";
 
 type Report = NonNullable<Drawing["report"]>;
 
@@ -34,6 +34,12 @@ const TITLES: Readonly<Record<ImportOutcome, string>> = {
   dropped: translate("importPanel.dropped"),
 };
 
+const COLOURS: Readonly<Record<ImportOutcome, string>> = {
+  kept: "var(--good)",
+  merged: "var(--accent)",
+  dropped: "#8b97a6",
+};
+
 export function ImportPanel() {
   const { data: drawing } = useDrawing();
   const [outcome, setOutcome] = useState<ImportOutcome | null>(null);
@@ -44,7 +50,7 @@ export function ImportPanel() {
     <Section
       id={REPORT}
       title={translate("importPanel.importReport")}
-      aside={<span className={panels.rowFigure}>{summarizeReport(report)}</span>}
+      aside={<Figure>{summarizeReport(report)}</Figure>}
     >
       <Bar report={report} />
       <SegmentedControl
@@ -59,22 +65,22 @@ export function ImportPanel() {
         ]}
         aria-label={translate("importPanel.listObjectsWithThisImport")}
       />
-      <div className={css.groups} data-testid="report-groups">
+      <Box mx={-8} data-testid="report-groups">
         {groups.map((group) => (
-          <Group
+          <GroupRow
             key={`${group.outcome} ${group.what} ${messageText(group.reason)}`}
             group={group}
             drawing={drawing}
           />
         ))}
         {groups.length === 0 && (
-          <p className={panels.note} style={{ padding: "0 8px" }}>
+          <Note px={8}>
             {translate("importPanel.noObjectOfThisFile", {
               outcome: outcome ?? "kept",
             })}
-          </p>
+          </Note>
         )}
-      </div>
+      </Box>
     </Section>
   );
 }
@@ -82,42 +88,46 @@ export function ImportPanel() {
 function Bar({ report }: { report: Report }) {
   const formatLength = useFormatLength();
   return (
-    <div className={css.sum} data-testid="report-bar">
-      <div
-        className={css.bar}
+    <Box mb={12} data-testid="report-bar">
+      <Progress.Root
+        size={10}
+        style={{ gap: 2 }}
         role="img"
         aria-label={translate("importPanel.totalLengthsOfTheLines")}
       >
         {lengthShares(report).map(({ outcome, share }) =>
           share > 0 ? (
-            <span
+            <Progress.Section
               key={outcome}
-              data-outcome={outcome}
-              style={{ flexGrow: Math.max(share, 0.01) }}
+              withAria={false}
+              value={100 * Math.max(share, 0.01)}
+              color={COLOURS[outcome]}
             />
           ) : null,
         )}
-      </div>
-      <dl className={css.sums}>
+      </Progress.Root>
+      <Flex component="dl" justify="space-between" wrap="wrap" gap="4px 8px" mt={8} fz={11.5}>
         {lengthShares(report).map(({ outcome, length }) => (
           <div key={outcome}>
-            <dt>
-              <span className={css.outcome} data-outcome={outcome} />
+            <Flex component="dt" align="center" gap={5} c="ink.3">
+              <Box component="span" w={8} h={8} bdrs={2} bg={COLOURS[outcome]} />
               {TITLES[outcome]}
-            </dt>
+            </Flex>
             <dd>{formatLength(length)}</dd>
           </div>
         ))}
         <div>
-          <dt>{translate("importPanel.totalLength")}</dt>
+          <Flex component="dt" align="center" gap={5} c="ink.3">
+            {translate("importPanel.totalLength")}
+          </Flex>
           <dd data-testid="report-drawn">{formatLength(report.drawn)}</dd>
         </div>
-      </dl>
-    </div>
+      </Flex>
+    </Box>
   );
 }
 
-function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
+function GroupRow({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
   const { data: edges } = useEdges();
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   const formatLength = useFormatLength();
@@ -129,7 +139,7 @@ function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
     <div>
       <button
         type="button"
-        className={css.group}
+        className={panels.pick}
         aria-expanded={isEdges ? undefined : open}
         title={isEdges ? SHOW_EDGES : translate("importPanel.listTheseObjectsOfThe")}
         data-testid={`report-${group.outcome}`}
@@ -138,21 +148,30 @@ function Group({ group, drawing }: { group: ReportGroup; drawing: Drawing }) {
           else if (edges !== undefined) zoomToEdges(rowsOfGroup(edges, group));
         }}
       >
-        <span className={css.outcome} data-outcome={group.outcome} title={TITLES[group.outcome]} />
-        <span className={css.groupText}>
+        <Box
+          component="span"
+          flex="none"
+          w={8}
+          h={8}
+          mt={4}
+          bdrs={2}
+          bg={COLOURS[group.outcome]}
+          title={TITLES[group.outcome]}
+        />
+        <Text span flex={1} fz={12} className={panels.sentence}>
           {reason}
-          <small>
+          <Text span display="block" fz={11.5} c="ink.3">
             {isEdges
               ? translate("importPanel.edges", { count: group.count })
               : translate("importPanel.objects", { count: group.count })}
             {several && ` · ${group.kinds.join(", ")}`}
-          </small>
-        </span>
-        {group.length > 0 && <span className={panels.rowFigure}>{formatLength(group.length)}</span>}
+          </Text>
+        </Text>
+        {group.length > 0 && <Figure>{formatLength(group.length)}</Figure>}
         {isEdges ? (
-          <IconFocusCentered size={14} className={css.turn} aria-hidden />
+          <IconFocusCentered size={14} className={panels.chevron} aria-hidden />
         ) : (
-          <IconChevronRight size={14} className={css.turn} data-open={open} aria-hidden />
+          <IconChevronDown size={14} className={panels.chevron} data-open={open} aria-hidden />
         )}
       </button>
       {open && <Entities group={group} drawing={drawing} />}

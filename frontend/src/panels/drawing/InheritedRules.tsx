@@ -1,10 +1,11 @@
 /** The rules that a profile takes over from the one it extends; collapsed at first. */
 
+import { Paper } from "@mantine/core";
 import { useState } from "react";
 import type { Preview } from "../../api/client";
 import { translate } from "../../language/translate";
-import panels from "../shared/panels.module.css";
-import css from "./profile.module.css";
+import css from "../shared/panels.module.css";
+import { Figure } from "../shared/parts";
 import { RuleSummary } from "./RuleSummary";
 
 interface Props {
@@ -17,25 +18,26 @@ export function InheritedRules({ title, rules }: Props) {
   const [open, setOpen] = useState(false);
   const edges = rules?.reduce((sum, rule) => sum + rule.edges, 0) ?? 0;
   return (
-    <div className={css.inherited}>
+    <Paper style={{ overflow: "hidden" }}>
       <button
         type="button"
-        className={css.inheritedHead}
+        className={css.pick}
+        style={{ justifyContent: "space-between" }}
         aria-expanded={open}
         onClick={() => setOpen(!open)}
       >
         <span>{translate("inheritedRules.rulesTakenFromTheProfile", { title })}</span>
-        <span className={panels.rowFigure}>
+        <Figure>
           {rules === null
             ? "…"
             : translate("inheritedRules.rulesEdges", { rules: rules.length, edges })}
-        </span>
+        </Figure>
       </button>
       {open &&
         rules?.map((rule, at) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: a profile may have two rules alike
           <RuleSummary key={`${at} ${rule.conditions.text}`} rule={rule} />
         ))}
-    </div>
+    </Paper>
   );
 }

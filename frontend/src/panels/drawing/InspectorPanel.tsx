@@ -1,5 +1,6 @@
 /** The selected edges: line type, deciding rule, confidence and other possible types. */
 
+import { Box, Group, Progress, Text } from "@mantine/core";
 import type { LineType } from "../../geometry/records";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
@@ -16,9 +17,9 @@ import { Refusal } from "../accounts/Permitted";
 import { EdgeOptions } from "../order/EdgeOptions";
 import { USE_PROFILE_TYPE } from "../shared/labels";
 import panels from "../shared/panels.module.css";
+import { Figure, LinkButton, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { Swatch } from "../shared/Swatch";
-import css from "./inspector.module.css";
 import { previewHandlers } from "./previewHandlers";
 
 export function InspectorPanel() {
@@ -41,35 +42,32 @@ export function InspectorPanel() {
           ? translate("inspectorPanel.selectedEdge", { row })
           : translate("inspectorPanel.selectedEdges", { rows: rows.length })
       }
-      aside={<span className={panels.rowFigure}>{formatLength(summary.length)}</span>}
+      aside={<Figure>{formatLength(summary.length)}</Figure>}
     >
       <div data-testid="inspector">
         <Reasons summary={summary} />
         {summary.more > 0 && (
-          <p className={panels.note}>
-            {translate("inspectorPanel.andMoreReasonsForThe", { more: summary.more })}
-          </p>
+          <Note>{translate("inspectorPanel.andMoreReasonsForThe", { more: summary.more })}</Note>
         )}
         {summary.alternatives.length > 0 && (
           <Alternatives types={summary.alternatives} rows={rows} />
         )}
         {byHand && (
-          <button
+          <LinkButton
             type="button"
-            className={panels.link}
             disabled={busy || refusal !== null}
             onClick={() => void retype(rows, null)}
           >
             {USE_PROFILE_TYPE}
-          </button>
+          </LinkButton>
         )}
         <Refusal reason={refusal} />
         <EdgeOptions edges={edges} rows={rows} />
         <Facts summary={summary} handle={rows.length === 1 ? (edges.handles[row] ?? "") : null} />
         {alike.length > rows.length && (
-          <button type="button" className={panels.link} onClick={() => selectEdges(alike)}>
+          <LinkButton type="button" onClick={() => selectEdges(alike)}>
             {translate("inspectorPanel.selectAllEdgesWithThis", { alike: alike.length })}
-          </button>
+          </LinkButton>
         )}
       </div>
     </Section>
@@ -82,26 +80,29 @@ function Reasons({ summary }: { summary: EdgeSummary }) {
     <>
       {summary.reasons.map(({ type, rule, confidence, rows: decided }) => (
         <div key={`${type} ${rule}`}>
-          <div className={css.inspected}>
+          <Group gap={9} c="ink.0" fz={14} fw={600}>
             <Swatch type={type} />
             {LINE_STYLES[type].title}
             {summary.reasons.length > 1 && (
-              <span className={panels.rowFigure}>
-                {translate("inspectorPanel.edges", { decided: decided.length })}
-              </span>
+              <Figure>{translate("inspectorPanel.edges", { decided: decided.length })}</Figure>
             )}
-          </div>
-          <div className={css.trust}>
-            <span className={css.trustText} data-testid="why">
+          </Group>
+          <Box mt={10} mb={4} fz={12} c="ink.2">
+            <Text className={panels.sentence} data-testid="why">
               {ruleText(rule)}
-            </span>
-            <span className={css.meter} aria-hidden>
-              <span style={{ width: `${100 * confidence}%`, background: tone(confidence) }} />
-            </span>
-            <span className={panels.figure}>
+            </Text>
+            <Group gap={10}>
+              <Progress
+                flex={1}
+                size={5}
+                value={100 * confidence}
+                color={tone(confidence)}
+                aria-hidden
+              />
+
               {translate("inspectorPanel.confidence", { confidence: Math.round(100 * confidence) })}
-            </span>
-          </div>
+            </Group>
+          </Box>
         </div>
       ))}
     </>
@@ -114,15 +115,13 @@ function Alternatives({ types, rows }: { types: readonly LineType[]; rows: reado
   const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
   return (
     <>
-      <p className={panels.note} style={{ margin: "10px 0 0" }}>
-        {translate("inspectorPanel.otherPossibleLineTypesClick")}
-      </p>
-      <div className={css.alternatives}>
+      <Note mt={10}>{translate("inspectorPanel.otherPossibleLineTypesClick")}</Note>
+      <Group gap={6} mt={8}>
         {types.map((type) => (
           <button
             key={type}
             type="button"
-            className={css.alternative}
+            className={panels.choice}
             disabled={busy || refusal !== null}
             data-testid={`alternative-${type}`}
             {...previewHandlers(() => [{ rows, type }])}
@@ -132,7 +131,7 @@ function Alternatives({ types, rows }: { types: readonly LineType[]; rows: reado
             {LINE_STYLES[type].title}
           </button>
         ))}
-      </div>
+      </Group>
     </>
   );
 }
@@ -146,7 +145,7 @@ interface FactsProps {
 function Facts({ summary, handle }: FactsProps) {
   const lineWidth = useFormatLineWidth();
   return (
-    <dl className={panels.facts}>
+    <Box component="dl" className={panels.facts} data-end mt={10} fz={12}>
       {handle !== null && (
         <>
           <dt>{translate("inspectorPanel.objectInFile")}</dt>
@@ -181,7 +180,7 @@ function Facts({ summary, handle }: FactsProps) {
           <dd>{summary.outcome}</dd>
         </>
       )}
-    </dl>
+    </Box>
   );
 }
 

@@ -1,6 +1,6 @@
 /** Layers and colours of the file: show, select, set line type. */
 
-import { ActionIcon } from "@mantine/core";
+import { ActionIcon, Box } from "@mantine/core";
 import { IconDots, IconEye, IconEyeOff } from "@tabler/icons-react";
 import type { Drawing } from "../../api/client";
 import { formatNumber } from "../../language/numbers";
@@ -12,6 +12,7 @@ import { layerKey, rowsOfLayer } from "../../state/drawing/rows";
 import { useDrawing, useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
+import { Figure, Name } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { Swatch } from "../shared/Swatch";
 import { TypeMenu } from "./TypeMenu";
@@ -25,13 +26,13 @@ export function LayersPanel() {
     <Section
       title={translate("layersPanel.layersInTheFile")}
       flush
-      aside={<span className={css.rowFigure}>{drawing.layers.length}</span>}
+      aside={<Figure>{drawing.layers.length}</Figure>}
     >
-      <div className={css.long}>
+      <Box mah={300} style={{ overflow: "hidden auto" }}>
         {drawing.layers.map((layer) => (
           <Row key={layerKey(layer.name, layer.colour)} layer={layer} />
         ))}
-      </div>
+      </Box>
     </Section>
   );
 }
@@ -56,13 +57,15 @@ function Row({ layer }: { layer: Layer }) {
         onClick={() => selectEdges(rows())}
       >
         <span className={css.dot} style={{ background: indexColour(layer.colour) }} />
-        <span className={css.rowName}>{layer.name}</span>
+        <Name>{layer.name}</Name>
         <span style={{ display: "flex", gap: 4 }}>
           {layer.types.map((type) => (
             <Swatch key={type} type={type} />
           ))}
         </span>
-        <span className={css.rowCount}>{formatNumber(layer.edges)}</span>
+        <Figure miw={30} ta="right" c="ink.2">
+          {formatNumber(layer.edges)}
+        </Figure>
       </button>
       <span style={{ display: "flex" }}>
         <TypeMenu

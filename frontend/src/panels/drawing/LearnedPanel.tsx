@@ -1,6 +1,6 @@
 /** Rules learned from corrections, each previewed on the canvas before it is saved. */
 
-import { Button, TextInput } from "@mantine/core";
+import { Button, Stack, Text, TextInput } from "@mantine/core";
 import { IconBulb } from "@tabler/icons-react";
 import { useEffect, useState } from "react";
 import type { Profile, Proposal } from "../../api/client";
@@ -14,10 +14,10 @@ import { saveLearnedRule } from "../../state/drawing/profiles";
 import { useDrawing, useLearned, useProfiles } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import panels from "../shared/panels.module.css";
+import { Note } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { ShowMore } from "../shared/ShowMore";
 import { Swatch } from "../shared/Swatch";
-import css from "./learned.module.css";
 import { previewsOfChanges, TypeChanges } from "./TypeChanges";
 
 /** Rules listed at once. */
@@ -41,7 +41,7 @@ export function LearnedPanel() {
         </>
       }
     >
-      <div data-testid="learned">
+      <Stack gap={8} data-testid="learned">
         {learned.slice(0, limit).map((proposal) => (
           <LearnedRule
             key={`${proposal.rule.type} ${proposal.rule.conditions.text}`}
@@ -52,7 +52,7 @@ export function LearnedPanel() {
         {learned.length > limit && (
           <ShowMore left={learned.length - limit} act={() => setLimit(learned.length)} />
         )}
-      </div>
+      </Stack>
     </Section>
   );
 }
@@ -68,14 +68,15 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
     set({ retypePreviews: [{ rows: explains, type: rule.type }, ...previewsOfChanges(changes)] });
   return (
     <article
-      className={css.lesson}
+      className={panels.callout}
+      data-tone="blue"
       data-testid="lesson"
       onMouseEnter={show}
       onMouseLeave={() => set({ retypePreviews: [] })}
       onFocus={show}
       onBlur={() => set({ retypePreviews: [] })}
     >
-      <div className={css.lessonHead}>
+      <Text component="div" c="ink.0">
         {translateRich("learnedPanel.treatEveryEdgeThatMatches", {
           conditions: messageText(rule.conditions),
           type: insideSentence(LINE_STYLES[rule.type].title),
@@ -86,18 +87,18 @@ function LearnedRule({ proposal, profile }: { proposal: Proposal; profile: Profi
             </span>
           ),
         })}
-      </div>
-      <p className={panels.note} style={{ margin: "4px 0 0" }}>
+      </Text>
+      <Note mt={4}>
         {others === 0
           ? translate("learnedPanel.matchesEdgesThatYouSet", { explains: explains.length })
           : proposal.sure
             ? translate("learnedPanel.matchesEdgesThatYouSet2", { explains: explains.length })
             : translate("learnedPanel.matchesEdgesThatYouSet3", { explains: explains.length })}
-      </p>
+      </Note>
       <TypeChanges changes={changes} />
       {profile.shipped ? (
         <form
-          className={css.save}
+          style={{ display: "flex", gap: 6 }}
           onSubmit={(event) => {
             event.preventDefault();
             void saveLearnedRule(proposal, profile, title.trim());

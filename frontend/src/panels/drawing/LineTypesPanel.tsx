@@ -11,6 +11,7 @@ import { useFormatLength } from "../../state/drawing/useFormatLength";
 import { useDrawing, useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
+import { Figure, Name } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { Swatch } from "../shared/Swatch";
 
@@ -47,9 +48,11 @@ function Row({ type, edges, length }: { type: LineType; edges: number; length: n
         onClick={() => columns && selectEdges(rowsOfType(columns, type))}
       >
         <Swatch type={type} />
-        <span className={css.rowName}>{title}</span>
-        <span className={css.rowFigure}>{formatLength(length)}</span>
-        <span className={css.rowCount}>{formatNumber(edges)}</span>
+        <Name>{title}</Name>
+        <Figure>{formatLength(length)}</Figure>
+        <Figure miw={30} ta="right" c="ink.2">
+          {formatNumber(edges)}
+        </Figure>
       </button>
       <ActionIcon
         variant="subtle"

@@ -1,5 +1,6 @@
 /** The pages of a file with several pages: pictures from which the user chooses the drawing. */
 
+import { Box, Flex, SimpleGrid, Text } from "@mantine/core";
 import { IconCheck } from "@tabler/icons-react";
 import type { Drawing, PageOfFile } from "../../api/client";
 import { translate } from "../../language/translate";
@@ -12,8 +13,11 @@ import { useDrawing, usePages } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Refusal } from "../accounts/Permitted";
 import panels from "../shared/panels.module.css";
+import { Figure, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
-import css from "./pages.module.css";
+
+const PAGE = { flexDirection: "column", alignItems: "flex-start", width: "100%", gap: 3 } as const;
+const PICTURE = { width: "100%", height: 84, objectFit: "contain" } as const;
 
 export function PagesPanel() {
   const { data: drawing } = useDrawing();
@@ -22,9 +26,7 @@ export function PagesPanel() {
   return (
     <Section
       title={translate("pagesPanel.pagesOfTheFile")}
-      aside={
-        <span className={panels.rowFigure}>{translate("pagesPanel.pageIsRead", { page })}</span>
-      }
+      aside={<Figure>{translate("pagesPanel.pageIsRead", { page })}</Figure>}
     >
       <Pages drawing={drawing} read={page} />
     </Section>
@@ -35,50 +37,55 @@ function Pages({ drawing, read }: { drawing: Drawing; read: number }) {
   const { data: pages, isError } = usePages(drawing.id);
   const refusal = useRefusal("POST /api/v1/drawings/{id}/pages/{page}");
   const busy = useUiStore((ui) => ui.upload !== null);
-  if (isError)
-    return <p className={panels.note}>{translate("pagesPanel.thePagesCannotBeShown")}</p>;
-  if (pages === undefined)
-    return <p className={panels.note}>{translate("pagesPanel.thePagesAreBeingRead")}</p>;
+  if (isError) return <Note>{translate("pagesPanel.thePagesCannotBeShown")}</Note>;
+  if (pages === undefined) return <Note>{translate("pagesPanel.thePagesAreBeingRead")}</Note>;
   return (
     <>
-      <p className={panels.note}>{translate("pagesPanel.chooseAPageToOpen")}</p>
-      <ul className={css.pages} data-testid="pages">
+      <Note>{translate("pagesPanel.chooseAPageToOpen")}</Note>
+      <SimpleGrid cols={2} spacing={8} mt={8} data-testid="pages">
         {pages.map((page) => (
-          <li key={page.page}>
+          <div key={page.page}>
             <button
               type="button"
-              className={css.page}
+              className={panels.choice}
+              style={PAGE}
               aria-current={page.page === read}
               disabled={page.page === read || page.edges === 0 || refusal !== null || busy}
               title={page.problem === null ? undefined : messageText(page.problem)}
               onClick={() => void choosePage(drawing, page.page)}
             >
               <Miniature page={page} />
-              <span className={css.number}>
+              <Flex component="span" align="center" gap={4}>
                 {translate("pagesPanel.page", { page: page.page })}
                 {page.page === read && (
                   <IconCheck size={13} aria-label={translate("pagesPanel.thePageThatIsRead")} />
                 )}
-              </span>
+              </Flex>
               {page.edges === 0 ? (
-                <small>{translate("pagesPanel.noDrawing")}</small>
+                <Text span fz={11.5} c="ink.2">
+                  {translate("pagesPanel.noDrawing")}
+                </Text>
               ) : (
                 <>
-                  <small>{formatSize(page.width, page.height)}</small>
-                  <small>{translate("pagesPanel.edges", { edges: page.edges })}</small>
+                  <Text span fz={11.5} c="ink.2">
+                    {formatSize(page.width, page.height)}
+                  </Text>
+                  <Text span fz={11.5} c="ink.2">
+                    {translate("pagesPanel.edges", { edges: page.edges })}
+                  </Text>
                 </>
               )}
             </button>
-          </li>
+          </div>
         ))}
-      </ul>
+      </SimpleGrid>
       <Refusal reason={refusal} />
     </>
   );
 }
 
 function Miniature({ page }: { page: PageOfFile }) {
-  if (page.picture === "") return <span className={css.picture} />;
+  if (page.picture === "") return <Box component="span" h={84} />;
   const source = `data:image/svg+xml,${encodeURIComponent(page.picture)}`;
-  return <img className={css.picture} src={source} alt="" draggable={false} />;
+  return <img style={PICTURE} src={source} alt="" draggable={false} />;
 }

@@ -4,7 +4,7 @@ import { Progress } from "@mantine/core";
 import { translate } from "../../language/translate";
 import { useServiceStatus } from "../../state/queries";
 import notificationCss from "../shared/notifications.module.css";
-import css from "../shared/panels.module.css";
+import { Hint } from "../shared/parts";
 import overlayCss from "./overlay.module.css";
 
 export function PreparationBanner() {
@@ -24,7 +24,7 @@ export function PreparationBanner() {
         my={6}
         aria-label={translate("preparationBanner.firstStartOfTheServer2")}
       />
-      <div className={css.hint}>{translate("preparationBanner.theServerPreparesItsSoftware")}</div>
+      <Hint>{translate("preparationBanner.theServerPreparesItsSoftware")}</Hint>
     </div>
   );
 }

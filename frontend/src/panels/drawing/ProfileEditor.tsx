@@ -1,6 +1,18 @@
 /** Editor for a line-type profile; counts the edges that each rule matches in the open drawing. */
 
-import { ActionIcon, Button, Select, Skeleton, Switch, TextInput, Tooltip } from "@mantine/core";
+import {
+  ActionIcon,
+  Box,
+  Button,
+  Flex,
+  Group,
+  Select,
+  Skeleton,
+  Switch,
+  TextInput,
+  Title,
+  Tooltip,
+} from "@mantine/core";
 import { IconArrowLeft, IconPlus } from "@tabler/icons-react";
 import { type ReactNode, useEffect, useState } from "react";
 import type { Preview, Profile } from "../../api/client";
@@ -20,6 +32,7 @@ import { saveDraft, showSaved, unusedName } from "../../state/drawing/profiles";
 import { useDrawing, useProfiles } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import panels from "../shared/panels.module.css";
+import { Note } from "../shared/parts";
 import { InheritedRules } from "./InheritedRules";
 import { ProfileFiles } from "./ProfileFiles";
 import css from "./profile.module.css";
@@ -47,12 +60,12 @@ function LoadedProfile({ profile, profiles }: Props) {
 function MissingProfile() {
   const set = useUiStore((ui) => ui.set);
   return (
-    <div style={{ padding: 16 }}>
-      <p className={panels.note}>{translate("profileEditor.thisProfileWasDeletedAnd")}</p>
+    <Box p={16}>
+      <Note>{translate("profileEditor.thisProfileWasDeletedAnd")}</Note>
       <Button size="xs" variant="default" onClick={() => set({ editedProfile: null })}>
         {BACK}
       </Button>
-    </div>
+    </Box>
   );
 }
 
@@ -95,7 +108,7 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
   );
   return (
     <div className={css.editor} data-testid="profile-editor">
-      <div className={css.head}>
+      <Group gap={8} ml={-6} wrap="nowrap">
         <Tooltip
           label={
             touched ? translate("profileEditor.yourUnsavedEditsAreKept", { back: BACK }) : BACK
@@ -105,17 +118,21 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
             <IconArrowLeft size={17} />
           </ActionIcon>
         </Tooltip>
-        <h1 className={panels.docName} style={{ margin: 0, flex: 1 }}>
+        <Title order={1} flex={1} fz={15} fw={600}>
           {profile.shipped ? translate("profileEditor.newProfile") : profile.title}
-        </h1>
+        </Title>
         <ProfileFiles profile={profile} />
-      </div>
-      {profile.fault !== "" && <p className={css.fault}>{profile.fault}</p>}
+      </Group>
+      {profile.fault !== "" && (
+        <p className={panels.callout} data-tone="red">
+          {profile.fault}
+        </p>
+      )}
       <ProfileFields draft={draft} profiles={profiles} />
       <RuleList draft={draft} preview={preview.data} inherited={inherited} />
       <div className={css.outcome}>
         <PreviewResult preview={preview} />
-        <div className={css.buttons}>
+        <Group gap={8} mt={10}>
           <Button
             size="xs"
             disabled={busy || untitled || !touched || preview.error !== null}
@@ -129,7 +146,7 @@ function Editor({ profile, profiles, draft }: Props & { draft: Draft }) {
               ? translate("profileEditor.discardEdits")
               : translate("profileEditor.closeEditor")}
           </Button>
-        </div>
+        </Group>
       </div>
     </div>
   );
@@ -185,7 +202,7 @@ function RuleList({ draft, preview, inherited }: RuleListProps) {
   const own = preview?.rules.filter((rule) => !rule.inherited) ?? [];
   return (
     <>
-      <div className={css.rulesHead}>
+      <Group gap={8} mt={4} justify="space-between" wrap="nowrap" fz={12} fw={600} c="ink.2">
         <span>{translate("profileEditor.rulesTheFirstRuleThat")}</span>
         <Button
           size="compact-xs"
@@ -196,9 +213,9 @@ function RuleList({ draft, preview, inherited }: RuleListProps) {
         >
           {translate("profileEditor.addRule")}
         </Button>
-      </div>
+      </Group>
       {!draft.overrules && inherited}
-      <ol className={css.rules} data-testid="rules">
+      <Flex component="ol" direction="column" gap={8} data-testid="rules">
         {draft.rules.map((rule, at) => (
           <RuleCard
             key={rule.key}
@@ -218,12 +235,8 @@ function RuleList({ draft, preview, inherited }: RuleListProps) {
             }}
           />
         ))}
-      </ol>
-      {draft.rules.length === 0 && (
-        <p className={panels.note} style={{ margin: 0 }}>
-          {translate("profileEditor.thisProfileHasNoRules")}
-        </p>
-      )}
+      </Flex>
+      {draft.rules.length === 0 && <Note>{translate("profileEditor.thisProfileHasNoRules")}</Note>}
       {draft.overrules && inherited}
     </>
   );
@@ -234,7 +247,7 @@ function PreviewResult({ preview }: { preview: PreviewState }) {
   const { data: drawing } = useDrawing();
   if (preview.error !== null) {
     return (
-      <p className={css.fault} role="alert" data-testid="profile-fault">
+      <p className={panels.callout} data-tone="red" role="alert" data-testid="profile-fault">
         {errorText(preview.error)}
       </p>
     );
@@ -244,10 +257,10 @@ function PreviewResult({ preview }: { preview: PreviewState }) {
   const changed = changes.reduce((sum, { edges }) => sum + edges.length, 0);
   return (
     <>
-      <p className={panels.note} style={{ margin: 0 }} data-testid="profile-outcome">
+      <Note data-testid="profile-outcome">
         {translate("profileEditor.outcome", { changed, open })}
         {(drawing?.overrides ?? 0) > 0 && ` ${translate("profileEditor.edgesSetByHandKeep")}`}
-      </p>
+      </Note>
       <TypeChanges changes={changes} />
     </>
   );

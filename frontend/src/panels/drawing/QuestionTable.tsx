@@ -1,5 +1,6 @@
 /** Many questions about line types as a table: one row for each, answered together. */
 
+import { Flex, NativeSelect, Table, Text } from "@mantine/core";
 import { useMemo, useState } from "react";
 import type { Question } from "../../api/client";
 import type { LineType } from "../../geometry/records";
@@ -23,11 +24,10 @@ import { useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { SHOW_EDGES } from "../shared/labels";
 import panels from "../shared/panels.module.css";
+import { Figure } from "../shared/parts";
 import { Swatch } from "../shared/Swatch";
 import { FollowingEdges } from "./FollowingEdges";
 import { answerHandlers, previewHandlers } from "./previewHandlers";
-import questionCss from "./questions.module.css";
-import css from "./questionTable.module.css";
 
 export function QuestionTable({ questions }: { questions: readonly Question[] }) {
   const busy = useUiStore((ui) => ui.busy);
@@ -36,21 +36,22 @@ export function QuestionTable({ questions }: { questions: readonly Question[] })
   const answers = chosenAnswers(questions, chosen);
   return (
     <form
-      className={css.table}
       onSubmit={(event) => {
         event.preventDefault();
         void retypeEach(answers);
       }}
     >
-      <p className={questionCss.questionText}>{translate("questionTable.chooseALineTypeFor")}</p>
-      <table className={css.rows} data-testid="question-table">
-        <thead>
-          <tr>
-            <th scope="col">{translate("questionTable.layerAndEdges")}</th>
-            <th scope="col">{translate("questionTable.lineType")}</th>
-          </tr>
-        </thead>
-        <tbody>
+      <Text mb={10} fz={12} c="ink.2">
+        {translate("questionTable.chooseALineTypeFor")}
+      </Text>
+      <Table fz={12} horizontalSpacing={4} data-testid="question-table">
+        <Table.Thead>
+          <Table.Tr>
+            <Table.Th scope="col">{translate("questionTable.layerAndEdges")}</Table.Th>
+            <Table.Th scope="col">{translate("questionTable.lineType")}</Table.Th>
+          </Table.Tr>
+        </Table.Thead>
+        <Table.Tbody>
           {questions.map((question) => {
             const key = questionKey(question);
             return (
@@ -62,11 +63,11 @@ export function QuestionTable({ questions }: { questions: readonly Question[] })
               />
             );
           })}
-        </tbody>
-      </table>
+        </Table.Tbody>
+      </Table>
       <button
         type="submit"
-        className={questionCss.choice}
+        className={panels.choice}
         style={{ width: "100%", marginTop: 8 }}
         disabled={busy || refusal !== null || answers.length === 0}
         title={translate("questionTable.oneUndoTakesAllOf")}
@@ -74,12 +75,12 @@ export function QuestionTable({ questions }: { questions: readonly Question[] })
         {...previewHandlers(() => answers)}
       >
         {translate("questionTable.setTheChosenLineTypes")}
-        <span className={questionCss.choiceFigure}>
+        <Figure ml="auto">
           {translate("questionTable.ofRows", {
             answers: answers.length,
             questions: questions.length,
           })}
-        </span>
+        </Figure>
       </button>
     </form>
   );
@@ -109,34 +110,40 @@ function Row({ question, value, onChoose }: RowProps) {
     facts?.lineWidths.map(lineWidth) ?? [],
   );
   return (
-    <tr
+    <Table.Tr
       data-testid="question-row"
       {...answerHandlers(question.edges, value ?? "unclassified", question.follows)}
     >
-      <td>
+      <Table.Td>
         <button
           type="button"
-          className={questionCss.questionShow}
+          className={panels.whole}
           title={`${SHOW_EDGES}\n${messageText(question)}`}
           onClick={() => zoomToEdges(question.edges)}
         >
-          <span className={css.name}>
+          <Flex component="span" align="center" gap={8} c="ink.0" fw={600}>
             <span className={panels.dot} style={{ background: indexColour(question.colour) }} />
-            <span className={questionCss.questionTitle}>{title}</span>
-          </span>
-          <span
-            className={css.facts}
-          >{`${translate("questionTable.edges", { edges: question.edges.length })}${facts !== null ? ` · ${length(facts.length)}` : ""}${look !== "" ? ` · ${look}` : ""}`}</span>
+            <Text span flex={1} miw={0}>
+              {title}
+            </Text>
+          </Flex>
+          <Text
+            span
+            display="block"
+            fz={11.5}
+            c="ink.3"
+          >{`${translate("questionTable.edges", { edges: question.edges.length })}${facts !== null ? ` · ${length(facts.length)}` : ""}${look !== "" ? ` · ${look}` : ""}`}</Text>
         </button>
         {question.follows?.map((following) => (
           <FollowingEdges key={questionKey(following)} following={following} />
         ))}
-      </td>
-      <td>
-        <span className={css.answer}>
+      </Table.Td>
+      <Table.Td>
+        <Flex component="span" align="center" gap={6}>
           <Swatch type={value ?? "unclassified"} />
-          <select
-            className={css.select}
+          <NativeSelect
+            size="xs"
+            w={112}
             aria-label={translate("questionTable.lineTypeOfEdges", {
               title,
               edges: question.edges.length,
@@ -153,9 +160,9 @@ function Row({ question, value, onChoose }: RowProps) {
                 {LINE_STYLES[type].title}
               </option>
             ))}
-          </select>
-        </span>
-      </td>
-    </tr>
+          </NativeSelect>
+        </Flex>
+      </Table.Td>
+    </Table.Tr>
   );
 }

@@ -1,5 +1,6 @@
 /** Open questions, each answered with one click; a program needs the answers to all. */
 
+import { Stack } from "@mantine/core";
 import { IconHelpHexagonFilled } from "@tabler/icons-react";
 import { useRef, useState } from "react";
 import type { Question } from "../../api/client";
@@ -11,13 +12,14 @@ import { questionKey, suggestions } from "../../state/drawing/questions";
 import { useDrawing, useJob } from "../../state/queries";
 import { type RetypePreview, useUiStore } from "../../state/store";
 import { Refusal } from "../accounts/Permitted";
+import css from "../shared/panels.module.css";
+import { Figure } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { ShowMore } from "../shared/ShowMore";
 import { Swatch } from "../shared/Swatch";
 import { EdgeQuestion } from "./EdgeQuestion";
 import { previewHandlers } from "./previewHandlers";
 import { QuestionTable } from "./QuestionTable";
-import css from "./questions.module.css";
 import { UnitQuestion } from "./UnitQuestion";
 
 /** Questions listed at once. */
@@ -60,7 +62,7 @@ export function QuestionsPanel() {
         </>
       }
     >
-      <div ref={list} data-testid="questions">
+      <Stack ref={list} gap={8} data-testid="questions">
         {listed
           .slice(0, limit)
           .map(([key, question]) =>
@@ -95,7 +97,7 @@ export function QuestionsPanel() {
             {translate("questionsPanel.setAllUndecidedEdgesTo")}
           </SetMany>
         )}
-      </div>
+      </Stack>
     </Section>
   );
 }
@@ -120,7 +122,7 @@ function SetMany({
     <button
       type="button"
       className={css.choice}
-      style={{ width: "100%", marginTop: 8 }}
+      style={{ width: "100%" }}
       disabled={busy || refusal !== null}
       title={title}
       data-testid={name}
@@ -129,7 +131,7 @@ function SetMany({
     >
       <Swatch type={retypings[0]?.type ?? "unclassified"} />
       {children}
-      <span className={css.choiceFigure}>{figure}</span>
+      <Figure ml="auto">{figure}</Figure>
     </button>
   );
 }

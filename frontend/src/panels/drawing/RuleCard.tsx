@@ -1,6 +1,6 @@
 /** One rule of a profile: edit, move, delete. */
 
-import { ActionIcon, Select, TextInput, Tooltip } from "@mantine/core";
+import { ActionIcon, Group, Select, SimpleGrid, TextInput, Tooltip } from "@mantine/core";
 import { IconChevronDown, IconChevronUp, IconGripVertical, IconX } from "@tabler/icons-react";
 import { useState } from "react";
 import { translate } from "../../language/translate";
@@ -14,7 +14,7 @@ import {
   parsePatterns,
 } from "../../state/drawing/draft";
 import { ASSIGNABLE_TYPES, LINE_STYLES } from "../../state/drawing/palette";
-import panels from "../shared/panels.module.css";
+import { Figure, LinkButton } from "../shared/parts";
 import { Swatch } from "../shared/Swatch";
 import css from "./profile.module.css";
 
@@ -65,7 +65,7 @@ export function RuleCard(props: Props) {
       }}
       onDrop={(event) => event.preventDefault()}
     >
-      <div className={css.ruleHead}>
+      <Group gap={4} wrap="nowrap">
         {/* biome-ignore lint/a11y/noStaticElementInteractions: the buttons at the right do the same */}
         <span
           className={css.grip}
@@ -93,20 +93,26 @@ export function RuleCard(props: Props) {
             if (type !== undefined) onChange({ type });
           }}
         />
-        <span className={panels.rowFigure} data-testid="rule-edges">
+        <Figure data-testid="rule-edges">
           {edges === null ? "…" : translate("ruleCard.edges", { edges })}
-        </span>
-        <Button label={translate("ruleCard.moveThisRuleUpApplied")} act={() => onMove(number - 2)}>
+        </Figure>
+        <IconButton
+          label={translate("ruleCard.moveThisRuleUpApplied")}
+          act={() => onMove(number - 2)}
+        >
           <IconChevronUp size={14} />
-        </Button>
-        <Button label={translate("ruleCard.moveThisRuleDownApplied")} act={() => onMove(number)}>
+        </IconButton>
+        <IconButton
+          label={translate("ruleCard.moveThisRuleDownApplied")}
+          act={() => onMove(number)}
+        >
           <IconChevronDown size={14} />
-        </Button>
-        <Button label={translate("ruleCard.deleteThisRule")} act={onDelete}>
+        </IconButton>
+        <IconButton label={translate("ruleCard.deleteThisRule")} act={onDelete}>
           <IconX size={14} />
-        </Button>
-      </div>
-      <div className={css.conditions}>
+        </IconButton>
+      </Group>
+      <SimpleGrid cols={2} spacing={8} mt={8}>
         {shown.map((condition) => (
           <Field
             key={condition}
@@ -116,15 +122,15 @@ export function RuleCard(props: Props) {
             onChange={(patterns) => onChange({ [condition]: patterns })}
           />
         ))}
-      </div>
-      <div className={css.ruleFoot}>
+      </SimpleGrid>
+      <Group gap={8} mt={6} justify="space-between" fz={11.5} c="var(--warn-ink)">
         {matchesAll(rule) && <span>{translate("ruleCard.thisRuleHasNoCondition")}</span>}
         {shown.length < CONDITIONS.length && (
-          <button type="button" className={css.more} onClick={() => setAll(true)}>
+          <LinkButton ml="auto" onClick={() => setAll(true)}>
             {translate("ruleCard.showMoreConditionsForThis")}
-          </button>
+          </LinkButton>
         )}
-      </div>
+      </Group>
     </li>
   );
 }
@@ -159,7 +165,7 @@ function Field({ condition, number, patterns, onChange }: FieldProps) {
   );
 }
 
-function Button(props: { label: string; act: () => void; children: React.ReactNode }) {
+function IconButton(props: { label: string; act: () => void; children: React.ReactNode }) {
   return (
     <Tooltip label={props.label}>
       <ActionIcon

@@ -9,7 +9,7 @@ import { formatDuration } from "../../state/format";
 import { isOnTable } from "../../state/job/jobs";
 import { useJob, useTimeline } from "../../state/queries";
 import { useUiStore } from "../../state/store";
-import css from "../shared/panels.module.css";
+import { Figure } from "../shared/parts";
 import overlayCss from "./overlay.module.css";
 
 /** Duration of the playback (s); shorter programs play in real time. */
@@ -74,9 +74,9 @@ export function Scrubber() {
           set({ previewTime: value });
         }}
       />
-      <span className={css.rowFigure} title={translate("scrubber.machineTimeUpToThe")}>
+      <Figure title={translate("scrubber.machineTimeUpToThe")}>
         {formatDuration((at / total) * seconds)} / {formatDuration(seconds)}
-      </span>
+      </Figure>
     </div>
   );
 }

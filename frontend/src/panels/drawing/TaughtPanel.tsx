@@ -1,5 +1,6 @@
 /** Edges that earlier drawings of the customer, or other answers in this drawing, have decided. */
 
+import { Stack, Text } from "@mantine/core";
 import { IconHistory } from "@tabler/icons-react";
 import { useMemo } from "react";
 import type { Drawing, LearnedLook, TaughtLook } from "../../api/client";
@@ -16,9 +17,9 @@ import { useCustomerAnswers, useDrawing, useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { SHOW_EDGES } from "../shared/labels";
 import panels from "../shared/panels.module.css";
+import { Figure, LinkButton, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { Swatch } from "../shared/Swatch";
-import css from "./learned.module.css";
 import { previewHandlers } from "./previewHandlers";
 
 export function TaughtPanel() {
@@ -39,12 +40,12 @@ export function TaughtPanel() {
         </>
       }
     >
-      <div data-testid="taught">
+      <Stack gap={8} data-testid="taught">
         {drawing.learned.map((look) => (
           <Learned key={lookKey(look)} look={look} drawing={drawing} />
         ))}
         {followed.map(({ type, rows }) => (
-          <article key={type} className={css.lesson} data-testid="followed">
+          <article key={type} className={panels.callout} data-tone="blue" data-testid="followed">
             <Edges rows={rows} type={type}>
               {translateRich("taughtPanel.moreEdgesWithTheLook", {
                 rows: rows.length,
@@ -56,7 +57,7 @@ export function TaughtPanel() {
         {refused.map((look) => (
           <Refused key={lookKey(look)} look={look} />
         ))}
-      </div>
+      </Stack>
     </Section>
   );
 }
@@ -65,7 +66,7 @@ function Learned({ look, drawing }: { look: LearnedLook; drawing: Drawing }) {
   const busy = useUiStore((ui) => ui.busy);
   const refusal = useRefusal("PATCH /api/v1/drawings/{id}/customer-answers");
   return (
-    <article className={css.lesson} data-testid="learned-look">
+    <article className={panels.callout} data-tone="blue" data-testid="learned-look">
       <Edges rows={look.edges} type={look.type}>
         <span
           className={panels.dot}
@@ -73,24 +74,22 @@ function Learned({ look, drawing }: { look: LearnedLook; drawing: Drawing }) {
         />{" "}
         <b>{lookTitle(look)}</b>: {translate("taughtPanel.edges", { edges: look.edges.length })}
       </Edges>
-      <p className={panels.note} style={{ margin: "4px 0 6px" }}>
+      <Note mt={4} mb={6}>
         {translate("taughtPanel.learnedFromOf", {
           look: lookFacts(look),
           drawings: look.drawings.join(", "),
           customer: drawing.customer,
         })}
-      </p>
-      <button
+      </Note>
+      <LinkButton
         type="button"
-        className={panels.link}
-        style={{ margin: 0 }}
         disabled={busy || refusal !== null}
         title={refusal ?? translate("taughtPanel.askAboutSuchEdgesIn")}
         data-testid="take-back"
         onClick={() => void setLookUsed(look, false)}
       >
         {translate("taughtPanel.takeBackFor", { customer: drawing.customer })}
-      </button>
+      </LinkButton>
     </article>
   );
 }
@@ -99,24 +98,22 @@ function Refused({ look }: { look: TaughtLook }) {
   const busy = useUiStore((ui) => ui.busy);
   const refusal = useRefusal("PATCH /api/v1/drawings/{id}/customer-answers");
   return (
-    <p className={panels.note} style={{ margin: "6px 0 0" }} data-testid="refused-look">
+    <Note mt={6} data-testid="refused-look">
       {translate("taughtPanel.noLongerDecidedAs", {
         look: lookTitle(look),
         look2: lookFacts(look),
         title: insideSentence(LINE_STYLES[look.type].title),
       })}{" "}
-      <button
+      <LinkButton
         type="button"
-        className={panels.link}
-        style={{ margin: 0 }}
         disabled={busy || refusal !== null}
         title={refusal ?? undefined}
         data-testid="use-again"
         onClick={() => void setLookUsed(look, true)}
       >
         {translate("taughtPanel.useAgain")}
-      </button>
-    </p>
+      </LinkButton>
+    </Note>
   );
 }
 
@@ -132,15 +129,16 @@ function Edges({ rows, type, children }: EdgesProps) {
   return (
     <button
       type="button"
-      className={css.change}
-      style={{ padding: 0, fontSize: 12.5, alignItems: "baseline" }}
+      className={panels.pick}
       title={SHOW_EDGES}
       onClick={() => zoomToEdges(rows)}
       {...previewHandlers(() => [{ rows, type }])}
     >
       <Swatch type={type} />
-      <span style={{ flex: 1, minWidth: 0, overflowWrap: "anywhere" }}>{children}</span>
-      <span className={panels.rowFigure}>{LINE_STYLES[type].title}</span>
+      <Text span flex={1} miw={0}>
+        {children}
+      </Text>
+      <Figure>{LINE_STYLES[type].title}</Figure>
     </button>
   );
 }

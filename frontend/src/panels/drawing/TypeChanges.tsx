@@ -1,13 +1,14 @@
 /** Edges whose line type would change, grouped by old and new type. */
 
+import { Box } from "@mantine/core";
 import { IconArrowRight } from "@tabler/icons-react";
 import type { Retyped } from "../../api/client";
 import { translate } from "../../language/translate";
 import { LINE_STYLES } from "../../state/drawing/palette";
 import { useUiStore } from "../../state/store";
 import { SHOW_EDGES } from "../shared/labels";
+import css from "../shared/panels.module.css";
 import { Swatch } from "../shared/Swatch";
-import css from "./learned.module.css";
 
 export const previewsOfChanges = (changes: readonly Retyped[]) =>
   changes.map(({ edges, after }) => ({ rows: edges, type: after }));
@@ -15,12 +16,12 @@ export const previewsOfChanges = (changes: readonly Retyped[]) =>
 export function TypeChanges({ changes }: { changes: readonly Retyped[] }) {
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   return (
-    <ul className={css.changes} data-testid="changes">
+    <Box component="ul" mt={8} mb={10} fz={12} c="ink.2" data-testid="changes">
       {changes.map(({ before, after, edges }) => (
         <li key={`${before} ${after}`}>
           <button
             type="button"
-            className={css.change}
+            className={css.pick}
             title={SHOW_EDGES}
             onClick={() => zoomToEdges(edges)}
           >
@@ -33,6 +34,6 @@ export function TypeChanges({ changes }: { changes: readonly Retyped[] }) {
           </button>
         </li>
       ))}
-    </ul>
+    </Box>
   );
 }

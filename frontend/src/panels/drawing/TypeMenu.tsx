@@ -1,12 +1,11 @@
 /** A menu of line types. */
 
-import { Menu } from "@mantine/core";
+import { Kbd, Menu } from "@mantine/core";
 import { IconArrowBackUp } from "@tabler/icons-react";
 import type { ReactNode } from "react";
 import type { LineType } from "../../geometry/records";
 import { ASSIGNABLE_TYPES, LINE_STYLES } from "../../state/drawing/palette";
 import { USE_PROFILE_TYPE } from "../shared/labels";
-import css from "../shared/panels.module.css";
 import { Swatch } from "../shared/Swatch";
 
 interface Props {
@@ -26,7 +25,7 @@ export function TypeMenu({ onChoose, label, children }: Props) {
           <Menu.Item
             key={type}
             leftSection={<Swatch type={type} />}
-            rightSection={<span className={css.key}>{LINE_STYLES[type].key}</span>}
+            rightSection={<Kbd>{LINE_STYLES[type].key}</Kbd>}
             onClick={() => onChoose(type)}
           >
             {LINE_STYLES[type].title}

@@ -1,5 +1,6 @@
 /** The unit of the drawing: choices with sizes, and the evidence for each. */
 
+import { Flex, Group, Progress, Stack, Text } from "@mantine/core";
 import { IconAlertTriangle, IconCheck } from "@tabler/icons-react";
 import { useState } from "react";
 import type { Drawing, Unit } from "../../api/client";
@@ -14,8 +15,8 @@ import { useDrawing } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Refusal } from "../accounts/Permitted";
 import panels from "../shared/panels.module.css";
+import { Figure, LinkButton, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
-import css from "./unit.module.css";
 
 /** Pieces of evidence listed per unit. */
 const REASONS = 4;
@@ -30,7 +31,7 @@ export function UnitPanel() {
       title={translate("unitPanel.unitOfLengthInThe")}
       open={warnings.length > 0}
       aside={
-        <span className={panels.rowFigure}>
+        <Figure>
           {warnings.length > 0 && (
             <IconAlertTriangle
               size={13}
@@ -43,35 +44,36 @@ export function UnitPanel() {
             : translate("unitPanel.setByHand", {
                 title: insideSentence(UNITS[drawing.unit].title),
               })}
-        </span>
+        </Figure>
       }
     >
       {warnings.map((warning) => (
-        <p key={warning.text} className={panels.warning}>
+        <p key={warning.text} className={panels.callout} data-tone="amber">
           {messageText(warning)} {messageHint(warning)}
         </p>
       ))}
       {drawing.unit_learned.length > 0 && (
-        <p className={panels.note} data-testid="unit-learned">
+        <Note data-testid="unit-learned">
           {translate("unitPanel.asInDrawings", { drawings: drawing.unit_learned.join(", ") })}
-        </p>
+        </Note>
       )}
       <UnitChoices drawing={drawing} />
       <Refusal reason={refusal} />
       {drawing.unit_given !== null && (
-        <button
+        <LinkButton
           type="button"
-          className={panels.link}
           disabled={refusal !== null}
           data-testid="unit-file"
           onClick={() => void patchDrawing({ unit: "file" })}
         >
           {translate("unitPanel.letKnifetipDetectTheUnit")}
-        </button>
+        </LinkButton>
       )}
     </Section>
   );
 }
+
+const CHOICE = { flexDirection: "column", alignItems: "flex-start", gap: 4 } as const;
 
 /** One button per unit, with the size that it gives and the evidence for it. */
 export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: readonly Unit[] }) {
@@ -86,13 +88,11 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
   const range = Math.max(1, Math.max(...weights) - lightest);
   const [all, setAll] = useState(false);
   return (
-    <div className={css.units}>
-      <p className={css.unitKey}>
-        <span className={css.weight} aria-hidden>
-          <span style={{ width: "60%" }} />
-        </span>
+    <Stack gap={6}>
+      <Group gap={8} fz={11.5} c="ink.3" wrap="nowrap">
+        <Progress w={28} size={4} value={60} aria-hidden flex="none" />
         {translate("unitPanel.aLongerBarShowsStronger")}
-      </p>
+      </Group>
       {offered.map((unit, at) => {
         const [width, height] = sizeIn(drawing, unit);
         const chosen = drawing.unit === unit;
@@ -104,7 +104,8 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
           <button
             key={unit}
             type="button"
-            className={css.unit}
+            className={panels.choice}
+            style={CHOICE}
             aria-pressed={chosen}
             disabled={busy || refusal !== null}
             title={refusal ?? undefined}
@@ -114,30 +115,40 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
               if (!chosen) void patchDrawing({ unit });
             }}
           >
-            <span className={css.unitHead}>
+            <Flex component="span" align="center" gap={6} fw={600} w="100%">
               {UNITS[unit].title}
               {chosen && <IconCheck size={14} aria-label={translate("unitPanel.thisUnitIsUsed")} />}
-              {likely && <span className={css.likely}>{translate("unitPanel.mostLikely")}</span>}
-              <span className={css.unitSize}>{formatSize(width, height)}</span>
-            </span>
-            <span className={css.unitFoot}>
-              <span className={css.weight}>
-                <span style={{ width: `${(100 * (weightOf(unit) - lightest)) / range}%` }} />
-              </span>
-              <span className={css.unitInches}>{formatInches(width, height)}</span>
-            </span>
+              {likely && (
+                <Text span fz={11.5} fw={500} c="var(--accent-ink)">
+                  {translate("unitPanel.mostLikely")}
+                </Text>
+              )}
+              <Text span ml="auto" fw={500}>
+                {formatSize(width, height)}
+              </Text>
+            </Flex>
+            <Flex component="span" align="center" justify="space-between" w="100%">
+              <Progress
+                w={96}
+                size={4}
+                value={(100 * (weightOf(unit) - lightest)) / range}
+                aria-hidden
+              />
+              <Text span fz={11.5} c="ink.3">
+                {formatInches(width, height)}
+              </Text>
+            </Flex>
             {reasons.slice(0, REASONS).map((reason) => (
-              <span key={reason.text} className={css.reason}>
-                {messageText(reason)}
-              </span>
+              <Text span key={reason.text} fz={11.5} c="ink.2">
+                {`• ${messageText(reason)}`}
+              </Text>
             ))}
           </button>
         );
       })}
       {evidence.length > 0 && (
-        <button
+        <LinkButton
           type="button"
-          className={panels.link}
           style={{ margin: 0, textAlign: "left" }}
           aria-expanded={all}
           data-testid="unit-evidence"
@@ -146,8 +157,8 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
           {all
             ? translate("unitPanel.hideTheEvidenceForOther")
             : translate("unitPanel.showTheEvidenceForOther")}
-        </button>
+        </LinkButton>
       )}
-    </div>
+    </Stack>
   );
 }

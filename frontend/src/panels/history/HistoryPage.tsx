@@ -2,7 +2,16 @@
 
 import { returnToDrawing, showDrawing } from "../../state/routes";
 import "../../messages/load";
-import { Button, SegmentedControl, Select, TextInput } from "@mantine/core";
+import {
+  Button,
+  Flex,
+  SegmentedControl,
+  Select,
+  SimpleGrid,
+  Text,
+  TextInput,
+  Title,
+} from "@mantine/core";
 import { IconSearch } from "@tabler/icons-react";
 import { useState } from "react";
 import type { EndedState, HistoryFilter, Job } from "../../api/client";
@@ -14,6 +23,8 @@ import { dateTimeText } from "../../state/times";
 import { StateBadge } from "../job/StateBadge";
 import { OrderLine } from "../order/OrderDetails";
 import { DrawingPicture } from "../shared/DrawingPicture";
+import panels from "../shared/panels.module.css";
+import { Note } from "../shared/parts";
 import { ShowMore } from "../shared/ShowMore";
 import css from "./history.module.css";
 import { StatisticsView } from "./StatisticsView";
@@ -55,9 +66,11 @@ export function HistoryPage() {
   const [machine, setMachine] = useState("");
   const { data: machines } = useMachines();
   return (
-    <div className={css.page} data-testid="history">
-      <header className={css.head}>
-        <h1>{translate("historyPage.history")}</h1>
+    <div className={panels.page} data-touch data-testid="history">
+      <header className={panels.head}>
+        <Title order={1} fz={22}>
+          {translate("historyPage.history")}
+        </Title>
         <SegmentedControl
           value={view}
           onChange={(value) => setView(value as View)}
@@ -65,7 +78,7 @@ export function HistoryPage() {
           aria-label={translate("historyPage.whatToShow")}
         />
         <Select
-          className={css.machine ?? ""}
+          w={200}
           aria-label={translate("historyPage.machine")}
           placeholder={translate("historyPage.allMachines")}
           clearable
@@ -93,7 +106,7 @@ function EndedJobs({ machine }: { machine: string }) {
   const jobs = list.data ?? [];
   return (
     <>
-      <div className={css.filters}>
+      <SimpleGrid cols={{ base: 2, sm: 3, md: 6 }} spacing={8} mb={12}>
         {TEXT_FILTERS.map(({ field, label, testid }) => (
           <TextInput
             key={field}
@@ -133,16 +146,22 @@ function EndedJobs({ machine }: { machine: string }) {
           }}
           data={PERIODS}
         />
-      </div>
-      {list.error && <p className={css.note}>{errorText(list.error)}</p>}
-      {list.isSuccess && jobs.length === 0 && (
-        <p className={css.note}>{translate("historyPage.noJobMeetsTheseConditions")}</p>
+      </SimpleGrid>
+      {list.error && (
+        <Note py={32} fz={14} ta="center">
+          {errorText(list.error)}
+        </Note>
       )}
-      <ul className={css.jobs}>
+      {list.isSuccess && jobs.length === 0 && (
+        <Note py={32} fz={14} ta="center">
+          {translate("historyPage.noJobMeetsTheseConditions")}
+        </Note>
+      )}
+      <Flex component="ul" direction="column" gap={6}>
         {jobs.map((job) => (
           <EndedJob key={job.id} job={job} />
         ))}
-      </ul>
+      </Flex>
       {list.hasNextPage && (
         <ShowMore busy={list.isFetchingNextPage} act={() => void list.fetchNextPage()} />
       )}
@@ -165,25 +184,29 @@ function EndedJob({ job }: { job: Job }) {
           className={css.picture}
           src={`/api/v1/drawings/${encodeURIComponent(job.drawing)}/picture`}
         />
-        <span className={css.name}>
+        <Text span flex="2 1 200px" c="ink.0" fw={600}>
           {job.drawing_name}
           <OrderLine job={job} />
-        </span>
-        <span>{board}</span>
-        <span>{machines?.find(({ name }) => name === job.machine)?.title || job.machine}</span>
-        <span className={css.figure}>
+        </Text>
+        <Text span flex="1 1 160px">
+          {board}
+          <br />
+          {machines?.find(({ name }) => name === job.machine)?.title || job.machine}
+        </Text>
+        <Text span flex="0 1 120px">
           {job.copies_done === job.copies
             ? translate("historyPage.copies", { copies: job.copies })
             : translate("historyPage.ofCopies", {
                 copiesDone: job.copies_done,
                 copies: job.copies,
               })}
-        </span>
-        <span className={css.figure}>{formatDuration(job.seconds * job.copies)}</span>
-        <time className={css.figure} dateTime={job.ended ?? ""}>
-          {job.ended == null ? "" : dateTimeText(job.ended)}
-        </time>
-        <StateBadge job={job} />
+          <br />
+          {formatDuration(job.seconds * job.copies)}
+        </Text>
+        <Flex component="span" direction="column" align="flex-end" gap={4} flex="1 0 150px">
+          <StateBadge job={job} />
+          <time dateTime={job.ended ?? ""}>{job.ended == null ? "" : dateTimeText(job.ended)}</time>
+        </Flex>
       </button>
     </li>
   );

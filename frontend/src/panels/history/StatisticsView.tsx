@@ -1,13 +1,14 @@
 /** Statistics of machines and periods, with bars of the copies. */
 
-import { SegmentedControl } from "@mantine/core";
-import { useState } from "react";
+import { Paper, SegmentedControl, SimpleGrid, Text, Title } from "@mantine/core";
+import { type CSSProperties, useState } from "react";
 import type { Statistics } from "../../api/client";
 import { formatDate } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
 import { formatDuration, formatMetres } from "../../state/format";
 import { useBoardTitles, useMachines, useStatistics } from "../../state/queries";
+import { Note } from "../shared/parts";
 import css from "./history.module.css";
 
 const STEPS = [
@@ -45,24 +46,31 @@ export function StatisticsView({ machine }: { machine: string }) {
   const names = [...new Set((data ?? []).map((row) => row.machine))];
   return (
     <>
-      <div className={css.filters}>
-        <SegmentedControl
-          style={{ gridColumn: "1 / -1" }}
-          value={step}
-          onChange={(value) => setStep(value as Step)}
-          data={[...STEPS]}
-          aria-label={translate("statisticsView.lengthOfAPeriod")}
-        />
-      </div>
-      {error && <p className={css.note}>{errorText(error)}</p>}
+      <SegmentedControl
+        fullWidth
+        mb={12}
+        value={step}
+        onChange={(value) => setStep(value as Step)}
+        data={[...STEPS]}
+        aria-label={translate("statisticsView.lengthOfAPeriod")}
+      />
+      {error && (
+        <Note py={32} fz={14} ta="center">
+          {errorText(error)}
+        </Note>
+      )}
       {data !== undefined && data.length === 0 && (
-        <p className={css.note}>{translate("statisticsView.noJobHasRunOn")}</p>
+        <Note py={32} fz={14} ta="center">
+          {translate("statisticsView.noJobHasRunOn")}
+        </Note>
       )}
       {names.map((name) => (
-        <section key={name} className={css.card} data-testid="statistics">
-          <h2>{machines?.find((one) => one.name === name)?.title || name}</h2>
+        <Paper key={name} component="section" radius={12} p={16} mb={14} data-testid="statistics">
+          <Title order={2} fz={15} mb={10}>
+            {machines?.find((one) => one.name === name)?.title || name}
+          </Title>
           <Periods rows={(data ?? []).filter((row) => row.machine === name)} step={step} />
-        </section>
+        </Paper>
       ))}
     </>
   );
@@ -73,19 +81,30 @@ function Periods({ rows, step }: { rows: readonly Statistics[]; step: Step }) {
   const titleOf = useBoardTitles();
   const most = Math.max(1, ...rows.map(({ copies }) => copies));
   return (
-    <ul className={css.periods}>
+    <ul>
       {rows.toReversed().map((row) => (
-        <li key={row.start} className={css.period}>
-          <span className={css.when}>{periodText(row.start, step)}</span>
-          <span className={css.track}>
-            <span className={css.fill} style={{ width: `${(100 * row.copies) / most}%` }} />
-            <span
-              className={css.onBar}
-            >{`${translate("statisticsView.copies", { copies: row.copies })} · ${translate("statisticsView.jobsFinished", { jobs: row.jobs })}`}</span>
-          </span>
-          <dl className={css.figures}>
+        <li key={row.start} className={css.row}>
+          <Text fw={550} mb={4}>
+            {periodText(row.start, step)}
+          </Text>
+          <div
+            className={css.bar}
+            style={{ "--share": `${(100 * row.copies) / most}%` } as CSSProperties}
+          >
+            {`${translate("statisticsView.copies", { copies: row.copies })} · ${translate("statisticsView.jobsFinished", { jobs: row.jobs })}`}
+          </div>
+          <SimpleGrid
+            component="dl"
+            cols={{ base: 2, sm: 4 }}
+            spacing={16}
+            verticalSpacing={4}
+            mt={6}
+            fz={12.5}
+          >
             <div>
-              <dt>{translate("statisticsView.sheets")}</dt>
+              <Text component="dt" fz={11.5} c="ink.3">
+                {translate("statisticsView.sheets")}
+              </Text>
               <dd>
                 {Object.entries(row.sheets)
                   .map(([board, count]) => `${count} ${titleOf(board)}`)
@@ -93,7 +112,9 @@ function Periods({ rows, step }: { rows: readonly Statistics[]; step: Step }) {
               </dd>
             </div>
             <div>
-              <dt>{translate("statisticsView.length")}</dt>
+              <Text component="dt" fz={11.5} c="ink.3">
+                {translate("statisticsView.length")}
+              </Text>
               <dd>
                 {Object.entries(row.lengths)
                   .map(([kind, metres]) => `${formatMetres(metres)} ${LINE_TYPES[kind] ?? kind}`)
@@ -101,11 +122,15 @@ function Periods({ rows, step }: { rows: readonly Statistics[]; step: Step }) {
               </dd>
             </div>
             <div>
-              <dt>{translate("statisticsView.onTheMachine")}</dt>
+              <Text component="dt" fz={11.5} c="ink.3">
+                {translate("statisticsView.onTheMachine")}
+              </Text>
               <dd>{formatDuration(row.seconds)}</dd>
             </div>
-            <div data-bad={row.interruptions > 0}>
-              <dt>{translate("statisticsView.interrupted")}</dt>
+            <Text component="div" c={row.interruptions > 0 ? "var(--warn-ink)" : "ink.1"}>
+              <Text component="dt" fz={11.5} c="ink.3">
+                {translate("statisticsView.interrupted")}
+              </Text>
               <dd>
                 {translate("statisticsView.ofRuns", {
                   interruptions: row.interruptions,
@@ -113,8 +138,8 @@ function Periods({ rows, step }: { rows: readonly Statistics[]; step: Step }) {
                   interruptedShare: Math.round(row.interrupted_share * 100),
                 })}
               </dd>
-            </div>
-          </dl>
+            </Text>
+          </SimpleGrid>
         </li>
       ))}
     </ul>

@@ -1,8 +1,8 @@
 /** The tools of machines: the length that each has worked, its life, and its changes. */
 
-import { Button, NumberInput } from "@mantine/core";
+import { Box, Button, Flex, NumberInput, Paper, Text, Title } from "@mantine/core";
 import { IconRefresh } from "@tabler/icons-react";
-import { useState } from "react";
+import { type CSSProperties, useState } from "react";
 import type { ToolUse } from "../../api/client";
 import { formatDate } from "../../language/numbers";
 import { translate } from "../../language/translate";
@@ -13,6 +13,7 @@ import { formatMetres } from "../../state/format";
 import { useMachines, useTools } from "../../state/queries";
 import { Refusal } from "../accounts/Permitted";
 import { ConfirmDialog } from "../shared/ConfirmDialog";
+import { StationNumber } from "../shared/parts";
 import css from "./history.module.css";
 
 export function ToolsView({ machine }: { machine: string }) {
@@ -27,15 +28,17 @@ function MachineTools({ machine, title }: { machine: string; title: string }) {
   const { data: tools } = useTools(machine);
   const refusal = useRefusal("POST /api/v1/machines/{name}/tools/{station}/changed");
   return (
-    <section className={css.card} data-testid={`tools-of-${machine}`}>
-      <h2>{title}</h2>
-      <ul className={css.tools}>
+    <Paper component="section" radius={12} p={16} mb={14} data-testid={`tools-of-${machine}`}>
+      <Title order={2} fz={15} mb={10}>
+        {title}
+      </Title>
+      <ul>
         {(tools ?? []).map((tool) => (
           <Tool key={tool.station} machine={machine} tool={tool} refusal={refusal} />
         ))}
       </ul>
       <Refusal reason={refusal} />
-    </section>
+    </Paper>
   );
 }
 
@@ -52,32 +55,42 @@ function Tool({ machine, tool, refusal }: ToolProps) {
   const [life, setLife] = useState<number | string | null>(null);
   const { station, name, used, share, warning, message } = tool;
   return (
-    <li className={css.tool} data-warning={warning} data-testid="tool">
-      <span className={css.station}>{station}</span>
-      <span className={css.toolName}>
+    <Flex
+      component="li"
+      className={css.row}
+      align="center"
+      wrap="wrap"
+      gap="6px 14px"
+      data-testid="tool"
+    >
+      <StationNumber size={26} fz={13}>
+        {station}
+      </StationNumber>
+      <Text span flex="1 1 180px" c="ink.0" fw={550}>
         {name}
-        <small>
+        <Text span display="block" fz={11.5} fw={400} c="ink.3">
           {tool.changed === null
             ? translate("toolsView.noChangeRecorded")
             : translate("toolsView.changed", {
                 changed: formatDate(new Date(tool.changed)),
                 changedBy: tool.changed_by,
               })}
-        </small>
-      </span>
-      <span className={css.wear}>
-        <span className={css.track}>
-          <span className={css.fill} style={{ width: `${Math.min(100, share * 100)}%` }} />
-          <span className={css.onBar}>
-            {tool.life > 0
-              ? `${translate("toolsView.of", { used: formatMetres(used), life: formatMetres(tool.life) })} · ${Math.round(share * 100)} %`
-              : formatMetres(used)}
-          </span>
-        </span>
-      </span>
+        </Text>
+      </Text>
+      <Box
+        flex="2 1 240px"
+        className={css.bar}
+        data-warning={warning}
+        style={{ "--share": `${Math.min(100, share * 100)}%` } as CSSProperties}
+      >
+        {tool.life > 0
+          ? `${translate("toolsView.of", { used: formatMetres(used), life: formatMetres(tool.life) })} · ${Math.round(share * 100)} %`
+          : formatMetres(used)}
+      </Box>
       <NumberInput
         aria-label={translate("toolsView.lifeOfInMetres0", { name })}
-        className={css.life ?? ""}
+        w={150}
+        hideControls
         min={0}
         max={1e7}
         decimalScale={1}
@@ -108,9 +121,9 @@ function Tool({ machine, tool, refusal }: ToolProps) {
         {translate("toolsView.toolChanged")}
       </Button>
       {message !== null && (
-        <p className={css.warning} role="status">
+        <Text flex="1 0 100%" fz={12.5} c="var(--warn-ink)" role="status">
           {messageText(message)} {messageHint(message)}
-        </p>
+        </Text>
       )}
       <ConfirmDialog
         confirmation={
@@ -129,6 +142,6 @@ function Tool({ machine, tool, refusal }: ToolProps) {
         }}
         onNo={() => setAsked(false)}
       />
-    </li>
+    </Flex>
   );
 }

@@ -1,6 +1,6 @@
 /** Form with which a user accepts what the tool cannot make as drawn. */
 
-import { Button, Checkbox, TextInput } from "@mantine/core";
+import { Button, Checkbox, Flex, Text, TextInput } from "@mantine/core";
 import { useState } from "react";
 import type { EarlierExceptions, Finding, Job } from "../../api/client";
 import { operatorName } from "../../api/operator";
@@ -10,7 +10,7 @@ import { acceptShortfalls } from "../../state/actions";
 import { useEarlierExceptions } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { dateTimeText } from "../../state/times";
-import verdictCss from "./verdict.module.css";
+import css from "../shared/panels.module.css";
 
 /** Texts of the shortfalls of a kind. */
 const TEXTS = {
@@ -58,8 +58,14 @@ export function AcceptForm({ job, findings }: { job: Job; findings: readonly Fin
     });
   };
   return (
-    <form
-      className={verdictCss.accept}
+    <Flex
+      component="form"
+      direction="column"
+      gap={8}
+      mt={14}
+      pt={12}
+      fz={12.5}
+      className={css.divided}
       data-testid="accept-form"
       onSubmit={(event) => {
         event.preventDefault();
@@ -115,7 +121,7 @@ export function AcceptForm({ job, findings }: { job: Job; findings: readonly Fin
           ? translate("acceptForm.acceptTheSameShortfallsAs", { same: chosen.length })
           : translate("acceptForm.acceptShortfalls", { chosen: chosen.length })}
       </Button>
-    </form>
+    </Flex>
   );
 }
 
@@ -130,13 +136,13 @@ function Earlier({ exceptions }: { exceptions: EarlierExceptions }) {
   const names = [...new Set(exceptions.findings.map(({ acceptance }) => acceptance.by))];
   const time = dateTimeText(exceptions.created);
   return (
-    <p className={verdictCss.acceptance} data-testid="earlier-exceptions">
+    <Text c="ink.3" data-testid="earlier-exceptions">
       {translate("acceptForm.acceptedOfTheseLinesFor", {
         names: names.join(", "),
         findings: exceptions.findings.length,
         time,
       })}
-    </p>
+    </Text>
   );
 }
 

@@ -1,6 +1,6 @@
 /** The open job: state, progress, operator commands and verdict. */
 
-import { Button, Progress } from "@mantine/core";
+import { Button, Group, Progress, Stack, Text } from "@mantine/core";
 import {
   IconCheck,
   IconCircleCheckFilled,
@@ -39,12 +39,11 @@ import { Permitted } from "../accounts/Permitted";
 import { OrderCard } from "../order/OrderDetails";
 import { ConfirmDialog } from "../shared/ConfirmDialog";
 import css from "../shared/panels.module.css";
+import { Figures, Hint, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
-import jobCss from "./job.module.css";
 import { RestPanel } from "./RestPanel";
 import { StateBadge } from "./StateBadge";
 import { VerdictCard } from "./VerdictCard";
-import verdictCss from "./verdict.module.css";
 import { WaitsAtMachine } from "./WaitsAtMachine";
 
 export function JobPanel() {
@@ -55,7 +54,7 @@ export function JobPanel() {
       title={translate("jobPanel.openJob")}
       aside={<StateBadge job={job} testId="job-state" />}
     >
-      <div style={{ display: "grid", gridTemplateColumns: "minmax(0, 1fr)", gap: 12 }}>
+      <Stack gap={12}>
         <JobBoard job={job} />
         <OrderCard job={job} />
         {isCompiling(job) && <Compiling job={job} />}
@@ -82,7 +81,7 @@ export function JobPanel() {
               : translate("jobPanel.downloadMachineProgramLines", { lines: job.lines })}
           </Button>
         )}
-      </div>
+      </Stack>
     </Section>
   );
 }
@@ -91,13 +90,13 @@ export function JobPanel() {
 function JobBoard({ job }: { job: Job }) {
   const title = useBoardTitle(job.board);
   return (
-    <p className={css.note} style={{ margin: 0 }} data-testid="job-board">
+    <Note data-testid="job-board">
       {translateRich("jobPanel.board", {
         title,
         machine: job.machine,
         b: (children) => <b>{children}</b>,
       })}
-    </p>
+    </Note>
   );
 }
 
@@ -106,9 +105,9 @@ function Rest({ job }: { job: Job }) {
   const [open, setOpen] = useState(job.state === "interrupted" || job.remaining_copies > 0);
   return (
     <details open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
-      <summary className={jobCss.summary} data-testid="rest-open">
+      <Text component="summary" mih={32} mb={8} fw={600} data-testid="rest-open">
         {translate("jobPanel.restOfTheSheetOr")}
-      </summary>
+      </Text>
       {open && (
         <Permitted request="POST /api/v1/jobs/{id}/rest">
           <RestPanel job={job} />
@@ -122,34 +121,40 @@ function Compiling({ job }: { job: Job }) {
   const { title, index } = stageProgress(job.stage);
   return (
     <div role="status" data-testid="stage">
-      <ol className={jobCss.stages} aria-hidden="true">
+      <Progress.Root size={5} mb={8} bg="transparent" style={{ gap: 3 }} aria-hidden>
         {SHOWN_STAGES.map((stage, at) => (
-          <li key={stage} data-state={at < index ? "done" : at === index ? "now" : "open"} />
+          <Progress.Section
+            key={stage}
+            withAria={false}
+            value={100 / SHOWN_STAGES.length}
+            color={at > index ? "gray" : "blue"}
+            animated={at === index}
+          />
         ))}
-      </ol>
-      <div className={css.runFigures} style={{ marginTop: 0 }}>
+      </Progress.Root>
+      <Figures>
         <span>{title}</span>
         <span>{Math.round(job.progress * 100)} %</span>
-      </div>
+      </Figures>
     </div>
   );
 }
 
 function Waiting({ job }: { job: Job }) {
   return (
-    <div className={jobCss.callout} data-tone="grey" role="status" data-testid="waiting">
+    <div className={css.callout} data-tone="grey" role="status" data-testid="waiting">
       {job.message === null
         ? translate("jobPanel.theJobWaitsForThe", { machine: job.machine })
         : messageText(job.message)}
-      <Hint message={job.message} />
+      <HintOf message={job.message} />
     </div>
   );
 }
 
 /** The hint of a message, if it has one. */
-function Hint({ message }: { message: Job["message"] }) {
+function HintOf({ message }: { message: Job["message"] }) {
   const hint = message === null ? "" : messageHint(message);
-  return hint === "" ? null : <div className={css.hint}>{hint}</div>;
+  return hint === "" ? null : <Hint>{hint}</Hint>;
 }
 
 function Running({ job }: { job: Job }) {
@@ -166,13 +171,13 @@ function Running({ job }: { job: Job }) {
         aria-label={translate("jobPanel.progressOfTheJobOn")}
         data-testid="run-progress"
       />
-      <div className={css.runFigures}>
+      <Figures mt={8}>
         <span>{`${translate("jobPanel.done", { progress: Math.round(job.progress * 100) })}${job.copies > 1 ? ` · ${translate("jobPanel.copyOf", { copiesDone: Math.min(job.copies_done + 1, job.copies), copies: job.copies })}` : ""}`}</span>
         <span>{translate("jobPanel.programLineOf", { line: job.line, lines: job.lines })}</span>
         <span data-testid="time-left">
           {left === null ? "" : translate("jobPanel.left", { left: formatDuration(left) })}
         </span>
-      </div>
+      </Figures>
     </div>
   );
 }
@@ -182,14 +187,14 @@ function Outcome({ job }: { job: Job }) {
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   if (job.state === "done") {
     return (
-      <div className={jobCss.callout} data-tone="green" data-testid="done" role="status">
-        <div className={verdictCss.verdictHead}>
+      <div className={css.callout} data-tone="green" data-testid="done" role="status">
+        <Group gap={10} wrap="nowrap">
           <IconCircleCheckFilled size={20} color="var(--good)" aria-hidden />
-          <span className={verdictCss.verdictTitle}>
+          <Text span c="ink.0" fz={15} fw={650}>
             {translate("jobPanel.copiesFinished", { copies: job.copies })}
-          </span>
-        </div>
-        <div className={css.hint}>{translate("jobPanel.theTableIsFreeFor")}</div>
+          </Text>
+        </Group>
+        <Hint>{translate("jobPanel.theTableIsFreeFor")}</Hint>
       </div>
     );
   }
@@ -202,13 +207,13 @@ function Outcome({ job }: { job: Job }) {
   const rows = edges === undefined ? [] : concernedRows(edges, job);
   return (
     <div
-      className={jobCss.callout}
+      className={css.callout}
       data-tone={tone === "red" || tone === "amber" ? tone : "grey"}
       data-testid="reason"
       role={tone === "red" ? "alert" : "status"}
     >
       {text}
-      <Hint message={job.message} />
+      <HintOf message={job.message} />
       {rows.length > 0 && (
         <Button mt={8} size="compact-xs" variant="default" onClick={() => zoomToEdges(rows)}>
           {translate("jobPanel.showEdgesInTheDrawing", { rows: rows.length })}
@@ -308,7 +313,7 @@ function Controls({ job }: { job: Job }) {
     else setAsking(word);
   };
   return (
-    <div style={{ display: "flex", flexWrap: "wrap", gap: 8 }}>
+    <Group gap={8}>
       <ConfirmDialog
         confirmation={open}
         onYes={() => {
@@ -338,10 +343,10 @@ function Controls({ job }: { job: Job }) {
         );
       })}
       {refused !== undefined && (
-        <p className={css.note} style={{ flexBasis: "100%", margin: 0 }} data-testid="role-reason">
+        <Note flex="1 0 100%" data-testid="role-reason">
           {`${LOOKS[refused].title}: ${reasonAgainst(refused)}`}
-        </p>
+        </Note>
       )}
-    </div>
+    </Group>
   );
 }

@@ -1,6 +1,6 @@
 /** Connection state of the machine and of the server, in the top bar. */
 
-import { Tooltip } from "@mantine/core";
+import { Badge, Box, Tooltip } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { translate } from "../../language/translate";
 import { machineWord, proposedMachine } from "../../state/job/machines";
@@ -37,26 +37,28 @@ export function MachineChip() {
         : translate("machineChip.isNotConnectedSoIts", { title: machine.title || machine.name });
   return (
     <Tooltip label={label}>
-      <span
-        className={css.badge}
-        style={{ minWidth: 0 }}
-        data-tone={lost ? "red" : word === "interrupted" ? "amber" : there ? "green" : "grey"}
+      <Badge
+        component="span"
+        miw={0}
+        color={lost ? "red" : word === "interrupted" ? "yellow" : there ? "green" : "gray"}
+        leftSection={
+          <Box component="span" visibleFrom="xs" className={css.dot} bg="currentcolor" />
+        }
         data-testid="machine-status"
         role="status"
       >
-        <span
-          className={css.dot}
-          style={{ flex: "none", width: 7, height: 7, background: "var(--tone)" }}
-        />
-        <span className={`${css.rowName} ${lost ? "" : css.machineName}`}>
-          {lost
-            ? translate("machineChip.serverNotReachable")
-            : machine?.title || machine?.name || "…"}
-        </span>
-        {!lost && machine !== undefined && (
-          <span className={css.detail}>{word === "" ? "" : WORDS[word]}</span>
+        {lost ? (
+          translate("machineChip.serverNotReachable")
+        ) : (
+          <>
+            {/* A phone has no room for the name of the machine: its state remains. */}
+            <Box component="span" visibleFrom="xs" mr={6}>
+              {machine?.title || machine?.name || "…"}
+            </Box>
+            {word === "" ? "" : WORDS[word]}
+          </>
         )}
-      </span>
+      </Badge>
     </Tooltip>
   );
 }

@@ -1,5 +1,7 @@
 /** The machine: connection, carriages if there are several, and the tool in each station. */
 
+import { Anchor, Badge, Group, Text } from "@mantine/core";
+import type { ReactNode } from "react";
 import type { Machine } from "../../api/client";
 import { formatNumber, withMinusSign } from "../../language/numbers";
 import { translate } from "../../language/translate";
@@ -7,7 +9,7 @@ import { CANVAS } from "../../state/drawing/palette";
 import { useMachines } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { PairedDevices } from "../accounts/PairedDevices";
-import css from "../shared/panels.module.css";
+import { Note, StationNumber } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { dimensionText } from "../station/toolText";
 import jobCss from "./job.module.css";
@@ -32,58 +34,60 @@ export function MachinePanel() {
       flush
       aside={<Gateway machine={machine} />}
     >
-      <div style={{ padding: "0 8px 6px" }} className={css.note}>
+      <Note component="div" px={8} pb={6}>
         {translate("machinePanel.controllerLanguage", {
           title: machine.title || machine.name,
           language: machine.language,
         })}
         {" · "}
-        <a
-          className={css.link}
+        <Anchor
+          fz={12}
           href={`#/station/${encodeURIComponent(machine.name)}`}
           data-testid="open-station"
         >
           {translate("machinePanel.openStationPage")}
-        </a>{" "}
+        </Anchor>{" "}
         ·{" "}
-        <a className={css.link} href="#/library" data-testid="open-library">
+        <Anchor fz={12} href="#/library" data-testid="open-library">
           {translate("machinePanel.machinesAndBoards")}
-        </a>{" "}
+        </Anchor>{" "}
         ·{" "}
-        <a className={css.link} href="#/webhooks" data-testid="open-webhooks">
+        <Anchor fz={12} href="#/webhooks" data-testid="open-webhooks">
           {translate("machinePanel.webhooks")}
-        </a>
-      </div>
+        </Anchor>
+      </Note>
       <PairedDevices key={machine.name} machine={machine.name} />
       {machine.carriages.map((carriage) => (
         <div key={carriage.number}>
           {machine.carriages.length > 1 && (
-            <div style={{ padding: "4px 8px 2px" }} className={css.note}>
+            <Note component="div" px={8} py={3}>
               {carriageText(carriage)}
-            </div>
+            </Note>
           )}
           {machine.stations
             .filter((station) => station.carriage === carriage.number)
             .map((station) => (
-              <div key={station.number} className={jobCss.station}>
-                <span className={jobCss.stationNumber}>{station.number}</span>
-                <span>{station.name}</span>
-                <span className={jobCss.stationTool}>{dimensionText(station.tool)}</span>
-              </div>
+              <Item
+                key={station.number}
+                mark={<StationNumber>{station.number}</StationNumber>}
+                name={station.name}
+                text={dimensionText(station.tool)}
+              />
             ))}
         </div>
       ))}
       {machine.zones.length > 0 && (
         <div data-testid="zones">
-          <div style={{ padding: "4px 8px 2px" }} className={css.note}>
+          <Note component="div" px={8} py={3}>
             {translate("machinePanel.keepOutZonesWhichNo")}
-          </div>
+          </Note>
           {machine.zones.map((zone) => (
-            <div key={`${zone.name} ${zone.x} ${zone.y}`} className={jobCss.station}>
-              <span className={jobCss.zone} style={{ color: CANVAS.zone }} />
-              <span>{zone.name}</span>
-              <span className={jobCss.stationTool}>{zoneText(zone)}</span>
-            </div>
+            <Item
+              key={`${zone.name} ${zone.x} ${zone.y}`}
+              mark={<span className={jobCss.zone} style={{ color: CANVAS.zone }} />}
+              name={zone.name}
+              text={zoneText(zone)}
+            />
           ))}
         </div>
       )}
@@ -94,8 +98,29 @@ export function MachinePanel() {
 function Gateway({ machine }: { machine: Machine }) {
   const connected = machine.gateway === "connected";
   return (
-    <span className={css.badge} data-tone={connected ? "green" : "grey"}>
+    <Badge component="span" color={connected ? "green" : "gray"}>
       {connected ? translate("machinePanel.connected") : translate("machinePanel.notConnected")}
-    </span>
+    </Badge>
+  );
+}
+
+interface ItemProps {
+  readonly mark: ReactNode;
+  readonly name: string;
+  readonly text: string;
+}
+
+/** A station or a zone of the machine. */
+function Item({ mark, name, text }: ItemProps) {
+  return (
+    <Group gap={8} px={8} py={6} wrap="nowrap" align="flex-start">
+      {mark}
+      <div>
+        {name}
+        <Text fz={11.5} c="ink.3">
+          {text}
+        </Text>
+      </div>
+    </Group>
   );
 }

@@ -1,6 +1,16 @@
 /** The queue of one machine in the order in which its jobs run; rows are dragged to reorder it. */
 
-import { ActionIcon, Menu, NumberInput, Progress } from "@mantine/core";
+import {
+  ActionIcon,
+  Badge,
+  Box,
+  Flex,
+  Group,
+  Menu,
+  NumberInput,
+  Progress,
+  Text,
+} from "@mantine/core";
 import {
   IconArrowDown,
   IconArrowUp,
@@ -30,9 +40,10 @@ import { showDrawing } from "../../state/routes";
 import { useUiStore } from "../../state/store";
 import { OrderLine } from "../order/OrderDetails";
 import { DrawingPicture } from "../shared/DrawingPicture";
+import panels from "../shared/panels.module.css";
+import { Figure, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
-import jobCss from "./job.module.css";
-import css from "./queue.module.css";
+import css from "./job.module.css";
 import { StateBadge } from "./StateBadge";
 import { WaitsAtMachine } from "./WaitsAtMachine";
 
@@ -74,20 +85,28 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
       title={translate("machineQueue.queueOf", { title })}
       flush
       aside={
-        <span className={css.count}>
+        <Figure>
           {ids.length > 0 ? translate("machineQueue.waiting", { ids: ids.length }) : ""}
-        </span>
+        </Figure>
       }
     >
       {entries.length > 0 && reason !== null && (
-        <p className={css.empty} data-testid="role-reason">
+        <Note mx={8} mb={8} data-testid="role-reason">
           {reason}
-        </p>
+        </Note>
       )}
       {entries.length === 0 && (
-        <p className={css.empty}>{translate("machineQueue.noJobWaitsForThis")}</p>
+        <Note mx={8} mb={8}>
+          {translate("machineQueue.noJobWaitsForThis")}
+        </Note>
       )}
-      <ol className={css.queue} data-testid={`queue-of-${machine}`}>
+      <Flex
+        component="ol"
+        direction="column"
+        gap={4}
+        data-touch
+        data-testid={`queue-of-${machine}`}
+      >
         {entries.map((entry) => {
           const { job, place } = entry;
           return (
@@ -124,14 +143,14 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
                 />
               )}
               {waitsAtMachine(job) && job.id !== current && (
-                <div className={jobCss.inRow}>
+                <Box px={8} pb={8}>
                   <WaitsAtMachine job={job} />
-                </div>
+                </Box>
               )}
             </li>
           );
         })}
-      </ol>
+      </Flex>
     </Section>
   );
 }
@@ -143,18 +162,21 @@ function Row({ entry }: { entry: QueueEntry }) {
   return (
     <button
       type="button"
-      className={css.row}
+      className={panels.pick}
+      style={{ flexWrap: "wrap" }}
       aria-current={current}
       onClick={() => showDrawing(job.drawing, job.id)}
       data-testid="queue-row"
     >
-      <span className={css.place}>
+      <Text span w={20} ta="center" c="ink.2" fw={650}>
         {place > 0 ? place : "▶"}
         {place > 0 && <IconGripVertical size={14} className={css.grip} aria-hidden />}
-      </span>
+      </Text>
       <DrawingPicture className={css.picture} src={entry.picture} />
       <span className={css.text}>
-        <span className={css.name}>{job.drawing_name}</span>
+        <Text span fw={550}>
+          {job.drawing_name}
+        </Text>
         <small>{`${board} · ${job.copies_done > 0 ? translate("machineQueue.copiesDone", { copies: job.copies, copiesDone: job.copies_done }) : translate("machineQueue.copies", { copies: job.copies })}`}</small>
         <small>
           {[entry.seconds > 0 ? formatDuration(entry.seconds) : "", startText(entry)]
@@ -164,17 +186,18 @@ function Row({ entry }: { entry: QueueEntry }) {
         <small data-testid="queue-id">{job.id}</small>
         <OrderLine job={job} />
       </span>
-      <span className={css.state}>
-        {place === 0 && <StateBadge job={job} />}
-        {place > 0 && job.priority !== 0 && (
-          <span className={css.priority} data-priority={priorityTitle(job.priority)}>
-            {priorityTitle(job.priority)}
-          </span>
-        )}
-      </span>
+      {place === 0 && <StateBadge job={job} />}
+      {place > 0 && job.priority !== 0 && (
+        <Badge
+          component="span"
+          color={{ Urgent: "red", High: "yellow" }[priorityTitle(job.priority)] ?? "gray"}
+        >
+          {priorityTitle(job.priority)}
+        </Badge>
+      )}
       {isOnTable(job) && (
         <Progress
-          className={css.bar ?? ""}
+          flex="1 0 100%"
           value={job.progress * 100}
           size={3}
           color={job.state === "held" ? "yellow" : "blue"}
@@ -199,7 +222,7 @@ function Actions({ entry: { job, place }, last, move, toTop }: ActionsProps) {
   const [copies, setCopies] = useState<number | string | null>(null);
   const name = job.drawing_name;
   return (
-    <div className={css.actions}>
+    <Group gap={2} px={6} pb={4} justify="flex-end" wrap="nowrap">
       <Icon
         label={translate("machineQueue.moveUp", { name })}
         off={place === 1}
@@ -228,7 +251,10 @@ function Actions({ entry: { job, place }, last, move, toTop }: ActionsProps) {
         {job.on_hold ? <IconPlayerPlay size={17} /> : <IconPlayerPause size={17} />}
       </Icon>
       <NumberInput
-        className={css.copies ?? ""}
+        flex={1}
+        miw={64}
+        maw={92}
+        mx="auto"
         aria-label={translate("machineQueue.copiesOf", { name })}
         size="xs"
         min={job.copies_done + 1}
@@ -248,7 +274,7 @@ function Actions({ entry: { job, place }, last, move, toTop }: ActionsProps) {
       <Menu position="bottom-end" shadow="md" withinPortal>
         <Menu.Target>
           <ActionIcon
-            className={css.action ?? ""}
+            size={34}
             variant="subtle"
             color="gray"
             aria-label={translate("machineQueue.priorityAndMachineOf", { name })}
@@ -281,7 +307,7 @@ function Actions({ entry: { job, place }, last, move, toTop }: ActionsProps) {
             ))}
         </Menu.Dropdown>
       </Menu>
-    </div>
+    </Group>
   );
 }
 
@@ -296,7 +322,7 @@ interface IconProps {
 function Icon({ label, act, off = false, testId, children }: IconProps) {
   return (
     <ActionIcon
-      className={css.action ?? ""}
+      size={34}
       variant="subtle"
       color="gray"
       aria-label={label}

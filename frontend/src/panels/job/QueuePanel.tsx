@@ -1,6 +1,6 @@
 /** The queues of the machines in the order in which they run, then the jobs in no queue. */
 
-import { Progress } from "@mantine/core";
+import { Progress, Text } from "@mantine/core";
 import { useEffect, useState } from "react";
 import type { Job } from "../../api/client";
 import { translate } from "../../language/translate";
@@ -14,9 +14,9 @@ import { secondsOf } from "../../state/times";
 import { AskOperator } from "../accounts/OperatorForm";
 import { OrderLine } from "../order/OrderDetails";
 import css from "../shared/panels.module.css";
+import { Name, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { ShowMore } from "../shared/ShowMore";
-import jobCss from "./job.module.css";
 import { MachineQueue } from "./MachineQueue";
 import { StateBadge } from "./StateBadge";
 
@@ -56,14 +56,14 @@ export function QueuePanel() {
       ))}
       <Section title={translate("queuePanel.otherJobs")} flush>
         <div data-testid="other-jobs">
-          {error && <p className={css.note}>{errorText(error)}</p>}
+          {error && <Note>{errorText(error)}</Note>}
           {listed.slice(0, limit).map((job) => (
             <Row key={job.id} job={job} now={now} />
           ))}
           {jobs !== undefined && jobs.length === 0 && (
-            <p className={css.note} style={{ padding: "0 8px", margin: "0 0 8px" }}>
+            <Note style={{ padding: "0 8px", margin: "0 0 8px" }}>
               {translate("queuePanel.thereAreNoJobsYet")}
-            </p>
+            </Note>
           )}
           {(listed.length > limit || list.hasNextPage) && (
             <ShowMore
@@ -87,23 +87,29 @@ function Row({ job, now }: { job: Job; now: number }) {
   return (
     <button
       type="button"
-      className={jobCss.jobRow}
+      className={css.pick}
+      style={{ flexWrap: "wrap", alignItems: "center" }}
       aria-current={current}
       onClick={() => showDrawing(job.drawing, job.id)}
       data-testid="queue-row"
     >
-      <span className={css.rowName}>{job.drawing_name}</span>
+      <Name>{job.drawing_name}</Name>
       <StateBadge job={job} />
-      <small>{`${board}${job.copies > 1 ? ` · ${translate("queuePanel.copies", { copies: job.copies })}` : ""} · ${formatAgo(secondsOf(job.updated), now)}`}</small>
-      <small>
+      <Text
+        span
+        flex="1 0 55%"
+        fz={11.5}
+        c="ink.3"
+      >{`${board}${job.copies > 1 ? ` · ${translate("queuePanel.copies", { copies: job.copies })}` : ""} · ${formatAgo(secondsOf(job.updated), now)}`}</Text>
+      <Text span fz={11.5} c="ink.3">
         {job.seconds > 0
           ? translate("queuePanel.machineTime", { seconds: formatDuration(job.seconds) })
           : ""}
-      </small>
+      </Text>
       <OrderLine job={job} now={now} />
       {moving && (
         <Progress
-          className={jobCss.bar ?? ""}
+          flex="1 0 100%"
           value={job.progress * 100}
           size={3}
           color="blue"

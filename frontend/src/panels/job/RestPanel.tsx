@@ -1,6 +1,16 @@
 /** Chooses where another job continues a sheet: in a picture of the tracks, or in their list. */
 
-import { Button, Checkbox, NumberInput, SegmentedControl } from "@mantine/core";
+import {
+  Box,
+  Button,
+  Checkbox,
+  Flex,
+  Group,
+  NumberInput,
+  SegmentedControl,
+  Stack,
+  Text,
+} from "@mantine/core";
 import { IconPlayerTrackNext } from "@tabler/icons-react";
 import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
 import type { Job, Track } from "../../api/client";
@@ -24,8 +34,10 @@ import {
 } from "../../state/job/rest";
 import { useToolpathOf, useTracks } from "../../state/queries";
 import { useUiStore } from "../../state/store";
+import panels from "../shared/panels.module.css";
+import { Figure, Note } from "../shared/parts";
+import css from "./job.module.css";
 import { RemainingCopies } from "./RemainingCopies";
-import css from "./rest.module.css";
 
 const MODES: readonly { value: RestMode; label: string }[] = [
   { value: "from", label: translate("restPanel.continueFromHere") },
@@ -50,12 +62,17 @@ export function RestPanel({ job }: { job: Job }) {
   const [made, setMade] = useState(false);
   const [uncut, setUncut] = useState(false);
   const [stated, setStated] = useState<Statement>({});
-  if (error !== null) return <div className={css.note}>{error.message}</div>;
+  if (error !== null)
+    return (
+      <Note component="div" fz={13} c="ink.2">
+        {error.message}
+      </Note>
+    );
   if (tracks === undefined || tracks.length === 0) return null;
   const asks = mode !== "whole" && tracks.some(({ state }) => state === "unknown");
   if (asks) {
     return (
-      <div className={css.rest} data-testid="rest">
+      <Stack gap={10} data-testid="rest">
         <RemainingCopies job={job} />
         <StatementForm
           job={job}
@@ -66,7 +83,7 @@ export function RestPanel({ job }: { job: Job }) {
           onState={(number, made) => setStated({ ...stated, [number]: made })}
           onWhole={() => setMode("whole")}
         />
-      </div>
+      </Stack>
     );
   }
   const first = picked ?? proposedTrack(tracks);
@@ -80,7 +97,7 @@ export function RestPanel({ job }: { job: Job }) {
     if (mode === "whole") setMode("from");
   };
   return (
-    <div className={css.rest} data-testid="rest">
+    <Stack gap={10} data-testid="rest">
       <RemainingCopies job={job} />
       {toolpath !== undefined && (
         <TrackPicture tracks={tracks} toolpath={toolpath} chosen={chosen} onPick={pick} />
@@ -115,9 +132,9 @@ export function RestPanel({ job }: { job: Job }) {
         }}
         data-testid="rest-mode"
       />
-      <div className={css.note} role="status" data-testid="rest-summary">
+      <Note component="div" fz={13} c="ink.2" role="status" data-testid="rest-summary">
         {summaryOf(tracks, chosen, mode)}
-      </div>
+      </Note>
       {unconfirmed.length > 0 && (
         <Checkbox
           checked={made}
@@ -151,7 +168,7 @@ export function RestPanel({ job }: { job: Job }) {
           ? translate("restPanel.queueOneMoreCopy")
           : translate("restPanel.continueThisSheetTracksLeft", { chosen: chosen.length })}
       </Button>
-    </div>
+    </Stack>
   );
 }
 
@@ -174,9 +191,9 @@ function StatementForm({ job, tracks, toolpath, stated, busy, onState, onWhole }
   const unknown = tracks.filter(({ state }) => state === "unknown");
   return (
     <>
-      <p className={css.note} data-testid="rest-statement">
+      <Note fz={13} c="ink.2" data-testid="rest-statement">
         {translate("restPanel.itIsNotKnownHow", { unknown: unknown.length })}
-      </p>
+      </Note>
       {toolpath !== undefined && (
         <TrackPicture
           tracks={tracks}
@@ -190,28 +207,28 @@ function StatementForm({ job, tracks, toolpath, stated, busy, onState, onWhole }
       <Legend />
       <ol className={css.list} data-testid="rest-answers">
         {unknown.map((track) => (
-          <li key={track.number} className={css.answer}>
-            <span>
+          <Flex component="li" key={track.number} align="center" gap={6} mih={44} pl={10}>
+            <Box component="span" flex={1}>
               {track.number}{" "}
               {tools.get(track.station) ??
                 translate("restPanel.station", { station: track.station })}
-            </span>
+            </Box>
             {[true, false].map((answer) => (
-              <button
+              <Button
                 key={String(answer)}
-                type="button"
-                className={css.row}
+                variant={stated[track.number] === answer ? "filled" : "default"}
+                mih={44}
                 aria-pressed={stated[track.number] === answer}
                 onClick={() => onState(track.number, answer)}
                 data-testid={answer ? "rest-is-made" : "rest-is-not-made"}
               >
                 {answer ? translate("restPanel.made") : translate("restPanel.notMade")}
-              </button>
+              </Button>
             ))}
-          </li>
+          </Flex>
         ))}
       </ol>
-      <div className={css.note} role="status" data-testid="rest-summary">
+      <Note component="div" fz={13} c="ink.2" role="status" data-testid="rest-summary">
         {open.length > 0
           ? translate("restPanel.tracksNotAnsweredYet", { open: open.length })
           : rest.length === 0
@@ -221,7 +238,7 @@ function StatementForm({ job, tracks, toolpath, stated, busy, onState, onWhole }
                 all: tracks.length,
                 tracks: trackNumbers(rest),
               })}
-      </div>
+      </Note>
       <Button
         size="md"
         leftSection={<IconPlayerTrackNext size={16} aria-hidden />}
@@ -285,7 +302,7 @@ export function TrackPicture({ tracks, toolpath, chosen, onPick }: PictureProps)
   ];
   return (
     <svg
-      className={css.picture}
+      className={css.tracks}
       viewBox={view.join(" ")}
       aria-label={translate("restPanel.tracksOfTheProgramOn")}
       data-testid="rest-picture"
@@ -325,22 +342,22 @@ export function TrackPicture({ tracks, toolpath, chosen, onPick }: PictureProps)
 
 function Legend() {
   return (
-    <div className={css.legend} aria-hidden>
+    <Group gap="4px 14px" fz={12} c="ink.2" aria-hidden>
       {(["cut", "begun", "uncut", "unknown"] as const).map((state) => (
-        <span key={state}>
+        <Group key={state} gap={6}>
           <svg width="26" height="8" viewBox="0 0 26 8" aria-hidden="true">
             <path d="M1 4H25" className={css.track} data-state={state} />
           </svg>
           {STATES[state]}
-        </span>
+        </Group>
       ))}
-      <span>
+      <Group gap={6}>
         <svg width="26" height="8" viewBox="0 0 26 8" aria-hidden="true">
           <path d="M1 4H25" className={css.track} data-chosen="true" />
         </svg>
         {translate("restPanel.willBeMade")}
-      </span>
-    </div>
+      </Group>
+    </Group>
   );
 }
 
@@ -382,7 +399,7 @@ function TrackList({ tracks, chosen, first, job, onPick }: ListProps) {
         <li key={track.number}>
           <button
             type="button"
-            className={css.row}
+            className={`${panels.pick} ${css.trackRow}`}
             aria-pressed={track.number === first}
             data-chosen={marked.has(track)}
             onClick={() => onPick(track.number)}
@@ -394,13 +411,15 @@ function TrackList({ tracks, chosen, first, job, onPick }: ListProps) {
               {tools.get(track.station) ??
                 translate("restPanel.station", { station: track.station })}
             </span>
-            <span className={css.lines}>
+            <Figure>
               {translate("restPanel.lines", {
                 firstLine: track.first_line,
                 lastLine: track.last_line,
               })}
-            </span>
-            <span data-state={track.state}>{STATES[track.state]}</span>
+            </Figure>
+            <Text span c={track.state === "begun" ? "var(--warn-ink)" : "inherit"}>
+              {STATES[track.state]}
+            </Text>
           </button>
         </li>
       ))}

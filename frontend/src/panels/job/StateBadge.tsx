@@ -1,14 +1,28 @@
 /** Badge with the state of a job. */
 
+import { Badge, type MantineSize } from "@mantine/core";
 import type { Job } from "../../api/client";
 import { stateStyleOf } from "../../state/job/jobs";
-import css from "../shared/panels.module.css";
+import { BADGE_COLOURS } from "../shared/parts";
 
-export function StateBadge({ job, testId }: { job: Job; testId?: string }) {
+interface Props {
+  readonly job: Job;
+  readonly testId?: string;
+  readonly size?: MantineSize;
+}
+
+export function StateBadge({ job, testId, size = "md" }: Props) {
   const { title, tone } = stateStyleOf(job);
   return (
-    <span className={css.badge} data-tone={tone} data-testid={testId} data-state={job.state}>
+    <Badge
+      component="span"
+      size={size}
+      color={BADGE_COLOURS[tone]}
+      data-testid={testId}
+      data-state={job.state}
+      flex="none"
+    >
       {title}
-    </span>
+    </Badge>
   );
 }

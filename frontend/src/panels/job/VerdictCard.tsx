@@ -1,5 +1,6 @@
 /** The verdict of the verification: accepted or refused, figures and findings. */
 
+import { Box, Flex, Group, Progress, Stack, Text } from "@mantine/core";
 import {
   IconAlertOctagonFilled,
   IconAlertTriangleFilled,
@@ -27,8 +28,8 @@ import { useVerdict } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
 import css from "../shared/panels.module.css";
+import { Figures, Note } from "../shared/parts";
 import { AcceptForm } from "./AcceptForm";
-import verdictCss from "./verdict.module.css";
 
 const SHOWN = 100;
 /** Half the side of the zoom box: at least (mm), and relative to the size of the area. */
@@ -50,14 +51,15 @@ export function VerdictCard({ job }: { job: Job }) {
   const findings = fullVerdict?.findings ?? [];
   return (
     <article
-      className={verdictCss.verdict}
+      className={css.callout}
+      data-tone={verdict.accepted ? "green" : isFaulty(verdict, findings) ? "red" : "amber"}
       data-accepted={verdict.accepted}
       data-faulty={isFaulty(verdict, findings)}
       data-testid="verdict"
       aria-label={translate("verdictCard.resultOfTheProgramCheck")}
     >
-      <div className={verdictCss.verdictHead}>
-        <span className={verdictCss.verdictIcon} style={{ display: "flex" }}>
+      <Group gap={10} wrap="nowrap">
+        <Box component="span" display="flex" c="var(--tone)">
           {verdict.accepted ? (
             <IconRosetteDiscountCheckFilled size={22} aria-hidden />
           ) : isFaulty(verdict, findings) ? (
@@ -65,11 +67,13 @@ export function VerdictCard({ job }: { job: Job }) {
           ) : (
             <IconAlertTriangleFilled size={22} aria-hidden />
           )}
-        </span>
-        <span className={verdictCss.verdictTitle}>{title(verdict, findings)}</span>
-      </div>
+        </Box>
+        <Text span c="ink.0" fz={15} fw={650}>
+          {title(verdict, findings)}
+        </Text>
+      </Group>
       <Deviation verdict={verdict} />
-      <dl className={verdictCss.figures} style={{ marginBottom: 0 }}>
+      <dl className={css.pairs}>
         <div>
           <dt>{translate("verdictCard.longestOvercut")}</dt>
           <dd>{formatLength(verdict.overcut)}</dd>
@@ -104,24 +108,24 @@ export function VerdictCard({ job }: { job: Job }) {
           ),
         )}
       </dl>
-      <div className={verdictCss.notes}>
+      <Stack gap={6} mt={12} fz={12.5}>
         <Unreached verdict={verdict} />
         <UnreachedEdges verdict={verdict} />
         <WideSlits verdict={verdict} />
         <Saved verdict={verdict} />
-      </div>
+      </Stack>
       {findings.length > 0 && (
-        <div className={verdictCss.findings} data-testid="findings">
+        <Box mah={260} mt={12} mx={-6} mb={-6} style={{ overflow: "auto" }} data-testid="findings">
           {findings.slice(0, SHOWN).map((finding, at) => (
             // biome-ignore lint/suspicious/noArrayIndexKey: two findings may read alike
             <Row key={at} finding={finding} />
           ))}
           {findings.length > SHOWN && (
-            <p className={css.note} style={{ padding: "0 8px" }}>
+            <Note px={8}>
               {translate("verdictCard.andMoreFindings", { findings: findings.length - SHOWN })}
-            </p>
+            </Note>
           )}
-        </div>
+        </Box>
       )}
       {job.actions.includes("accept") && (
         <Permitted request="POST /api/v1/jobs/{id}/exceptions">
@@ -149,16 +153,24 @@ const isFaulty = (verdict: VerdictSummary, findings: readonly Finding[]): boolea
   (findings.length === 0 || findings.some((finding) => finding.severity === "fault"));
 
 /** Icon and name of each severity. */
-const SEVERITIES: Readonly<Record<Finding["severity"], { icon: ReactNode; name: string }>> = {
+const SEVERITIES: Readonly<
+  Record<Finding["severity"], { icon: ReactNode; name: string; colour: string }>
+> = {
   fault: {
     icon: <IconAlertOctagonFilled size={15} aria-hidden />,
     name: translate("verdictCard.error"),
+    colour: "var(--bad)",
   },
   shortfall: {
     icon: <IconAlertTriangleFilled size={15} aria-hidden />,
     name: translate("verdictCard.shortfall"),
+    colour: "var(--warn)",
   },
-  note: { icon: <IconInfoCircle size={15} aria-hidden />, name: translate("verdictCard.note") },
+  note: {
+    icon: <IconInfoCircle size={15} aria-hidden />,
+    name: translate("verdictCard.note"),
+    colour: "ink.3",
+  },
 };
 
 /** Edges that the tool cannot reach. */
@@ -196,12 +208,7 @@ function KindRow({ kind, children }: { kind: string; children: ReactNode }) {
     if (own.length > 0) zoomToEdges(own.flatMap(edgesOf));
   };
   return (
-    <button
-      type="button"
-      className={verdictCss.noteRow}
-      onClick={zoom}
-      data-testid={`kind-${kind}`}
-    >
+    <button type="button" className={css.pick} onClick={zoom} data-testid={`kind-${kind}`}>
       <IconRulerMeasure size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
       <span>{children}</span>
     </button>
@@ -222,13 +229,17 @@ function Unreached({ verdict }: { verdict: VerdictSummary }) {
     setNext(next + 1);
   };
   return (
-    <button
-      type="button"
-      className={verdictCss.noteRow}
-      onClick={zoomToNext}
-      data-testid="unreached"
-    >
-      <span className={verdictCss.noteArea} style={{ color: UNCUT, background: `${UNCUT}66` }} />
+    <button type="button" className={css.pick} onClick={zoomToNext} data-testid="unreached">
+      <Box
+        component="span"
+        w={12}
+        h={12}
+        mt={3}
+        flex="none"
+        bdrs={3}
+        bd="1.5px solid currentcolor"
+        style={{ color: UNCUT, background: `${UNCUT}66` }}
+      />
       <span>
         {translate("verdictCard.inPlacesCannotBeReached", {
           unreached: formatArea(verdict.unreached),
@@ -245,7 +256,7 @@ function Saved({ verdict }: { verdict: VerdictSummary }) {
   const share = retracted <= 0 ? 0 : Math.round((1 - verdict.seconds / retracted) * 100);
   if (share < 1) return null;
   return (
-    <div className={verdictCss.noteRow} data-testid="saved">
+    <Flex gap={8} px={6} data-testid="saved">
       <IconStopwatch size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
       <span>
         {translate("verdictCard.liftingTheToolOnlyAs", {
@@ -253,7 +264,7 @@ function Saved({ verdict }: { verdict: VerdictSummary }) {
           share,
         })}
       </span>
-    </div>
+    </Flex>
   );
 }
 
@@ -262,25 +273,25 @@ function Deviation({ verdict }: { verdict: VerdictSummary }) {
   const within = share <= 1;
   return (
     <div style={{ marginTop: 12 }}>
-      <div className={css.runFigures} style={{ margin: 0 }}>
+      <Figures>
         <span>{translate("verdictCard.largestDeviationFromTheDrawing")}</span>
         <span style={{ color: "var(--ink-0)", fontWeight: 600 }} data-testid="deviation">
           {formatDeviation(verdict.deviation)}
         </span>
-      </div>
-      <div className={verdictCss.gauge} aria-hidden="true">
-        <div
-          style={{
-            width: `${Math.min(100, share * 100)}%`,
-            background: within ? "var(--good)" : "var(--bad)",
-          }}
-        />
-      </div>
-      <div className={css.note} style={{ textAlign: "right", fontSize: 11 }}>
+      </Figures>
+      <Progress
+        size={6}
+        mt={8}
+        mb={4}
+        value={Math.min(100, share * 100)}
+        color={within ? "var(--good)" : "var(--bad)"}
+        aria-hidden
+      />
+      <Note component="div" ta="right" fz={11}>
         {translate("verdictCard.isTheLargestAllowedDeviation", {
           tolerance: formatDeviation(verdict.tolerance),
         })}
-      </div>
+      </Note>
     </div>
   );
 }
@@ -290,25 +301,29 @@ function Row({ finding }: { finding: Finding }) {
   return (
     <button
       type="button"
-      className={verdictCss.finding}
+      className={css.pick}
       disabled={finding.edge < 0}
       onClick={() => zoomToEdges(edgesOf(finding))}
       data-severity={finding.severity}
       data-testid="finding"
     >
-      <span className={verdictCss.severity}>{SEVERITIES[finding.severity].icon}</span>
+      <Text span mt={1} c={SEVERITIES[finding.severity].colour}>
+        {SEVERITIES[finding.severity].icon}
+      </Text>
       <span>
-        <b className={verdictCss.severity}>{SEVERITIES[finding.severity].name}</b>
+        <Text span fw={600} c={SEVERITIES[finding.severity].colour}>
+          {SEVERITIES[finding.severity].name}
+        </Text>
         {" · "}
         {place(finding)}
         {messageText(finding)}
         {finding.acceptance && (
-          <em className={verdictCss.acceptance} data-testid="acceptance">
+          <Text component="em" display="block" c="ink.3" data-testid="acceptance">
             {translate("verdictCard.acceptedBy", {
               by: finding.acceptance.by,
               reason: finding.acceptance.reason,
             })}
-          </em>
+          </Text>
         )}
       </span>
     </button>

@@ -1,12 +1,14 @@
 /** A job that goes on only at its machine: where, with which board and tools, and the way there. */
 
+import { Anchor, Box, Group } from "@mantine/core";
 import { IconArrowRight } from "@tabler/icons-react";
 import type { Job } from "../../api/client";
 import { translate } from "../../language/translate";
 import { awaitsEnd } from "../../state/job/jobs";
 import { sheetText } from "../../state/order/sheet";
 import { useBoardTitle, useMachines } from "../../state/queries";
-import jobCss from "./job.module.css";
+import css from "../shared/panels.module.css";
+import { StationNumber } from "../shared/parts";
 
 /** What the person at the machine decides. */
 function reasonOf(job: Job): string {
@@ -27,7 +29,7 @@ export function WaitsAtMachine({ job }: { job: Job }) {
   const board = useBoardTitle(job.board);
   return (
     <div
-      className={jobCss.callout}
+      className={css.callout}
       data-tone="amber"
       role="status"
       data-testid="waits-at-machine"
@@ -36,7 +38,7 @@ export function WaitsAtMachine({ job }: { job: Job }) {
       <div data-testid="waits-text">
         <b>{translate("waitsAtMachine.waitsForTheOperatorAt", { machine })}</b> {reasonOf(job)}
       </div>
-      <dl className={jobCss.setUp}>
+      <Box component="dl" className={css.facts} mt={8}>
         <dt>{translate("waitsAtMachine.boardOnTheTable")}</dt>
         <dd>
           {`${board}${job.copies > 1 ? ` · ${translate("waitsAtMachine.copyOf", { copiesDone: job.copies_done + 1, copies: job.copies })}` : ""}`}
@@ -51,22 +53,26 @@ export function WaitsAtMachine({ job }: { job: Job }) {
             <dt>{translate("waitsAtMachine.toolsInTheStations")}</dt>
             <dd>
               {job.tools.map(({ station, name }) => (
-                <div key={station} className={jobCss.tool}>
-                  <span className={jobCss.stationNumber}>{station}</span> {name}
-                </div>
+                <Group key={station} gap={8} mb={2} wrap="nowrap">
+                  <StationNumber>{station}</StationNumber> {name}
+                </Group>
               ))}
             </dd>
           </>
         )}
-      </dl>
-      <a
-        className={jobCss.wayToStation}
+      </Box>
+      <Anchor
+        display="inline-flex"
+        mih={32}
+        mt={8}
+        fw={600}
+        style={{ alignItems: "center", gap: 6 }}
         href={`#/station/${encodeURIComponent(job.machine)}`}
         data-testid="to-station"
       >
         {translate("waitsAtMachine.stationOf", { machine })}{" "}
         <IconArrowRight size={16} aria-hidden />
-      </a>
+      </Anchor>
     </div>
   );
 }

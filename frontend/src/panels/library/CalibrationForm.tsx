@@ -1,6 +1,6 @@
 /** Computes the deflection of a cutter in a board from points measured on a test cut. */
 
-import { Button, NumberInput, Select } from "@mantine/core";
+import { Box, Button, Group, NumberInput, Select, SimpleGrid, Text } from "@mantine/core";
 import { useState } from "react";
 import { type Calibration, type CalibrationOrder, service } from "../../api/client";
 import { formatFixed } from "../../language/numbers";
@@ -73,8 +73,10 @@ export function CalibrationForm({ board, onUse }: Props) {
     return <p>{translate("calibrationForm.noMachineHasACutter")}</p>;
   }
   return (
-    <details className={css.calibration} data-testid="calibration">
-      <summary>{translate("calibrationForm.computeTheDeflectionFromA")}</summary>
+    <Box component="details" mt={16} data-testid="calibration">
+      <Text component="summary" py={8} c="ink.0" fw={600}>
+        {translate("calibrationForm.computeTheDeflectionFromA")}
+      </Text>
       <p>{translate("calibrationForm.cutAContourWithoutCompensation")}</p>
       <div className={css.fields}>
         <Select
@@ -98,7 +100,7 @@ export function CalibrationForm({ board, onUse }: Props) {
       </div>
       {points.map((point, at) => (
         // biome-ignore lint/suspicious/noArrayIndexKey: a point has no other identity
-        <div key={at} className={css.point}>
+        <SimpleGrid cols={3} spacing={8} maw={560} mt={8} key={at}>
           {COLUMNS.map(({ key, label }) => (
             <NumberInput
               key={key}
@@ -109,9 +111,9 @@ export function CalibrationForm({ board, onUse }: Props) {
               data-testid={`${key}-${at}`}
             />
           ))}
-        </div>
+        </SimpleGrid>
       ))}
-      <div className={css.add}>
+      <Group gap={8} mt={8} align="flex-end">
         <Button
           variant="default"
           onClick={() => setPoints([...points, { azimuth: "", dx: "", dy: "" }])}
@@ -121,14 +123,14 @@ export function CalibrationForm({ board, onUse }: Props) {
         <Button disabled={given.length === 0} onClick={() => void compute()} data-testid="compute">
           {translate("calibrationForm.compute")}
         </Button>
-      </div>
+      </Group>
       {failure !== "" && (
-        <p className={css.fault} role="alert">
+        <Text my={8} c="var(--bad-ink)" role="alert">
           {failure}
-        </p>
+        </Text>
       )}
       {result !== null && (
-        <div className={css.add} role="status" data-testid="calibration-result">
+        <Group gap={8} mt={8} align="flex-end" role="status" data-testid="calibration-result">
           <span>
             {translate("calibrationForm.mmInXMmIn", {
               tool: result.tool,
@@ -143,8 +145,8 @@ export function CalibrationForm({ board, onUse }: Props) {
           >
             {translate("calibrationForm.useTheseValues")}
           </Button>
-        </div>
+        </Group>
       )}
-    </details>
+    </Box>
   );
 }

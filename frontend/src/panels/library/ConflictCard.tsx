@@ -1,11 +1,11 @@
 /** Shown if another user has saved a version meanwhile: the differences, and two choices. */
 
-import { Button } from "@mantine/core";
+import { Box, Button, Group } from "@mantine/core";
 import type { Definition } from "../../api/client";
 import { translate } from "../../language/translate";
 import { differences, type Fields } from "../../state/library/definitions";
+import panels from "../shared/panels.module.css";
 import { DifferenceTable } from "./DifferenceTable";
-import css from "./library.module.css";
 
 interface Props {
   /** The version that the other user has saved. */
@@ -20,7 +20,14 @@ interface Props {
 export function ConflictCard({ theirs, by, mine, onTakeTheirs, onKeepMine }: Props) {
   const changes = differences(theirs.fields, mine);
   return (
-    <div className={css.conflict} role="alert" data-testid="conflict">
+    <Box
+      className={panels.callout}
+      data-tone="amber"
+      mah="50vh"
+      style={{ overflow: "auto" }}
+      role="alert"
+      data-testid="conflict"
+    >
       <b>
         {translate("conflictCard.hasSavedVersionSinceYou", {
           by: by || translate("conflictCard.anotherUser"),
@@ -34,14 +41,14 @@ export function ConflictCard({ theirs, by, mine, onTakeTheirs, onKeepMine }: Pro
           after={translate("conflictCard.yours")}
         />
       )}
-      <div className={css.add}>
+      <Group gap={8} mt={8} align="flex-end">
         <Button onClick={onTakeTheirs} data-testid="take-theirs">
           {translate("conflictCard.discardMyChangesAndLoad", { version: theirs.version })}
         </Button>
         <Button variant="default" onClick={onKeepMine} data-testid="keep-mine">
           {translate("conflictCard.saveMyChangesAsVersion", { version: theirs.version + 1 })}
         </Button>
-      </div>
-    </div>
+      </Group>
+    </Box>
   );
 }

@@ -1,6 +1,6 @@
 /** Asks for title and name of a copy, which belong to the person from then on. */
 
-import { Button, TextInput } from "@mantine/core";
+import { Button, Group, Text, TextInput } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { type FormEvent, useState } from "react";
 import { type Definition, type LibraryEntry, service } from "../../api/client";
@@ -74,11 +74,11 @@ export function CopyForm({ definition, onDone, onCancel }: Props) {
         />
       </div>
       {failure !== null && (
-        <p className={css.fault} role="alert">
+        <Text my={8} c="var(--bad-ink)" role="alert">
           {failure}
-        </p>
+        </Text>
       )}
-      <div className={css.add}>
+      <Group gap={8} mt={8} align="flex-end">
         <Button
           type="submit"
           disabled={fault !== null || title.trim() === ""}
@@ -89,7 +89,7 @@ export function CopyForm({ definition, onDone, onCancel }: Props) {
         <Button variant="default" onClick={onCancel}>
           {translate("copyForm.cancel")}
         </Button>
-      </div>
+      </Group>
     </form>
   );
 }

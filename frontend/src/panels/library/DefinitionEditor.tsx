@@ -1,6 +1,6 @@
 /** Editor of a machine, a board or a tool: form, save, copy, download, delete, versions. */
 
-import { Button, TextInput } from "@mantine/core";
+import { Button, Group, Text, TextInput, Title } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useEffect, useMemo, useRef, useState } from "react";
 import { type Definition, type LibraryEntry, ServiceError, service } from "../../api/client";
@@ -19,6 +19,7 @@ import {
 import { formSchema } from "../../state/library/formSchema";
 import { queries } from "../../state/queries";
 import { Refusal } from "../accounts/Permitted";
+import panels from "../shared/panels.module.css";
 import { CalibrationForm } from "./CalibrationForm";
 import { ConflictCard } from "./ConflictCard";
 import { CopyForm } from "./CopyForm";
@@ -43,9 +44,9 @@ export function DefinitionEditor({ entry, onOpen }: Props) {
   const { data: schema } = useQuery(queries.librarySchema(entry.shelf));
   if (error !== null) {
     return (
-      <p className={css.fault} role="alert">
+      <Text my={8} c="var(--bad-ink)" role="alert">
         {errorText(error)}
-      </p>
+      </Text>
     );
   }
   if (definition === undefined || schema === undefined)
@@ -122,7 +123,7 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
 
   const count = Object.keys(faults).length;
   const alert = failure instanceof Error && (
-    <div className={css.fault} role="alert" data-testid="definition-fault">
+    <Text component="div" my={8} c="var(--bad-ink)" role="alert" data-testid="definition-fault">
       {count === 0 ? (
         errorText(failure)
       ) : (
@@ -134,20 +135,22 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
           </details>
         </>
       )}
-    </div>
+    </Text>
   );
   return (
     <>
-      <div className={css.head}>
-        <Button className={css.back ?? ""} variant="default" onClick={() => onOpen(null)}>
+      <div className={panels.head}>
+        <Button hiddenFrom="sm" variant="default" onClick={() => onOpen(null)}>
           {translate("definitionEditor.allEntries")}
         </Button>
-        <h1>{title}</h1>
-        <span className={css.mark}>
+        <Title order={1} fz={20}>
+          {title}
+        </Title>
+        <Text span fz={11} c="ink.3">
           {shipped
             ? translate("definitionEditor.suppliedWithKnifetip")
             : `${name} · ${translate("definitionEditor.version", { version })}`}
-        </span>
+        </Text>
         <Button
           variant={shipped ? "filled" : "default"}
           disabled={refusal !== null}
@@ -224,7 +227,7 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
               onKeepMine={() => void save(conflict.theirs.version)}
             />
           )}
-          <div className={css.add}>
+          <Group gap={8} mt={8} align="flex-end">
             <TextInput
               label={translate("definitionEditor.whatIsChangedAndWhy")}
               value={note}
@@ -238,7 +241,7 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
             >
               {translate("definitionEditor.saveAsVersion", { version: version + 1 })}
             </Button>
-          </div>
+          </Group>
         </section>
       )}
       <DefinitionHistory definition={definition} />

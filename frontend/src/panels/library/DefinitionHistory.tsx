@@ -1,6 +1,6 @@
 /** Versions of a machine, a board or a tool, and what changed in each. */
 
-import { Button } from "@mantine/core";
+import { Button, Table, Title } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import type { Definition } from "../../api/client";
@@ -23,16 +23,18 @@ export function DefinitionHistory({ definition }: { definition: Definition }) {
   const changes = old === undefined ? [] : differences(old.fields, definition.fields);
   return (
     <section className={css.group} data-testid="versions">
-      <h2>{translate("definitionHistory.versions")}</h2>
-      <table className={css.history}>
-        <tbody>
+      <Title order={2} fz={14} mb={12}>
+        {translate("definitionHistory.versions")}
+      </Title>
+      <Table>
+        <Table.Tbody>
           {versions.map(({ version, at, by, note }) => (
-            <tr key={version}>
-              <td>{version}</td>
-              <td>{at == null ? "" : formatDateTime(new Date(at))}</td>
-              <td>{by}</td>
-              <td>{note}</td>
-              <td>
+            <Table.Tr key={version}>
+              <Table.Td>{version}</Table.Td>
+              <Table.Td>{at == null ? "" : formatDateTime(new Date(at))}</Table.Td>
+              <Table.Td>{by}</Table.Td>
+              <Table.Td>{note}</Table.Td>
+              <Table.Td>
                 {version !== definition.version && (
                   <Button
                     size="compact-xs"
@@ -43,11 +45,11 @@ export function DefinitionHistory({ definition }: { definition: Definition }) {
                     {translate("definitionHistory.compare")}
                   </Button>
                 )}
-              </td>
-            </tr>
+              </Table.Td>
+            </Table.Tr>
           ))}
-        </tbody>
-      </table>
+        </Table.Tbody>
+      </Table>
       {old !== undefined && compared !== null && (
         <DifferenceTable
           changes={changes}

@@ -1,8 +1,8 @@
 /** The fields in which two versions of a machine, a board or a tool differ. */
 
+import { Table } from "@mantine/core";
 import { translate } from "../../language/translate";
 import type { Difference } from "../../state/library/definitions";
-import css from "./library.module.css";
 
 interface Props {
   readonly changes: readonly Difference[];
@@ -13,23 +13,23 @@ interface Props {
 
 export function DifferenceTable({ changes, ...headings }: Props) {
   return (
-    <table className={css.history} data-testid="differences">
-      <thead>
-        <tr>
-          <th>{translate("differenceTable.field")}</th>
-          <th>{headings.before}</th>
-          <th>{headings.after}</th>
-        </tr>
-      </thead>
-      <tbody>
+    <Table data-testid="differences">
+      <Table.Thead>
+        <Table.Tr>
+          <Table.Th>{translate("differenceTable.field")}</Table.Th>
+          <Table.Th>{headings.before}</Table.Th>
+          <Table.Th>{headings.after}</Table.Th>
+        </Table.Tr>
+      </Table.Thead>
+      <Table.Tbody>
         {changes.map(({ path, before, after }) => (
-          <tr key={path}>
-            <td>{path}</td>
-            <td>{before}</td>
-            <td>{after}</td>
-          </tr>
+          <Table.Tr key={path}>
+            <Table.Td>{path}</Table.Td>
+            <Table.Td>{before}</Table.Td>
+            <Table.Td>{after}</Table.Td>
+          </Table.Tr>
         ))}
-      </tbody>
-    </table>
+      </Table.Tbody>
+    </Table>
   );
 }

@@ -1,6 +1,16 @@
 /** Inputs, tables and lists of the form of a definition, with the components of the page. */
 
-import { Button, Checkbox, NumberInput, Select, TextInput } from "@mantine/core";
+import {
+  Button,
+  Checkbox,
+  Fieldset,
+  Group,
+  NumberInput,
+  Select,
+  Text,
+  TextInput,
+  Title,
+} from "@mantine/core";
 // The index of the package also imports ajv, which the page must not have.
 import SchemaField from "@rjsf/core/lib/components/fields/SchemaField.js";
 import {
@@ -133,7 +143,9 @@ function Field(props: FieldTemplateProps<Fields, RJSFSchema, FormContext>) {
     <PathContext value={fieldPathId.path}>
       <div className={composite ? css.wide : undefined}>
         {composite && schema.oneOf === undefined && rawErrors !== undefined && (
-          <div className={css.fault}>{rawErrors.join(" ")}</div>
+          <Text component="div" my={8} c="var(--bad-ink)">
+            {rawErrors.join(" ")}
+          </Text>
         )}
         {children}
         {isOwn && (
@@ -168,11 +180,14 @@ function Table(props: TableProps) {
   }
   return (
     <>
-      <fieldset className={css.table}>
-        {/* rjsf numbers the items of a list with a hyphen. */}
-        <legend>{schemaTexts[title] ?? title.replace(/-(\d+)$/, " $1")}</legend>
+      {/* rjsf numbers the items of a list with a hyphen. */}
+      <Fieldset
+        my={6}
+        className={css.wide}
+        legend={schemaTexts[title] ?? title.replace(/-(\d+)$/, " $1")}
+      >
         <div className={css.fields}>{properties.map(({ content }) => content)}</div>
-      </fieldset>
+      </Fieldset>
       {!(ADDITIONAL_PROPERTY_FLAG in schema) && optionalDataControl}
     </>
   );
@@ -189,7 +204,9 @@ function Groups({ schema, properties, registry }: TableProps) {
   }
   return [...groups].map(([title, fields]) => (
     <section key={title} className={css.group}>
-      <h2>{title}</h2>
+      <Title order={2} fz={14} mb={12}>
+        {title}
+      </Title>
       <div className={css.fields}>{fields.map(({ content }) => content)}</div>
       {fields.map(({ name }) => registry.formContext.after[name])}
     </section>
@@ -215,15 +232,17 @@ function Named({ schema, properties, registry, formData, ...props }: TableProps)
     <>
       {properties.map(({ content }) => content)}
       {!props.readonly && !props.disabled && free?.length !== 0 && (
-        <form onSubmit={add} className={css.add}>
-          {free === undefined ? (
-            <TextInput name="name" label={title} />
-          ) : (
-            <Select name="name" label={title} data={free} defaultValue={free[0] ?? null} />
-          )}
-          <Button type="submit" variant="default">
-            {translate("definitionForm.add3")}
-          </Button>
+        <form onSubmit={add}>
+          <Group gap={8} mt={8} align="flex-end">
+            {free === undefined ? (
+              <TextInput name="name" label={title} />
+            ) : (
+              <Select name="name" label={title} data={free} defaultValue={free[0] ?? null} />
+            )}
+            <Button type="submit" variant="default">
+              {translate("definitionForm.add3")}
+            </Button>
+          </Group>
         </form>
       )}
     </>
@@ -271,7 +290,9 @@ function OptionalTable(props: OptionalDataControlsTemplateProps<Fields, RJSFSche
     );
   }
   return onRemoveClick === undefined ? (
-    <span className={css.mark}>{translate("definitionForm.none", { label })}</span>
+    <Text span fz={11} c="ink.3">
+      {translate("definitionForm.none", { label })}
+    </Text>
   ) : (
     <Button size="sm" variant="subtle" color="red" onClick={onRemoveClick}>
       {translate("definitionForm.remove", { label: word })}
@@ -313,7 +334,9 @@ function List(props: ArrayFieldTemplateProps<Fields[], RJSFSchema, FormContext>)
     <ListContext value={insideSentence(title)}>
       {items}
       {items.length === 0 && registry.formContext.readOnly && (
-        <span className={css.mark}>{translate("definitionForm.none", { label: title })}</span>
+        <Text span fz={11} c="ink.3">
+          {translate("definitionForm.none", { label: title })}
+        </Text>
       )}
       {canAdd && !disabled && !readonly && (
         <Button size="sm" variant="default" onClick={add} data-testid={`add-${pathText(path)}`}>

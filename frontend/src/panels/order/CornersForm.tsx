@@ -1,6 +1,17 @@
 /** How a router goes round corners: one type for all, and exceptions for single corners. */
 
-import { Button, CloseButton, SegmentedControl, Slider } from "@mantine/core";
+import {
+  Box,
+  Button,
+  CloseButton,
+  Fieldset,
+  Flex,
+  Group,
+  SegmentedControl,
+  SimpleGrid,
+  Slider,
+  Stack,
+} from "@mantine/core";
 import { IconHandClick } from "@tabler/icons-react";
 import { useId } from "react";
 import type { CornerAt } from "../../api/client";
@@ -14,6 +25,7 @@ import {
 } from "../../state/order/corners";
 import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
+import { Note } from "../shared/parts";
 import cornerCss from "./corners.module.css";
 
 const TITLES: Readonly<Record<CornerType, string>> = {
@@ -47,65 +59,73 @@ export function CornersForm() {
   const fit = useId();
   const hasSize = corners.type === "D" || corners.type === "auto";
   return (
-    <fieldset className={cornerCss.corners} data-testid="corners">
-      <legend>{translate("cornersForm.toolPathAtOuterCorners")}</legend>
-      <div className={cornerCss.cornerTypes}>
-        {CORNER_TYPES.map((type) => (
-          <button
-            key={type}
-            type="button"
-            className={cornerCss.cornerType}
-            aria-pressed={corners.type === type}
-            title={DESCRIPTIONS[type]}
-            onClick={() => set({ corners: { ...corners, type } })}
-            data-testid={`corner-${type}`}
-          >
-            <CornerPicture type={type} />
-            {TITLES[type]}
-          </button>
-        ))}
-      </div>
-      <p className={css.note}>{DESCRIPTIONS[corners.type]}</p>
-      {hasSize && (
-        <SizeSlider
-          label={K_LABEL}
-          value={corners.k}
-          onChange={(k) => set({ corners: { ...corners, k } })}
-        />
-      )}
-      <div className={cornerCss.cornerFit}>
-        <span id={fit}>{translate("cornersForm.whereTheToolIsToo")}</span>
-        <SegmentedControl
+    <Fieldset
+      px={12}
+      py={8}
+      legend={translate("cornersForm.toolPathAtOuterCorners")}
+      data-testid="corners"
+    >
+      <Stack gap={8}>
+        <SimpleGrid cols={4} spacing={4}>
+          {CORNER_TYPES.map((type) => (
+            <button
+              key={type}
+              type="button"
+              className={`${css.choice} ${cornerCss.cornerType}`}
+              aria-pressed={corners.type === type}
+              title={DESCRIPTIONS[type]}
+              onClick={() => set({ corners: { ...corners, type } })}
+              data-testid={`corner-${type}`}
+            >
+              <CornerPicture type={type} />
+              {TITLES[type]}
+            </button>
+          ))}
+        </SimpleGrid>
+        <Note>{DESCRIPTIONS[corners.type]}</Note>
+        {hasSize && (
+          <SizeSlider
+            label={K_LABEL}
+            value={corners.k}
+            onChange={(k) => set({ corners: { ...corners, k } })}
+          />
+        )}
+        <Stack gap={4} fz={12} c="ink.2">
+          <span id={fit}>{translate("cornersForm.whereTheToolIsToo")}</span>
+          <SegmentedControl
+            size="xs"
+            fullWidth
+            orientation="vertical"
+            aria-labelledby={fit}
+            data={[
+              { value: "trim", label: translate("cornersForm.leaveThisPartUncut") },
+              { value: "refuse", label: translate("cornersForm.doNotCreateAProgram") },
+            ]}
+            value={corners.interference}
+            onChange={(choice) =>
+              set({
+                corners: { ...corners, interference: choice === "refuse" ? "refuse" : "trim" },
+              })
+            }
+            data-testid="interference"
+          />
+        </Stack>
+        <SingleCorners />
+        {pickingCorners && <Note>{translate("cornersForm.inTheDrawingClickA")}</Note>}
+        <Button
           size="xs"
-          fullWidth
-          orientation="vertical"
-          aria-labelledby={fit}
-          data={[
-            { value: "trim", label: translate("cornersForm.leaveThisPartUncut") },
-            { value: "refuse", label: translate("cornersForm.doNotCreateAProgram") },
-          ]}
-          value={corners.interference}
-          onChange={(choice) =>
-            set({ corners: { ...corners, interference: choice === "refuse" ? "refuse" : "trim" } })
-          }
-          data-testid="interference"
-        />
-      </div>
-      <SingleCorners />
-      {pickingCorners && <p className={css.note}>{translate("cornersForm.inTheDrawingClickA")}</p>}
-      <Button
-        size="xs"
-        variant={pickingCorners ? "light" : "default"}
-        leftSection={<IconHandClick size={15} aria-hidden />}
-        aria-pressed={pickingCorners}
-        onClick={() => set({ pickingCorners: !pickingCorners })}
-        data-testid="pick-corner"
-      >
-        {pickingCorners
-          ? translate("cornersForm.finishChoosingCorners")
-          : translate("cornersForm.chooseThePathForIndividual")}
-      </Button>
-    </fieldset>
+          variant={pickingCorners ? "light" : "default"}
+          leftSection={<IconHandClick size={15} aria-hidden />}
+          aria-pressed={pickingCorners}
+          onClick={() => set({ pickingCorners: !pickingCorners })}
+          data-testid="pick-corner"
+        >
+          {pickingCorners
+            ? translate("cornersForm.finishChoosingCorners")
+            : translate("cornersForm.chooseThePathForIndividual")}
+        </Button>
+      </Stack>
+    </Fieldset>
   );
 }
 
@@ -118,11 +138,11 @@ function SingleCorners() {
   const set = useUiStore((ui) => ui.set);
   if (corners.at.length === 0) return null;
   return (
-    <ul className={cornerCss.cornerList} data-testid="single-corners">
+    <Flex component="ul" direction="column" gap={6} data-testid="single-corners">
       {corners.at.map((one, which) => (
         <li key={`${one.x} ${one.y}`}>
-          <div className={cornerCss.cornerRow}>
-            <span className={css.figure}>{positionText(one)}</span>
+          <Group gap={8} justify="space-between" fz={12} c="ink.2">
+            <span>{positionText(one)}</span>
             <SegmentedControl
               size="xs"
               data={CORNER_TYPES.map((type) => ({
@@ -141,7 +161,7 @@ function SingleCorners() {
               aria-label={translate("cornersForm.resetTheToolPathAt", { one: positionText(one) })}
               onClick={() => set({ corners: setCornerType(corners, which, null) })}
             />
-          </div>
+          </Group>
           {one.type === "D" && (
             <SizeSlider
               label={K_LABEL}
@@ -151,7 +171,7 @@ function SingleCorners() {
           )}
         </li>
       ))}
-    </ul>
+    </Flex>
   );
 }
 
@@ -163,20 +183,23 @@ interface SizeSliderProps {
 
 function SizeSlider({ label, value, onChange }: SizeSliderProps) {
   return (
-    <div className={cornerCss.cornerSize}>
+    <Box fz={12} c="ink.2">
       <span>{label}</span>
-      <Slider
-        size="sm"
-        min={0.05}
-        max={0.95}
-        step={0.05}
-        value={value}
-        label={null}
-        thumbLabel={label}
-        onChange={(k) => onChange(Number(k.toFixed(2)))}
-      />
-      <span className={css.figure}>{formatFixed(value, 2)}</span>
-    </div>
+      <Group gap={10}>
+        <Slider
+          flex={1}
+          size="sm"
+          min={0.05}
+          max={0.95}
+          step={0.05}
+          value={value}
+          label={null}
+          thumbLabel={label}
+          onChange={(k) => onChange(Number(k.toFixed(2)))}
+        />
+        {formatFixed(value, 2)}
+      </Group>
+    </Box>
   );
 }
 

@@ -1,6 +1,17 @@
 /** Options of the next job for the selected edges, and the list of all such choices. */
 
-import { Checkbox, CloseButton, NumberInput, SegmentedControl, Slider } from "@mantine/core";
+import {
+  Checkbox,
+  CloseButton,
+  Fieldset,
+  Flex,
+  NumberInput,
+  Paper,
+  SegmentedControl,
+  Slider,
+  Stack,
+  Text,
+} from "@mantine/core";
 import { useState } from "react";
 import type { Edges } from "../../geometry/records";
 import { formatNumber } from "../../language/numbers";
@@ -27,7 +38,7 @@ import {
 import { withEdgeChoices } from "../../state/order/options";
 import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
-import edgeCss from "./edgeOptions.module.css";
+import { Note } from "../shared/parts";
 import {
   choiceSummary,
   choiceText,
@@ -48,12 +59,12 @@ export function EdgeOptions({ edges, rows }: SelectionProps) {
   const names = optionsForEdges(edges, rows);
   if (names.length === 0) return null;
   return (
-    <div className={edgeCss.options} data-testid="edge-options">
-      <p className={css.note}>{translate("edgeOption.forTheNextJob")}</p>
+    <Stack gap={8} mt={14} data-testid="edge-options">
+      <Note>{translate("edgeOption.forTheNextJob")}</Note>
       {names.map((name) => (
         <OptionForm key={name} name={name} edges={edges} rows={rows} />
       ))}
-    </div>
+    </Stack>
   );
 }
 
@@ -75,39 +86,40 @@ function OptionForm({ name, edges, rows }: SelectionProps & { name: EdgeOptionNa
       options: withEdgeChoices(options, name, withValue(fields, choices, target, key, value)),
     });
   return (
-    <fieldset className={edgeCss.option} data-testid={`edge-option-${name}`}>
-      <legend>{optionTitle(name)}</legend>
-      {hasTypes && (
-        <SegmentedControl
-          size="xs"
-          fullWidth
-          data={[
-            { value: "edges", label: translate("edgeOption.selectedEdges", { n: rows.length }) },
-            {
-              value: "type",
-              label: translate("edgeOption.allOfType", { type: LINE_STYLES[type].title }),
-            },
-          ]}
-          value={forType ? "type" : "edges"}
-          onChange={(scope) => setForType(scope === "type")}
-          data-testid={`edge-scope-${name}`}
-        />
-      )}
-      {Object.entries(fields).map(([key, field]) => (
-        <Field
-          key={key}
-          name={name}
-          id={key}
-          field={field}
-          value={values[key] ?? null}
-          usual={typeof target === "string" ? null : (ofType[key] ?? null)}
-          edge={
-            typeof target !== "string" && rows.length === 1 ? { edges, row: rows[0] ?? 0 } : null
-          }
-          onChange={(value) => change(key, value)}
-        />
-      ))}
-    </fieldset>
+    <Fieldset px={12} py={8} legend={optionTitle(name)} data-testid={`edge-option-${name}`}>
+      <Stack gap={10}>
+        {hasTypes && (
+          <SegmentedControl
+            size="xs"
+            fullWidth
+            data={[
+              { value: "edges", label: translate("edgeOption.selectedEdges", { n: rows.length }) },
+              {
+                value: "type",
+                label: translate("edgeOption.allOfType", { type: LINE_STYLES[type].title }),
+              },
+            ]}
+            value={forType ? "type" : "edges"}
+            onChange={(scope) => setForType(scope === "type")}
+            data-testid={`edge-scope-${name}`}
+          />
+        )}
+        {Object.entries(fields).map(([key, field]) => (
+          <Field
+            key={key}
+            name={name}
+            id={key}
+            field={field}
+            value={values[key] ?? null}
+            usual={typeof target === "string" ? null : (ofType[key] ?? null)}
+            edge={
+              typeof target !== "string" && rows.length === 1 ? { edges, row: rows[0] ?? 0 } : null
+            }
+            onChange={(value) => change(key, value)}
+          />
+        ))}
+      </Stack>
+    </Fieldset>
   );
 }
 
@@ -132,7 +144,7 @@ function Field({ field, ...rest }: FieldProps<EdgeField>) {
 function ChoiceControl({ name, id, field, value, edge, onChange }: FieldProps<ChoiceField>) {
   const isDirection = field.unit === "direction" && edge !== null;
   return (
-    <div className={edgeCss.field}>
+    <Stack gap={6} fz={12} c="ink.2">
       <span>{fieldText(name, id)}</span>
       <SegmentedControl
         size="xs"
@@ -149,7 +161,7 @@ function ChoiceControl({ name, id, field, value, edge, onChange }: FieldProps<Ch
         onChange={onChange}
         data-testid={`edge-${name}-${id}`}
       />
-    </div>
+    </Stack>
   );
 }
 
@@ -159,7 +171,7 @@ function PlaceControl({ name, id, field, value, edge, onChange }: FieldProps<Num
   const length = edge?.edges.length[edge.row];
   const label = fieldText(name, id);
   return (
-    <div className={edgeCss.field}>
+    <Stack gap={6} fz={12} c="ink.2">
       <Checkbox
         size="xs"
         label={label}
@@ -168,7 +180,7 @@ function PlaceControl({ name, id, field, value, edge, onChange }: FieldProps<Num
         data-testid={`edge-${name}-${id}`}
       />
       {share !== null && (
-        <div className={edgeCss.place}>
+        <Stack gap={4} pl={2}>
           <Slider
             size="sm"
             min={field.min}
@@ -179,7 +191,7 @@ function PlaceControl({ name, id, field, value, edge, onChange }: FieldProps<Num
             thumbLabel={label}
             onChange={(at) => onChange(Number(at.toFixed(2)))}
           />
-          <span className={css.figure}>
+          <span>
             {length === undefined
               ? valueText(name, id, share)
               : translate("edgeOption.fromStart", {
@@ -187,9 +199,9 @@ function PlaceControl({ name, id, field, value, edge, onChange }: FieldProps<Num
                   length: formatNumber(share * length, { maximumFractionDigits: 1 }),
                 })}
           </span>
-        </div>
+        </Stack>
       )}
-    </div>
+    </Stack>
   );
 }
 
@@ -197,7 +209,6 @@ function NumberControl({ name, id, field, value, usual, onChange }: FieldProps<N
   return (
     <NumberInput
       size="xs"
-      className={edgeCss.number}
       label={fieldText(name, id)}
       placeholder={valueText(name, id, usual)}
       suffix={field.unit === "" ? "" : ` ${field.unit}`}
@@ -225,22 +236,27 @@ export function EdgeChoiceList() {
   );
   if (chosen.length === 0) return null;
   return (
-    <div className={edgeCss.list} data-testid="edge-choices">
+    <Stack gap={6} fw={500} data-testid="edge-choices">
       <span>{translate("edgeOption.choicesForEdges")}</span>
-      <ul>
+      <Flex component="ul" direction="column" gap={4} mah={220} style={{ overflow: "hidden auto" }}>
         {chosen.map(({ name, choice }) => {
           const target = targetOf(choice);
           const subject = targetText(target);
           return (
-            <li key={`${name} ${JSON.stringify(choice)}`}>
+            <Paper component="li" display="flex" key={`${name} ${JSON.stringify(choice)}`}>
               <button
                 type="button"
-                className={edgeCss.choice}
+                className={css.pick}
+                style={{ flexWrap: "wrap" }}
                 disabled={typeof target === "string"}
                 onClick={() => typeof target !== "string" && selectEdges(target)}
               >
-                <b>{subject}</b>
-                <span>{choiceSummary(name, choice)}</span>
+                <Text span c="ink.0" fw={600}>
+                  {subject}
+                </Text>
+                <Text span fz={12} fw={400} c="ink.2">
+                  {choiceSummary(name, choice)}
+                </Text>
               </button>
               <CloseButton
                 size="sm"
@@ -251,10 +267,10 @@ export function EdgeChoiceList() {
                   })
                 }
               />
-            </li>
+            </Paper>
           );
         })}
-      </ul>
-    </div>
+      </Flex>
+    </Stack>
   );
 }

@@ -1,30 +1,50 @@
 /** Number, customer and due time of an order, as they are shown with a job. */
 
+import { Box, Flex, Paper, Text } from "@mantine/core";
 import type { Job } from "../../api/client";
 import { translate } from "../../language/translate";
 import { changedEdgeOptions, changedOptions } from "../../state/order/options";
 import { hasDetails, isOverdue } from "../../state/order/orderDetails";
 import { dateTimeText } from "../../state/times";
+import css from "../shared/panels.module.css";
 import { choiceLine, optionTitle } from "./edgeOptionTexts";
 import { optionLabel, valueLabel } from "./optionTexts";
-import css from "./orderDetails.module.css";
+
+const OVERDUE = { c: "var(--bad-ink)", fw: 600 };
 
 /** Number, customer and due time in one line; nothing if the job has none. */
 export function OrderLine({ job, now = Date.now() / 1000 }: { job: Job; now?: number }) {
   if (!hasDetails(job)) return null;
   const overdue = isOverdue(job, now);
   return (
-    <span className={css.line} data-testid="order-line">
-      {job.external_id !== "" && <span className={css.number}>{job.external_id}</span>}
+    <Flex
+      component="span"
+      wrap="wrap"
+      gap="0 8px"
+      c="ink.1"
+      fw={400}
+      style={{ whiteSpace: "normal", overflowWrap: "anywhere" }}
+      data-testid="order-line"
+    >
+      {job.external_id !== "" && (
+        <Text span c="ink.0" fw={600}>
+          {job.external_id}
+        </Text>
+      )}
       {job.customer !== "" && <span>{job.customer}</span>}
       {job.due != null && (
-        <time dateTime={job.due} className={css.due} data-overdue={overdue || undefined}>
+        <Text
+          component="time"
+          dateTime={job.due}
+          {...(overdue ? OVERDUE : {})}
+          data-overdue={overdue || undefined}
+        >
           {overdue
             ? translate("orderDetails.overdueSince", { due: dateTimeText(job.due) })
             : translate("orderDetails.due", { due: dateTimeText(job.due) })}
-        </time>
+        </Text>
       )}
-    </span>
+    </Flex>
   );
 }
 
@@ -36,35 +56,37 @@ export function OrderCard({ job }: { job: Job }) {
   const listed = metadata.length + changed.length + ofEdges.length;
   if (!hasDetails(job) && job.notes === "" && listed === 0) return null;
   return (
-    <div className={css.card} data-testid="order-card">
+    <Paper px={10} py={8} data-testid="order-card">
       <OrderLine job={job} />
-      {job.notes !== "" && <p className={css.notes}>{job.notes}</p>}
+      {job.notes !== "" && (
+        <Text style={{ overflowWrap: "anywhere", whiteSpace: "pre-line" }}>{job.notes}</Text>
+      )}
       {listed > 0 && (
-        <dl className={css.metadata}>
+        <dl className={css.facts}>
           {changed.map((name) => (
-            <div key={name} data-testid={`changed-${name}`}>
+            <Box key={name} display="contents" data-testid={`changed-${name}`}>
               <dt>{optionLabel(name)}</dt>
               <dd>{valueLabel(name, job[name])}</dd>
-            </div>
+            </Box>
           ))}
           {ofEdges.map((name) => (
-            <div key={name} data-testid={`changed-${name}`}>
+            <Box key={name} display="contents" data-testid={`changed-${name}`}>
               <dt>{optionTitle(name)}</dt>
               <dd>
                 {job[name].map((choice) => (
                   <div key={JSON.stringify(choice)}>{choiceLine(name, choice)}</div>
                 ))}
               </dd>
-            </div>
+            </Box>
           ))}
           {metadata.map(([key, value]) => (
-            <div key={key}>
+            <Box key={key} display="contents">
               <dt>{key}</dt>
               <dd>{String(value)}</dd>
-            </div>
+            </Box>
           ))}
         </dl>
       )}
-    </div>
+    </Paper>
   );
 }

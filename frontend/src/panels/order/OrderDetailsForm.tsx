@@ -1,11 +1,10 @@
 /** Fields for the details of a new order; they are stored with the job and change no program. */
 
-import { Textarea, TextInput } from "@mantine/core";
+import { Stack, Text, Textarea, TextInput } from "@mantine/core";
 import { translate } from "../../language/translate";
 import { hasDetails } from "../../state/order/orderDetails";
 import { useUiStore } from "../../state/store";
 import { fromLocalInput, localInput } from "../../state/times";
-import css from "./orderDetails.module.css";
 
 export function OrderDetailsForm() {
   const details = useUiStore((ui) => ui.details);
@@ -13,12 +12,12 @@ export function OrderDetailsForm() {
   const change = (part: Partial<typeof details>) => set({ details: { ...details, ...part } });
   return (
     <details data-testid="order-details">
-      <summary className={css.summary}>
+      <Text component="summary" mih={32} fw={600}>
         {hasDetails(details) && details.external_id !== ""
           ? translate("orderDetailsForm.orderDetails", { externalId: details.external_id })
           : translate("orderDetailsForm.orderDetails2")}
-      </summary>
-      <div className={css.fields}>
+      </Text>
+      <Stack gap={8}>
         <TextInput
           label={translate("orderDetailsForm.orderNumber")}
           maxLength={200}
@@ -50,7 +49,7 @@ export function OrderDetailsForm() {
           onChange={({ currentTarget }) => change({ notes: currentTarget.value })}
           data-testid="order-notes"
         />
-      </div>
+      </Stack>
     </details>
   );
 }

@@ -14,7 +14,7 @@ import { hasLeastLift } from "../../state/order/sheet";
 import { useDrawing, useJob, useMachines } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
-import css from "../shared/panels.module.css";
+import { Note } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { BoardSelect } from "./BoardSelect";
 import { CornersForm } from "./CornersForm";
@@ -139,11 +139,7 @@ export function OrderPanel() {
                 : translate("orderPanel.prepareAgain")}
             </Button>
           </div>
-          {missing !== null && (
-            <p className={css.note} style={{ margin: 0 }}>
-              {missing}
-            </p>
-          )}
+          {missing !== null && <Note>{missing}</Note>}
         </div>
       </Permitted>
     </Section>

@@ -6,7 +6,7 @@ import { translate } from "../../language/translate";
 import { formatSize } from "../../state/format";
 import { OUTLINE_SHEET, sheetSize } from "../../state/order/sheet";
 import { useUiStore } from "../../state/store";
-import css from "../shared/panels.module.css";
+import { Note } from "../shared/parts";
 
 const CHOICES = [
   { value: "unknown", label: translate("sheetForm.largerThanTheDrawing") },
@@ -68,23 +68,18 @@ export function SheetForm({ width, height }: { width: number; height: number }) 
         </div>
       )}
       {(isSmall("width") || isSmall("height")) && (
-        <p
-          className={css.note}
-          style={{ margin: 0, color: "var(--bad)" }}
-          role="alert"
-          data-testid="sheet-small"
-        >
+        <Note style={{ margin: 0, color: "var(--bad)" }} role="alert" data-testid="sheet-small">
           {translate("sheetForm.theDrawingWithItsMargin", {
             width: formatSize(width + (sheet?.margin ?? 0), height + (sheet?.margin ?? 0)),
           })}
-        </p>
+        </Note>
       )}
       {sheet !== null && (
-        <p className={css.note} style={{ margin: 0 }}>
+        <Note>
           {sheetSize(sheet) === null
             ? translate("sheetForm.besideTheSheetToolsTurn")
             : translate("sheetForm.besideTheSheetToolsTurn2")}
-        </p>
+        </Note>
       )}
     </div>
   );

@@ -9,7 +9,7 @@ import { type Notification, useNotifications } from "../../state/notifications";
 import { useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import notificationCss from "./notifications.module.css";
-import css from "./panels.module.css";
+import { Hint } from "./parts";
 
 /** Time for which a notification is shown (ms): enough to read it twice. */
 const SHOWN = 15_000;
@@ -56,7 +56,7 @@ function Report({ notification }: { notification: Notification }) {
       <div>
         <div style={{ color: "var(--ink-0)", fontWeight: 600 }}>{title}</div>
         {detail !== "" && <div>{detail}</div>}
-        {hint !== "" && <div className={css.hint}>{hint}</div>}
+        {hint !== "" && <Hint>{hint}</Hint>}
         {rows.length > 0 && (
           <Button mt={8} size="compact-xs" variant="default" onClick={() => zoomToEdges(rows)}>
             {translate("notificationList.showEdgesInTheDrawing", { rows: rows.length })}

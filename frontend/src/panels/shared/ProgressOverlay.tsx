@@ -5,7 +5,7 @@ import { translate } from "../../language/translate";
 import { useUiStore } from "../../state/store";
 import overlayCss from "../drawing/overlay.module.css";
 import notificationCss from "./notifications.module.css";
-import css from "./panels.module.css";
+import { Figures, Name } from "./parts";
 
 export function ProgressOverlay() {
   const busy = useUiStore((ui) => ui.busy);
@@ -25,8 +25,8 @@ export function ProgressOverlay() {
           role="status"
           data-testid="upload"
         >
-          <div className={css.runFigures} style={{ margin: "0 0 6px" }}>
-            <span className={css.rowName}>{upload.name}</span>
+          <Figures style={{ margin: "0 0 6px" }}>
+            <Name>{upload.name}</Name>
             <span>
               {upload.fraction < 1
                 ? translate("progressOverlay.uploaded", {
@@ -34,7 +34,7 @@ export function ProgressOverlay() {
                   })
                 : translate("progressOverlay.readingTheFile")}
             </span>
-          </div>
+          </Figures>
           <Progress
             value={upload.fraction * 100}
             animated={upload.fraction >= 1}

@@ -1,5 +1,6 @@
 /** A collapsible section of a side panel. */
 
+import { Box, Flex } from "@mantine/core";
 import { IconChevronDown } from "@tabler/icons-react";
 import { type ReactNode, useId, useState } from "react";
 import css from "./panels.module.css";
@@ -27,14 +28,16 @@ export function Section({ id, title, aside, open = true, flush = false, children
         aria-controls={body}
         onClick={() => setShown(!shown)}
       >
-        <span className={css.sectionTitle}>{title}</span>
+        <Flex component="span" flex={1} align="center" gap={8} miw={0}>
+          {title}
+        </Flex>
         {aside}
         <IconChevronDown size={15} className={css.chevron} data-open={shown} aria-hidden />
       </button>
       {shown && (
-        <div id={body} className={flush ? css.flush : css.sectionBody}>
+        <Box id={body} px={flush ? 8 : 16} pb={flush ? 8 : 16}>
           {children}
-        </div>
+        </Box>
       )}
     </section>
   );

@@ -1,11 +1,12 @@
 /** Keyboard and mouse shortcuts. */
 
-import { Modal } from "@mantine/core";
+import { Kbd, Modal } from "@mantine/core";
 import { translate } from "../../language/translate";
 import { ASSIGNABLE_TYPES, LINE_STYLES } from "../../state/drawing/palette";
 import { useUiStore } from "../../state/store";
 import { USE_PROFILE_TYPE } from "./labels";
 import css from "./panels.module.css";
+import { Note } from "./parts";
 
 const KEYS: readonly (readonly [string, string])[] = [
   ["F", translate("shortcutsDialog.showTheWholeDrawing")],
@@ -55,9 +56,9 @@ export function ShortcutsDialog() {
         <div style={{ display: "grid", gap: 20, alignContent: "start" }}>
           <Keys rows={MOUSE} />
           <div>
-            <p className={css.note} style={{ margin: "0 0 8px" }}>
+            <Note style={{ margin: "0 0 8px" }}>
               {translate("shortcutsDialog.setTheLineTypeOf")}
-            </p>
+            </Note>
             <Keys rows={[...choices, ["0", USE_PROFILE_TYPE]]} />
           </div>
         </div>
@@ -72,9 +73,7 @@ function Keys({ rows }: { rows: readonly (readonly [string, string])[] }) {
       {rows.map(([key, does]) => (
         <div key={key} style={{ display: "contents" }}>
           <dt>
-            <span className={css.key} style={{ height: 22, padding: "0 7px" }}>
-              {key}
-            </span>
+            <Kbd style={{ height: 22, padding: "0 7px" }}>{key}</Kbd>
           </dt>
           <dd style={{ textAlign: "left" }}>{does}</dd>
         </div>

@@ -4,7 +4,9 @@
  * The buttons are enabled after a short time, so that a double tap does not press one of them.
  */
 
+import { SimpleGrid, Stack, Text } from "@mantine/core";
 import { useEffect, useState } from "react";
+import { WideButton } from "./parts";
 import css from "./station.module.css";
 
 /** Time (ms) for which the buttons are disabled: the longest interval of a double tap. */
@@ -27,30 +29,25 @@ export function AskOnce({ title, text, yes, no, disabled = false, onYes, onNo }:
     return () => clearTimeout(timer);
   }, []);
   return (
-    <div className={css.question} role="alertdialog" aria-label={title}>
-      <div className={css.questionTitle}>{title}</div>
+    <Stack gap={10} className={css.question} role="alertdialog" aria-label={title}>
+      <Text component="div" c="ink.0" fz={21} fw={700}>
+        {title}
+      </Text>
       <div data-testid="question-text">{text}</div>
-      <div className={css.answers}>
-        <button
-          type="button"
-          className={css.button}
-          disabled={!open}
-          onClick={onNo}
-          data-testid="question-no"
-        >
+      <SimpleGrid cols={2} spacing={12}>
+        <WideButton disabled={!open} onClick={onNo} data-testid="question-no">
           {no}
-        </button>
-        <button
-          type="button"
-          className={css.button}
-          data-tone="red"
+        </WideButton>
+        <WideButton
+          variant="filled"
+          color="red"
           disabled={disabled || !open}
           onClick={onYes}
           data-testid="question-yes"
         >
           {yes}
-        </button>
-      </div>
-    </div>
+        </WideButton>
+      </SimpleGrid>
+    </Stack>
   );
 }

@@ -1,5 +1,6 @@
 /** Runs above the board before a job starts: its whole path, or only round the sheet. */
 
+import { Flex, Progress, SimpleGrid, Text, Title } from "@mantine/core";
 import { useState } from "react";
 import type { Activity, Job, Machine, OperationRequest, Station } from "../../api/client";
 import { insideSentence } from "../../language/numbers";
@@ -10,6 +11,8 @@ import { formatDuration } from "../../state/format";
 import { type HandsClear, handsReason } from "../../state/station/handsClear";
 import { operate } from "../../state/station/operations";
 import { RUN_TITLES, reasonAgainst, runAboveBoard } from "../../state/station/station";
+import panels from "../shared/panels.module.css";
+import { NotedButton, Steps, WideButton } from "./parts";
 import css from "./station.module.css";
 
 interface Props {
@@ -52,36 +55,35 @@ export function DryRunPanel({ job, machine, station, reached, hands }: Props) {
   const [first] = reasons;
   const common = reasons.every((one) => one === first) ? (first ?? null) : null;
   return (
-    <section
-      className={css.dryRun}
+    <Flex
+      component="section"
+      direction="column"
+      gap={12}
+      pt={14}
+      className={panels.divided}
       aria-label={translate("dryRunPanel.beforeTheStart")}
       data-testid="dry-run"
     >
-      <h3>{translate("dryRunPanel.tryItAboveTheBoard")}</h3>
+      <Title order={3} fz={18}>
+        {translate("dryRunPanel.tryItAboveTheBoard")}
+      </Title>
       <LastRun activity={station?.activity ?? null} job={job} />
-      {common !== null && <p className={css.small}>{common}</p>}
-      <fieldset className={css.steps}>
-        <legend>{translate("dryRunPanel.speedOfTheDryRun")}</legend>
-        {SHARES.map((one) => (
-          <label key={one} className={css.step}>
-            <input
-              type="radio"
-              name="share"
-              checked={percent === one}
-              onChange={() => setPercent(one)}
-            />
-            <span className={css.stepText} data-testid={`share-${one}`}>
-              {one} %
-            </span>
-          </label>
-        ))}
-      </fieldset>
-      <div className={css.wayGrid}>
+      {common !== null && (
+        <Text fz={15} c="ink.2">
+          {common}
+        </Text>
+      )}
+      <Steps
+        title={translate("dryRunPanel.speedOfTheDryRun")}
+        data={SHARES.map((value) => ({ value, label: `${value} %` }))}
+        testId="share"
+        value={percent}
+        onChange={setPercent}
+      />
+      <SimpleGrid cols={2} spacing={12}>
         {WAYS.map(({ kind, note, request }, at) => (
-          <div key={kind} className={css.way}>
-            <button
-              type="button"
-              className={css.button}
+          <NotedButton key={kind} note={note}>
+            <WideButton
               disabled={!reached || reasons[at] !== null}
               onClick={() =>
                 void operate(
@@ -93,12 +95,11 @@ export function DryRunPanel({ job, machine, station, reached, hands }: Props) {
               data-testid={`operation-${kind}`}
             >
               {RUN_TITLES[kind]}
-            </button>
-            <small>{note}</small>
-          </div>
+            </WideButton>
+          </NotedButton>
         ))}
-      </div>
-    </section>
+      </SimpleGrid>
+    </Flex>
   );
 }
 
@@ -122,20 +123,19 @@ function RunAboveBoard({ run, machine }: { run: Activity; machine: Machine }) {
           </div>
         )}
       </div>
-      <progress
-        className={css.bar}
-        value={run.progress}
-        max={1}
+      <Progress
+        size={18}
+        value={100 * run.progress}
         aria-label={translate("dryRunPanel.progressOfTheRunAbove")}
       />
-      <p className={css.small}>
+      <Text fz={15} c="ink.2">
         {shown !== undefined
           ? translate("dryRunPanel.pathOfStationAboveThe", {
               number: shown.number,
               name: shown.name,
             })
           : translate("dryRunPanel.aboveTheBoardNothingIs")}
-      </p>
+      </Text>
     </section>
   );
 }
@@ -157,7 +157,7 @@ function LastRun({ activity, job }: { activity: Activity | null; job: Job }) {
   const { message } = activity;
   return (
     <div
-      className={css.message}
+      className={panels.callout}
       data-tone={end.tone}
       role="status"
       data-testid="dry-run-end"
@@ -165,7 +165,11 @@ function LastRun({ activity, job }: { activity: Activity | null; job: Job }) {
     >
       {translate(end.text, { run: RUN_TITLES[activity.kind] })}
       {message !== null && <div>{messageText(message)}</div>}
-      {message !== null && <div className={css.todo}>{messageHint(message)}</div>}
+      {message !== null && (
+        <Text component="div" mt={6} c="ink.0" fw={600}>
+          {messageHint(message)}
+        </Text>
+      )}
     </div>
   );
 }

@@ -1,11 +1,12 @@
 /** The feed of the program that runs: slower, as programmed, faster. */
 
+import { SimpleGrid } from "@mantine/core";
 import type { Job, Machine, Station } from "../../api/client";
 import { translate } from "../../language/translate";
 import { translateRich } from "../../language/translateRich";
 import { operate } from "../../state/station/operations";
 import { overrideSteps } from "../../state/station/station";
-import css from "./station.module.css";
+import { ControlGroup, WideButton } from "./parts";
 
 interface Props {
   readonly machine: Machine;
@@ -18,30 +19,30 @@ export function FeedOverride({ machine, station, job, reached }: Props) {
   const steps = overrideSteps(machine, station, job);
   if (steps === null) return null;
   return (
-    <fieldset className={css.feedOverride} data-testid="feed-override">
-      <legend>
-        {translateRich("feedOverride.feedOfTheProgram", {
-          percent: station?.override ?? "",
-          b: (children) => <b data-testid="feed-override-value">{children}</b>,
-        })}
-      </legend>
-      {steps.map(({ name, label, percent, enabled }) => (
-        <button
-          key={name}
-          type="button"
-          className={css.output}
-          disabled={!reached || !enabled}
-          onClick={() =>
-            void operate(machine.name, translate("feedOverride.feed2", { percent }), {
-              operation: "feed_override",
-              percent,
-            })
-          }
-          data-testid={`feed-${name}`}
-        >
-          {label}
-        </button>
-      ))}
-    </fieldset>
+    <ControlGroup
+      data-testid="feed-override"
+      legend={translateRich("feedOverride.feedOfTheProgram", {
+        percent: station?.override ?? "",
+        b: (children) => <b data-testid="feed-override-value">{children}</b>,
+      })}
+    >
+      <SimpleGrid cols={3} spacing={8}>
+        {steps.map(({ name, label, percent, enabled }) => (
+          <WideButton
+            key={name}
+            disabled={!reached || !enabled}
+            onClick={() =>
+              void operate(machine.name, translate("feedOverride.feed2", { percent }), {
+                operation: "feed_override",
+                percent,
+              })
+            }
+            data-testid={`feed-${name}`}
+          >
+            {label}
+          </WideButton>
+        ))}
+      </SimpleGrid>
+    </ControlGroup>
   );
 }

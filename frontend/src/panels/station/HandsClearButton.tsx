@@ -14,7 +14,7 @@ export function HandsClearButton({ hands, reached }: Props) {
   return (
     <button
       type="button"
-      className={css.hands}
+      className={css.check}
       aria-pressed={hands.left > 0}
       disabled={!reached}
       onClick={hands.toggle}

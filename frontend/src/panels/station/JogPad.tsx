@@ -1,5 +1,6 @@
 /** Arrows that move the axes while they are held, at most by a chosen distance. */
 
+import { Stack, Text } from "@mantine/core";
 import {
   IconArrowDown,
   IconArrowLeft,
@@ -23,6 +24,7 @@ import {
   travelOf,
   turnsTools,
 } from "../../state/station/station";
+import { Steps } from "./parts";
 import css from "./station.module.css";
 
 interface Props {
@@ -85,23 +87,17 @@ export function JogPad(props: Props) {
   // One reason for all axes is stated once; Z may be free while the tool is down.
   const reason = reached ? (first ?? reasons.find((one) => one !== null) ?? null) : null;
   return (
-    <div className={css.jogPad} data-testid="jog">
-      <fieldset className={css.steps}>
-        <legend>{translate("jogPad.longestMoveOfOneHold")}</legend>
-        {LIMITS.map((one) => (
-          <label key={one} className={css.step}>
-            <input
-              type="radio"
-              name="limit"
-              checked={limit === one}
-              onChange={() => setLimit(one)}
-            />
-            <span className={css.stepText} data-testid={`jog-limit-${one}`}>
-              {one === FREE ? translate("jogPad.free") : formatNumber(one)}
-            </span>
-          </label>
-        ))}
-      </fieldset>
+    <Stack gap={14} data-testid="jog">
+      <Steps
+        title={translate("jogPad.longestMoveOfOneHold")}
+        data={LIMITS.map((value) => ({
+          value,
+          label: value === FREE ? translate("jogPad.free") : formatNumber(value),
+        }))}
+        testId="jog-limit"
+        value={limit}
+        onChange={setLimit}
+      />
       <div className={css.arrows}>
         {ARROWS.filter(({ axis }) => axis !== "C" || turnsTools(machine)).map((arrow) => (
           <JogButton
@@ -116,25 +112,17 @@ export function JogPad(props: Props) {
             }
           />
         ))}
-        <span className={css.axisName} data-place="xy">
-          X Y
-        </span>
-        <span className={css.axisName} data-place="z">
-          Z
-        </span>
-        {turnsTools(machine) && (
-          <span className={css.axisName} data-place="c">
-            C
-          </span>
-        )}
+        <span style={{ gridArea: "xy" }}>X Y</span>
+        <span style={{ gridArea: "z" }}>Z</span>
+        {turnsTools(machine) && <span style={{ gridArea: "c" }}>C</span>}
       </div>
-      <p className={css.small} data-testid="jog-note">
+      <Text fz={15} c="ink.2" data-testid="jog-note">
         {translate("jogPad.travel", {
           reason: reason ?? translate("jogPad.holdAnArrowToMove"),
           machine: travelText(machine),
         })}
-      </p>
-    </div>
+      </Text>
+    </Stack>
   );
 }
 
@@ -194,7 +182,7 @@ function JogButton({ machine, station, arrow, limit, reason }: ButtonProps) {
     <button
       type="button"
       className={css.arrow}
-      data-place={place}
+      style={{ gridArea: place }}
       // The button stays enabled while its own move runs: a disabled one gets no release.
       aria-disabled={why !== null}
       aria-label={

@@ -1,5 +1,6 @@
 /** What keeps the machine from work: its alarm or its hold, what to do, and the ways out. */
 
+import { Flex, SimpleGrid, Text, Title } from "@mantine/core";
 import { IconAlertTriangleFilled } from "@tabler/icons-react";
 import type { Job, Machine, Station } from "../../api/client";
 import { messageHint, messageText } from "../../messages/translateMessage";
@@ -8,8 +9,9 @@ import { type HandsClear, handsReason } from "../../state/station/handsClear";
 import { operate } from "../../state/station/operations";
 import { reasonAgainst } from "../../state/station/station";
 import { headingOf, waysOut } from "../../state/station/wayOut";
+import panels from "../shared/panels.module.css";
 import { HandsClearButton } from "./HandsClearButton";
-import css from "./station.module.css";
+import { NotedButton, WideButton } from "./parts";
 
 interface Props {
   readonly machine: Machine;
@@ -26,40 +28,47 @@ export function StationAlarm({ machine, station, job, reached, hands }: Props) {
   const hint = messageHint(message);
   const ways = waysOut(station, job);
   return (
-    <section
-      className={css.alarm}
+    <Flex
+      component="section"
+      direction="column"
+      gap={8}
+      className={panels.callout}
+      data-tone="red"
       role="alert"
       data-testid={station.alarm === null ? "obstacle" : "alarm"}
     >
-      <h2>
-        <IconAlertTriangleFilled color="var(--bad)" aria-hidden />
-        {headingOf(station, job)}
-      </h2>
+      <Title order={2} fz={22}>
+        <Flex align="center" gap={8}>
+          <IconAlertTriangleFilled color="var(--bad)" aria-hidden />
+          {headingOf(station, job)}
+        </Flex>
+      </Title>
       <p>{messageText(message)}</p>
-      {hint !== "" && <p className={css.todo}>{hint}</p>}
+      {hint !== "" && (
+        <Text c="ink.0" fw={600}>
+          {hint}
+        </Text>
+      )}
       {ways.length > 0 && <HandsClearButton hands={hands} reached={reached} />}
-      <div className={css.answers}>
+      <SimpleGrid cols={2} spacing={12}>
         {ways.map(({ operation, title, note }) => {
           const reason =
             refusal ??
             reasonAgainst(operation, station, machine, job) ??
             handsReason(operation, hands);
           return (
-            <div key={operation} className={css.way}>
-              <button
-                type="button"
-                className={css.button}
+            <NotedButton key={operation} note={reason ?? note}>
+              <WideButton
                 disabled={!reached || reason !== null}
                 onClick={() => void operate(machine.name, title, { operation })}
                 data-testid={`alarm-${operation}`}
               >
                 {title}
-              </button>
-              <small>{reason ?? note}</small>
-            </div>
+              </WideButton>
+            </NotedButton>
           );
         })}
-      </div>
-    </section>
+      </SimpleGrid>
+    </Flex>
   );
 }

@@ -1,11 +1,13 @@
 /** What the person at the table checks before a start, in rows that are signed with one touch each. */
 
+import { Flex, Stack, Text } from "@mantine/core";
 import { IconCheck, IconMinus } from "@tabler/icons-react";
 import type { Machine } from "../../api/client";
 import { translate } from "../../language/translate";
 import { type CheckGroup, groupChecks, touched } from "../../state/station/checkGroups";
 import type { Check } from "../../state/station/checks";
 import { HANDS, type HandsClear } from "../../state/station/handsClear";
+import { ControlGroup } from "./parts";
 import css from "./station.module.css";
 import { ToolPicture } from "./ToolPicture";
 
@@ -21,17 +23,19 @@ export function StationChecks(props: Props) {
   const groups = groupChecks(props.checks);
   const signed = groups.filter((group) => isSigned(group, props.ticked));
   return (
-    <fieldset className={css.checks} data-testid="checks">
-      <legend>
-        {translate("stationChecks.checkAtTheTableThen", {
-          signed: signed.length,
-          groups: groups.length,
-        })}
-      </legend>
-      {groups.map((group) => (
-        <Row key={group.key} {...props} group={group} />
-      ))}
-    </fieldset>
+    <ControlGroup
+      data-testid="checks"
+      legend={translate("stationChecks.checkAtTheTableThen", {
+        signed: signed.length,
+        groups: groups.length,
+      })}
+    >
+      <Stack gap={8}>
+        {groups.map((group) => (
+          <Row key={group.key} {...props} group={group} />
+        ))}
+      </Stack>
+    </ControlGroup>
   );
 }
 
@@ -62,10 +66,14 @@ function Row({ group, machine, ticked, hands, onTick }: RowProps) {
         onChange={() => onTick(touched(group, ticked))}
       />
       <span className={css.box} data-partly={partly} aria-hidden>
-        {partly ? <IconMinus /> : <IconCheck className={css.tick} />}
+        {partly ? <IconMinus /> : <IconCheck />}
       </span>
-      <span className={css.statements}>
-        {title !== "" && <strong className={css.checkTitle}>{title}</strong>}
+      <Flex component="span" direction="column" gap={6} flex={1} miw={0}>
+        {title !== "" && (
+          <Text span c="ink.2" fz={15} fw={600}>
+            {title}
+          </Text>
+        )}
         {checks.map((check) => (
           <Statement
             key={check.key}
@@ -75,7 +83,7 @@ function Row({ group, machine, ticked, hands, onTick }: RowProps) {
             detail={check.key === HANDS ? lastsText(hands) : check.detail}
           />
         ))}
-      </span>
+      </Flex>
     </label>
   );
 }
@@ -95,12 +103,19 @@ interface StatementProps {
 function Statement({ check, ticked, machine, detail }: StatementProps) {
   const mounted = machine.stations.find(({ number }) => number === check.station);
   return (
-    <span className={css.statement} data-statement={check.key} data-ticked={ticked}>
+    <Flex
+      component="span"
+      align="center"
+      wrap="wrap"
+      gap={10}
+      data-statement={check.key}
+      data-ticked={ticked}
+    >
       {mounted !== undefined && <ToolPicture kind={mounted.tool.kind} />}
       <span>
         <b>{check.title}</b>
         {detail !== "" && <small>{detail}</small>}
       </span>
-    </span>
+    </Flex>
   );
 }

@@ -17,6 +17,7 @@ import { type HandsClear, handsReason } from "../../state/station/handsClear";
 import { type Checked, commandJob, operate, startJob } from "../../state/station/operations";
 import { runAboveBoard, type Stop, stopOf } from "../../state/station/station";
 import { reasonAgainstResume, reasonAgainstStart } from "../../state/station/wayOut";
+import panels from "../shared/panels.module.css";
 import { AskOnce } from "./AskOnce";
 import css from "./station.module.css";
 
@@ -133,7 +134,7 @@ export function StationControls({ machine, station, job, reached, hands, checked
   return (
     <section className={css.controls} aria-label={translate("stationControls.jobControls")}>
       {refusal !== null && (
-        <p className={css.message} data-testid="role-reason">
+        <p className={panels.callout} data-testid="role-reason">
           {refusal}
         </p>
       )}

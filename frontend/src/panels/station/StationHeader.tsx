@@ -1,5 +1,6 @@
 /** Head of the station page: the machine, its state in large type, and the connections. */
 
+import { Anchor, Flex, Group, Text, Title } from "@mantine/core";
 import { IconPlugConnected, IconPlugConnectedX } from "@tabler/icons-react";
 import type { Job, Machine, Station } from "../../api/client";
 import { formatFixed, withMinusSign } from "../../language/numbers";
@@ -24,37 +25,33 @@ export function StationHeader({ machine, station, job, reached }: Props) {
   return (
     <header className={css.header}>
       <div className={css.names}>
-        <h1 className={css.machine}>{machine.title || machine.name}</h1>
+        <Title order={1} c="ink.2" fz={17} fw={550} lineClamp={1}>
+          {machine.title || machine.name}
+        </Title>
         <div className={css.state} data-tone={tone} role="status" data-testid="station-state">
           {title}
         </div>
         {reached && ageText(station) !== "" && (
-          <small className={css.age} data-testid="station-age">
+          <Text component="small" c="var(--warn-ink)" data-testid="station-age">
             {translate("stationHeader.reported", { station: ageText(station) })}
-          </small>
+          </Text>
         )}
       </div>
       <Position machine={machine} station={reached ? station : undefined} />
-      <div className={css.links}>
-        <span
-          className={css.chip}
-          data-tone={connected ? "green" : "red"}
-          data-testid="station-connection"
-        >
+      <div className={css.links} data-tone={connected ? "green" : "red"}>
+        <Flex align="center" gap={8} fw={600} data-testid="station-connection">
           {connected ? <IconPlugConnected aria-hidden /> : <IconPlugConnectedX aria-hidden />}
           {!reached
             ? translate("stationHeader.noServer")
             : connected
               ? translate("stationHeader.connected")
               : translate("stationHeader.noController")}
-        </span>
-        <div className={css.operatorAndWay}>
+        </Flex>
+        <Group gap={8}>
           <OperatorButton />
           <LanguageMenu />
-          <a className={css.leave} href="#/">
-            {translate("stationHeader.allDrawings")}
-          </a>
-        </div>
+          <Anchor href="#/">{translate("stationHeader.allDrawings")}</Anchor>
+        </Group>
       </div>
     </header>
   );
@@ -77,7 +74,9 @@ function Position({ machine, station }: PositionProps) {
     >
       {axes.map((axis, at) => (
         <div key={axis}>
-          <dt>{axis}</dt>
+          <Text component="dt" fz={15} c="ink.2">
+            {axis}
+          </Text>
           <dd>
             {position === null ? "–" : withMinusSign(formatFixed(position[at] ?? 0, 1))}
             {axis === "C" && position !== null ? "°" : ""}

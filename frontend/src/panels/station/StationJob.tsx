@@ -1,5 +1,6 @@
 /** The job of the machine: what to check before it starts, its progress, and how it ended. */
 
+import { Fieldset, Flex, Group, Progress, Stack, Text, Title } from "@mantine/core";
 import { useState } from "react";
 import type { Job, JobCommand, Machine, Station } from "../../api/client";
 import { translate } from "../../language/translate";
@@ -23,10 +24,12 @@ import { RemainingCopies } from "../job/RemainingCopies";
 import { RestPanel } from "../job/RestPanel";
 import { StateBadge } from "../job/StateBadge";
 import { OrderCard } from "../order/OrderDetails";
+import panels from "../shared/panels.module.css";
 import { AskOnce } from "./AskOnce";
 import { DryRunPanel } from "./DryRunPanel";
 import { FeedOverride } from "./FeedOverride";
 import { HandsClearButton } from "./HandsClearButton";
+import { NotedButton, WideButton } from "./parts";
 import { StationChecks } from "./StationChecks";
 import css from "./station.module.css";
 import { ToolCheckPanel } from "./ToolCheckPanel";
@@ -49,23 +52,31 @@ export function StationJob(props: Props) {
   const { job, machine, station, checks, ticked, wornTools, reached, hands, onTick } = props;
   const board = useBoardTitle(job.board);
   return (
-    <section
-      className={css.job}
+    <Flex
+      component="section"
+      direction="column"
+      gap={10}
       aria-label={translate("stationJob.job")}
       data-testid="station-job"
       data-state={job.state}
     >
-      <div className={css.jobHead}>
-        <h2>{job.drawing_name}</h2>
-        <StateBadge job={job} testId="station-job-state" />
-      </div>
+      <Group gap={8} justify="space-between">
+        <Title order={2} fz={22} miw={0} style={{ overflowWrap: "anywhere" }}>
+          {job.drawing_name}
+        </Title>
+        <StateBadge job={job} testId="station-job-state" size="xl" />
+      </Group>
       {/* Large: on another board than its own, a job cuts at wrong depths. */}
-      <p className={css.boardName} data-testid="station-board">
+      <Text
+        fz={30}
+        fw={700}
+        lh={1.15}
+        style={{ overflowWrap: "anywhere" }}
+        data-testid="station-board"
+      >
         {board}
-      </p>
-      <p
-        className={css.jobFacts}
-      >{`${translate("stationJob.copies", { copies: job.copies })}${job.seconds > 0 ? ` · ${translate("stationJob.each", { seconds: formatDuration(job.seconds) })}` : ""}`}</p>
+      </Text>
+      <Text c="ink.2">{`${translate("stationJob.copies", { copies: job.copies })}${job.seconds > 0 ? ` · ${translate("stationJob.each", { seconds: formatDuration(job.seconds) })}` : ""}`}</Text>
       <OrderCard job={job} />
       {isOnTable(job) && <Run job={job} />}
       <FeedOverride machine={machine} station={station} job={job} reached={reached} />
@@ -96,24 +107,19 @@ export function StationJob(props: Props) {
         </>
       )}
       {job.actions.includes("recheck") && (
-        <div className={css.way}>
-          <button
-            type="button"
-            className={css.button}
+        <NotedButton note={translate("stationJob.theMachineChecksTheProgram")}>
+          <WideButton
             disabled={!reached}
             onClick={() => void commandJob(job.id, translate("stationJob.tryAgain"), "recheck")}
             data-testid="station-recheck"
           >
             {translate("stationJob.tryAgain")}
-          </button>
-          <small>{translate("stationJob.theMachineChecksTheProgram")}</small>
-        </div>
+          </WideButton>
+        </NotedButton>
       )}
       {job.waiting_for === "compile" && (
-        <div className={css.way}>
-          <button
-            type="button"
-            className={css.button}
+        <NotedButton note={recompileNote(machine)}>
+          <WideButton
             disabled={!reached || !job.actions.includes("recompile")}
             onClick={() =>
               void commandJob(job.id, translate("stationJob.compileAgain"), "recompile")
@@ -121,15 +127,14 @@ export function StationJob(props: Props) {
             data-testid="station-recompile"
           >
             {translate("stationJob.compileTheJobAgain")}
-          </button>
-          <small>{recompileNote(machine)}</small>
-        </div>
+          </WideButton>
+        </NotedButton>
       )}
       {(job.state === "interrupted" || job.state === "cancelled") && (
         <AfterInterruption job={job} reached={reached} />
       )}
       {job.state === "done" && <RemainingCopies job={job} />}
-    </section>
+    </Flex>
   );
 }
 
@@ -159,10 +164,9 @@ function Run({ job }: { job: Job }) {
           </div>
         )}
       </div>
-      <progress
-        className={css.bar}
-        value={job.progress}
-        max={1}
+      <Progress
+        size={18}
+        value={100 * job.progress}
         aria-label={translate("stationJob.progressOfTheJobOn")}
       />
     </div>
@@ -175,7 +179,7 @@ function Reason({ job }: { job: Job }) {
   if (job.message?.code === "waiting.for-start") return null;
   if (job.state === "done") {
     return (
-      <p className={css.message} data-tone="green" role="status" data-testid="station-done">
+      <p className={panels.callout} data-tone="green" role="status" data-testid="station-done">
         {translate("stationJob.copiesFinishedTheTableIs", { copies: job.copies })}
       </p>
     );
@@ -183,15 +187,19 @@ function Reason({ job }: { job: Job }) {
   const text = job.message === null ? "" : messageText(job.message);
   if (text === "") {
     return job.state === "cancelled" ? (
-      <p className={css.message}>{translate("stationJob.theJobWasCancelled")}</p>
+      <p className={panels.callout}>{translate("stationJob.theJobWasCancelled")}</p>
     ) : null;
   }
   const hint = job.message === null ? "" : messageHint(job.message);
   const tone = job.state === "interrupted" || needsOperator(job) ? "amber" : "grey";
   return (
-    <div className={css.message} data-tone={tone} role="status" data-testid="station-reason">
+    <div className={panels.callout} data-tone={tone} role="status" data-testid="station-reason">
       <div>{text}</div>
-      {hint !== "" && <div className={css.todo}>{hint}</div>}
+      {hint !== "" && (
+        <Text component="div" mt={6} c="ink.0" fw={600}>
+          {hint}
+        </Text>
+      )}
     </div>
   );
 }
@@ -238,29 +246,25 @@ function AfterInterruption({ job, reached }: { job: Job; reached: boolean }) {
     );
   }
   return (
-    <div className={css.ways} data-testid="after-interruption">
+    <Stack gap={14} data-testid="after-interruption">
       {job.stopped_at !== null && <p>{stopText(job, job.stopped_at)}</p>}
       {canContinue(job) && (
-        <fieldset className={css.rest} disabled={!reached}>
-          <RestLegend job={job} />
+        <Fieldset data-touch p={10} disabled={!reached} legend={<RestLegend job={job} />}>
           <RestPanel job={job} />
-        </fieldset>
+        </Fieldset>
       )}
       {words.map((word) => (
-        <div key={word} className={css.way}>
-          <button
-            type="button"
-            className={css.button}
+        <NotedButton key={word} note={ENDINGS[word].note}>
+          <WideButton
             disabled={!reached}
             onClick={() => setAsking(word)}
             data-testid={`station-${word}`}
           >
             {ENDINGS[word].title}
-          </button>
-          <small>{ENDINGS[word].note}</small>
-        </div>
+          </WideButton>
+        </NotedButton>
       ))}
-    </div>
+    </Stack>
   );
 }
 
@@ -268,11 +272,11 @@ function AfterInterruption({ job, reached }: { job: Job; reached: boolean }) {
 function RestLegend({ job }: { job: Job }) {
   const { data: tracks } = useTracks(job);
   return (
-    <legend data-testid="rest-title">
+    <span data-testid="rest-title">
       {tracks === undefined
         ? translate("stationJob.continueThisSheet")
         : translate("stationJob.continueThisSheetLeft", { tracks: tracksLeft(tracks) })}
-    </legend>
+    </span>
   );
 }
 

@@ -1,9 +1,10 @@
 /** Why the controller is not connected, or what differs between its settings and the machine. */
 
+import { Flex, Text } from "@mantine/core";
 import type { Station } from "../../api/client";
 import { translate } from "../../language/translate";
 import { messageHint, messageText } from "../../messages/translateMessage";
-import css from "./station.module.css";
+import panels from "../shared/panels.module.css";
 
 /** Notices that are shown at once; the others can be unfolded. */
 const SHOWN = 2;
@@ -12,9 +13,17 @@ const SHOWN = 2;
 export function UnknownOutputs({ station }: { readonly station: Station }) {
   if (!station.connected || station.outputs_known) return null;
   return (
-    <section className={css.message} data-tone="amber" role="status" data-testid="unknown-outputs">
+    <section
+      className={panels.callout}
+      data-tone="amber"
+      role="status"
+      data-testid="unknown-outputs"
+    >
       {translate("stationNotices.itIsNotKnownWhich")}
-      <span className={css.todo}> {translate("stationNotices.lookAtTheHeadBefore")}</span>
+      <Text span c="ink.0" fw={600}>
+        {" "}
+        {translate("stationNotices.lookAtTheHeadBefore")}
+      </Text>
     </section>
   );
 }
@@ -27,13 +36,18 @@ export function StationNotices({ station }: { readonly station: Station }) {
     return (
       <li key={JSON.stringify(notice.arguments)}>
         {messageText(notice)}
-        {hint !== "" && <span className={css.todo}> {hint}</span>}
+        {hint !== "" && (
+          <Text span c="ink.0" fw={600}>
+            {" "}
+            {hint}
+          </Text>
+        )}
       </li>
     );
   });
   return (
     <section
-      className={css.message}
+      className={panels.callout}
       data-tone={connected ? "amber" : "red"}
       aria-label={
         connected
@@ -43,13 +57,17 @@ export function StationNotices({ station }: { readonly station: Station }) {
       role="status"
       data-testid="station-notices"
     >
-      <ul className={css.notices}>{rows.slice(0, SHOWN)}</ul>
+      <Flex component="ul" direction="column" gap={6} pl={18} style={{ listStyle: "disc" }}>
+        {rows.slice(0, SHOWN)}
+      </Flex>
       {rows.length > SHOWN && (
         <details>
           <summary>
             {translate("stationNotices.moreSettingsDiffer", { rows: rows.length - SHOWN })}
           </summary>
-          <ul className={css.notices}>{rows.slice(SHOWN)}</ul>
+          <Flex component="ul" direction="column" gap={6} pl={18} style={{ listStyle: "disc" }}>
+            {rows.slice(SHOWN)}
+          </Flex>
         </details>
       )}
     </section>

@@ -1,5 +1,6 @@
 /** Operations of the person at the machine between two jobs. */
 
+import { Flex, SimpleGrid, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Job, Machine, OperationRequest, Station } from "../../api/client";
 import { translate } from "../../language/translate";
@@ -11,9 +12,11 @@ import {
   reasonAgainst,
   spindlesOf,
 } from "../../state/station/station";
+import panels from "../shared/panels.module.css";
 import { AskOnce } from "./AskOnce";
 import { HandsClearButton } from "./HandsClearButton";
 import { JogPad } from "./JogPad";
+import { ControlGroup, NotedButton, WideButton } from "./parts";
 import css from "./station.module.css";
 
 interface Props {
@@ -85,13 +88,15 @@ export function StationOperations(props: Props) {
     reasonAgainst(operation, station, machine, job) ?? handsReason(operation, hands);
   const ask = ({ title, request }: Way) => void operate(machine.name, title, request);
   return (
-    <section
-      className={css.operations}
+    <Flex
+      component="section"
+      direction="column"
+      gap={14}
       aria-label={translate("stationOperations.moveTheMachine")}
       data-testid="operations"
     >
       {common !== null && (
-        <p className={css.message} data-tone="amber" data-testid="operations-reason">
+        <p className={panels.callout} data-tone="amber" data-testid="operations-reason">
           {common}
         </p>
       )}
@@ -109,28 +114,28 @@ export function StationOperations(props: Props) {
             }}
           />
         )}
-        <div className={css.wayGrid} inert={asking !== null}>
+        <SimpleGrid cols={2} spacing={12} inert={asking !== null}>
           {WAYS.map((way) => {
             const reason = reasonOf(way);
             return (
-              <div key={way.operation} className={css.way}>
-                <button
-                  type="button"
-                  className={css.button}
+              <NotedButton
+                key={way.operation}
+                note={common === null && reason !== null ? reason : way.note}
+              >
+                <WideButton
                   disabled={!reached || reason !== null}
                   onClick={() => (way.question === null ? ask(way) : setAsking(way))}
                   data-testid={`operation-${way.operation}`}
                 >
                   {way.title}
-                </button>
-                <small>{common === null && reason !== null ? reason : way.note}</small>
-              </div>
+                </WideButton>
+              </NotedButton>
             );
           })}
-        </div>
+        </SimpleGrid>
       </div>
       <Outputs {...props} />
-    </section>
+    </Flex>
   );
 }
 
@@ -143,39 +148,40 @@ function Outputs({ machine, station, job, reached, hands }: Props) {
   const toSwitchOn = reason ?? handsReason("switch", hands);
   const because = (on: boolean) => (on ? reason : toSwitchOn);
   return (
-    <fieldset className={css.outputs} data-testid="outputs">
-      <legend>{translate("stationOperations.outputsByHandOnlyAt")}</legend>
-      {outputs.map(({ number, name }) => (
-        <OutputSwitch
-          key={number}
-          name={name}
-          note={translate("stationOperations.output", { number })}
-          on={station?.outputs.includes(number) === true}
-          known={station?.outputs_known === true}
-          enabled={reached}
-          reason={because(station?.outputs.includes(number) === true)}
-          onSwitch={(on, title) =>
-            void operate(machine.name, title, { operation: "switch", output: number, on })
-          }
-          testId={`output-${number}`}
-        />
-      ))}
-      {spindles.map(({ number, name }) => (
-        <OutputSwitch
-          key={`spindle ${number}`}
-          name={`${name}: ${motorOf(machine, number)}`}
-          note={spindleText(machine, number)}
-          on={station?.spindle === number}
-          known={station?.outputs_known === true}
-          enabled={reached}
-          reason={because(station?.spindle === number)}
-          onSwitch={(on, title) =>
-            void operate(machine.name, title, { operation: "spindle", station: number, on })
-          }
-          testId={`spindle-${number}`}
-        />
-      ))}
-    </fieldset>
+    <ControlGroup data-testid="outputs" legend={translate("stationOperations.outputsByHandOnlyAt")}>
+      <SimpleGrid cols={2} spacing={8}>
+        {outputs.map(({ number, name }) => (
+          <OutputSwitch
+            key={number}
+            name={name}
+            note={translate("stationOperations.output", { number })}
+            on={station?.outputs.includes(number) === true}
+            known={station?.outputs_known === true}
+            enabled={reached}
+            reason={because(station?.outputs.includes(number) === true)}
+            onSwitch={(on, title) =>
+              void operate(machine.name, title, { operation: "switch", output: number, on })
+            }
+            testId={`output-${number}`}
+          />
+        ))}
+        {spindles.map(({ number, name }) => (
+          <OutputSwitch
+            key={`spindle ${number}`}
+            name={`${name}: ${motorOf(machine, number)}`}
+            note={spindleText(machine, number)}
+            on={station?.spindle === number}
+            known={station?.outputs_known === true}
+            enabled={reached}
+            reason={because(station?.spindle === number)}
+            onSwitch={(on, title) =>
+              void operate(machine.name, title, { operation: "spindle", station: number, on })
+            }
+            testId={`spindle-${number}`}
+          />
+        ))}
+      </SimpleGrid>
+    </ControlGroup>
   );
 }
 
@@ -197,11 +203,20 @@ interface SwitchProps {
 /** One output or spindle with its present state. */
 function OutputSwitch({ name, note, on, known, enabled, reason, onSwitch, testId }: SwitchProps) {
   return (
-    <button
-      type="button"
+    <WideButton
       role="switch"
       aria-checked={on || known ? on : "mixed"}
-      className={css.output}
+      justify="space-between"
+      variant={on ? "light" : "default"}
+      color="yellow"
+      px={12}
+      rightSection={
+        on
+          ? translate("stationOperations.on")
+          : known
+            ? translate("stationOperations.off")
+            : translate("stationOperations.notKnown")
+      }
       disabled={!enabled || reason !== null}
       title={reason ?? undefined}
       onClick={() =>
@@ -214,18 +229,11 @@ function OutputSwitch({ name, note, on, known, enabled, reason, onSwitch, testId
       }
       data-testid={testId}
     >
-      <span>
-        {name}
-        <small>{note}</small>
-      </span>
-      <b>
-        {on
-          ? translate("stationOperations.on")
-          : known
-            ? translate("stationOperations.off")
-            : translate("stationOperations.notKnown")}
-      </b>
-    </button>
+      {name}
+      <Text component="small" display="block" fw={400}>
+        {note}
+      </Text>
+    </WideButton>
   );
 }
 

@@ -1,5 +1,6 @@
 /** Outcome of the last action of the person. */
 
+import { Text } from "@mantine/core";
 import { useEffect } from "react";
 import { useOutcomes } from "../../state/station/operations";
 import { OUTCOME_TITLES, OUTCOME_TONES } from "../../state/station/station";
@@ -21,9 +22,9 @@ export function StationOutcome({ state }: { readonly state: string }) {
           data-state={last.state}
           data-testid="outcome"
         >
-          <b>
+          <Text fz={19} fw={700}>
             {last.label}: {OUTCOME_TITLES[last.state]}
-          </b>
+          </Text>
           {last.text !== "" && <span>{last.text}</span>}
           {last.hint !== "" && <span>{last.hint}</span>}
         </div>

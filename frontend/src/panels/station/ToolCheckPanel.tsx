@@ -1,5 +1,6 @@
 /** Check of the tools of a waiting job, one by one: move above a point, look, correct or confirm. */
 
+import { Box, Flex, SimpleGrid, Stack, Text, Title } from "@mantine/core";
 import { useState } from "react";
 import type { Job, Machine, Station } from "../../api/client";
 import { formatFixed, formatNumber, withMinusSign } from "../../language/numbers";
@@ -20,7 +21,8 @@ import {
   shifted,
 } from "../../state/station/toolCheck";
 import { Refusal } from "../accounts/Permitted";
-import css from "./station.module.css";
+import panels from "../shared/panels.module.css";
+import { NotedButton, Steps, WideButton } from "./parts";
 import { dimensionText, kindText } from "./toolText";
 
 interface Props {
@@ -48,26 +50,30 @@ export function ToolCheckPanel(props: Props) {
   const [opened, setOpened] = useState<number | null>(null);
   const mounted = machine.stations.find(({ number }) => number === opened);
   return (
-    <section
-      className={css.dryRun}
+    <Flex
+      component="section"
+      direction="column"
+      gap={12}
+      pt={14}
+      className={panels.divided}
       aria-label={translate("toolCheckPanel.toolCheck")}
       data-testid="tool-check"
     >
-      <h3>{translate("toolCheckPanel.checkAToolAboveThe")}</h3>
-      <div className={css.wayGrid}>
+      <Title order={3} fz={18}>
+        {translate("toolCheckPanel.checkAToolAboveThe")}
+      </Title>
+      <SimpleGrid cols={2} spacing={12}>
         {tools.map(({ key, station }) => (
-          <button
+          <WideButton
             key={key}
-            type="button"
-            className={css.button}
             aria-expanded={opened === station}
             onClick={() => setOpened(opened === station ? null : station)}
             data-testid={`check-tool-${station}`}
           >
             {station} {machine.stations.find(({ number }) => number === station)?.name}
-          </button>
+          </WideButton>
         ))}
-      </div>
+      </SimpleGrid>
       {mounted !== undefined && (
         <OneTool
           {...props}
@@ -76,7 +82,7 @@ export function ToolCheckPanel(props: Props) {
           check={tools.find(({ station }) => station === mounted.number)}
         />
       )}
-    </section>
+    </Flex>
   );
 }
 
@@ -110,30 +116,23 @@ function OneTool(props: OneProps) {
     );
   };
   return (
-    <div className={css.ways} data-testid="tool-check-step">
+    <Stack gap={14} data-testid="tool-check-step">
       <ToolFacts mounted={mounted} detail={check?.detail ?? ""} />
-      <fieldset className={css.steps} data-columns="3">
-        <legend>{translate("toolCheckPanel.pointOnTheTable")}</legend>
-        {places.map(({ key, title }) => (
-          <label key={key} className={css.step}>
-            <input
-              type="radio"
-              name="place"
-              checked={chosen?.key === key}
-              onChange={() => setPlace(key)}
-            />
-            <span className={`${css.stepText} ${css.stepName}`} data-testid={`place-${key}`}>
-              {title}
-            </span>
-          </label>
-        ))}
-      </fieldset>
-      {reason !== null && <p className={css.small}>{reason}</p>}
-      <div className={css.wayGrid}>
-        <div className={css.way}>
-          <button
-            type="button"
-            className={css.button}
+      <Steps
+        title={translate("toolCheckPanel.pointOnTheTable")}
+        data={places.map(({ key, title }) => ({ value: key, label: title }))}
+        testId="place"
+        value={chosen?.key}
+        onChange={setPlace}
+      />
+      {reason !== null && (
+        <Text fz={15} c="ink.2">
+          {reason}
+        </Text>
+      )}
+      <SimpleGrid cols={2} spacing={12}>
+        <NotedButton note={translate("toolCheckPanel.thenLowersTheToolAlmost")}>
+          <WideButton
             disabled={!reached || reason !== null}
             onClick={move}
             data-testid="tool-check-move"
@@ -141,13 +140,10 @@ function OneTool(props: OneProps) {
             {isShifted(shift)
               ? translate("toolCheckPanel.tryTheCorrection")
               : translate("toolCheckPanel.moveAboveThePoint2")}
-          </button>
-          <small>{translate("toolCheckPanel.thenLowersTheToolAlmost")}</small>
-        </div>
-        <div className={css.way}>
-          <button
-            type="button"
-            className={css.button}
+          </WideButton>
+        </NotedButton>
+        <NotedButton note={translate("toolCheckPanel.straightUpAllOutputsGo")}>
+          <WideButton
             disabled={!reached || reasonAgainst("lift", station, machine, job) !== null}
             onClick={() =>
               void operate(machine.name, translate("toolCheckPanel.lift"), { operation: "lift" })
@@ -155,10 +151,9 @@ function OneTool(props: OneProps) {
             data-testid="tool-check-lift"
           >
             {translate("toolCheckPanel.lift")}
-          </button>
-          <small>{translate("toolCheckPanel.straightUpAllOutputsGo")}</small>
-        </div>
-      </div>
+          </WideButton>
+        </NotedButton>
+      </SimpleGrid>
       <LastCheck station={station} number={mounted.number} />
       <Correction
         {...props}
@@ -167,7 +162,7 @@ function OneTool(props: OneProps) {
         right={check !== undefined && ticked.has(check.key)}
         onRight={() => check !== undefined && onTick([check.key])}
       />
-    </div>
+    </Stack>
   );
 }
 
@@ -178,7 +173,7 @@ function ToolFacts({ mounted, detail }: { mounted: Mounted; detail: string }) {
     return `${axis} ${text(value)}${unitOf(axis)}`;
   });
   return (
-    <dl className={css.toolFacts} data-testid="tool-facts">
+    <dl className={panels.facts} data-testid="tool-facts">
       <dt>{translate("toolCheckPanel.tool")}</dt>
       <dd>
         {kindText(mounted.tool.kind)}: {dimensionText(mounted.tool)}
@@ -199,7 +194,7 @@ function LastCheck({ station, number }: { station: Station | undefined; number: 
   }
   if (runAboveBoard(station) !== null || activity.message === null) return null;
   return (
-    <p className={css.message} data-tone={activity.state === "failed" ? "red" : "amber"}>
+    <p className={panels.callout} data-tone={activity.state === "failed" ? "red" : "amber"}>
       {messageText(activity.message)}
     </p>
   );
@@ -223,62 +218,51 @@ function Correction(props: CorrectionProps) {
     });
   return (
     <>
-      <fieldset className={css.steps} data-columns="3">
-        <legend>{translate("toolCheckPanel.isTheTipNotAbove")}</legend>
-        {STEPS.map((one) => (
-          <label key={one} className={css.step}>
-            <input
-              type="radio"
-              name="correction"
-              checked={step === one}
-              onChange={() => setStep(one)}
-            />
-            <span className={css.stepText}>{formatNumber(one)}</span>
-          </label>
-        ))}
-      </fieldset>
-      <div className={css.shifts}>
+      <Steps
+        title={translate("toolCheckPanel.isTheTipNotAbove")}
+        data={STEPS.map((value) => ({ value, label: formatNumber(value) }))}
+        testId="correction"
+        value={step}
+        onChange={setStep}
+      />
+      <SimpleGrid cols={{ base: 1, xs: 2 }} spacing={10}>
         {AXES.map((axis, at) => (
-          <div key={axis} className={css.shift}>
-            <button
-              type="button"
-              className={css.button}
+          <Flex key={axis} align="center" gap={6} ta="center">
+            <WideButton
+              w={52}
+              p={0}
               aria-label={translate("toolCheckPanel.less", { axis })}
               onClick={() => onShift(shifted(shift, axis, -step))}
               data-testid={`shift-${axis}-less`}
             >
               {"\u2212"}
-            </button>
-            <output data-testid={`shift-${axis}`}>
+            </WideButton>
+            <Box component="output" flex={1} data-testid={`shift-${axis}`}>
               {axis} {text(shift[at] ?? 0)}
               {unitOf(axis)}
-            </output>
-            <button
-              type="button"
-              className={css.button}
+            </Box>
+            <WideButton
+              w={52}
+              p={0}
               aria-label={translate("toolCheckPanel.more", { axis })}
               onClick={() => onShift(shifted(shift, axis, step))}
               data-testid={`shift-${axis}-more`}
             >
               +
-            </button>
-          </div>
+            </WideButton>
+          </Flex>
         ))}
-      </div>
-      <div className={css.wayGrid}>
-        <button
-          type="button"
-          className={css.button}
+      </SimpleGrid>
+      <SimpleGrid cols={2} spacing={12}>
+        <WideButton
           disabled={!reached || !isShifted(shift) || refusal !== null}
           title={refusal ?? undefined}
           onClick={() => void save()}
           data-testid="tool-check-save"
         >
           {translate("toolCheckPanel.saveTheOffset")}
-        </button>
-        <button
-          type="button"
-          className={css.button}
+        </WideButton>
+        <WideButton
           aria-pressed={right}
           disabled={isShifted(shift)}
           onClick={onRight}
@@ -287,8 +271,8 @@ function Correction(props: CorrectionProps) {
           {right
             ? translate("toolCheckPanel.toolIsRight")
             : translate("toolCheckPanel.toolIsRight2")}
-        </button>
-      </div>
+        </WideButton>
+      </SimpleGrid>
       <Refusal reason={refusal} />
     </>
   );

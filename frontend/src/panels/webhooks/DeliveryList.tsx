@@ -1,6 +1,6 @@
 /** Deliveries of a webhook with their attempts; each can be sent again. */
 
-import { Button, Code, SegmentedControl } from "@mantine/core";
+import { Button, Code, Flex, Group, SegmentedControl, Stack, Text } from "@mantine/core";
 import { IconChevronDown } from "@tabler/icons-react";
 import { useQuery } from "@tanstack/react-query";
 import { useId, useState } from "react";
@@ -19,8 +19,9 @@ import {
   EVENT_LABELS,
   statusText,
 } from "../../state/webhooks/webhooks";
+import css from "../shared/panels.module.css";
+import { Note } from "../shared/parts";
 import { ShowMore } from "../shared/ShowMore";
-import css from "./webhooks.module.css";
 
 interface Props {
   readonly webhook: string;
@@ -33,13 +34,25 @@ const STATES = [
   ...Object.entries(DELIVERY_LABELS).map(([value, label]) => ({ value, label })),
 ];
 
+const COLOURS: Readonly<Partial<Record<DeliveryState, string>>> = {
+  dead: "var(--bad-ink)",
+  pending: "var(--warn-ink)",
+};
+
 export function DeliveryList({ webhook, active, act }: Props) {
   const [state, setState] = useState("");
   const list = useDeliveries(webhook, (state || null) as DeliveryState | null);
   const rows = list.data ?? [];
   return (
-    <section className={css.deliveries} aria-label={translate("deliveryList.deliveries")}>
-      <div className={css.actions}>
+    <Flex
+      component="section"
+      direction="column"
+      gap={10}
+      pt={12}
+      className={css.divided}
+      aria-label={translate("deliveryList.deliveries")}
+    >
+      <Group gap={8}>
         <SegmentedControl
           value={state}
           onChange={setState}
@@ -54,16 +67,16 @@ export function DeliveryList({ webhook, active, act }: Props) {
         >
           {translate("deliveryList.sendAllFailedDeliveriesAgain")}
         </Button>
-      </div>
-      {list.error && <p className={css.fault}>{errorText(list.error)}</p>}
+      </Group>
+      {list.error && <Text c="var(--bad-ink)">{errorText(list.error)}</Text>}
       {list.isSuccess && rows.length === 0 && (
-        <p className={css.note}>
+        <Note py={10}>
           {state === ""
             ? translate("deliveryList.nothingWasSentInThe")
             : translate("deliveryList.thereAreNoDeliveriesIn")}
-        </p>
+        </Note>
       )}
-      <ul className={css.list}>
+      <ul>
         {rows.map((delivery) => (
           <Row
             key={delivery.id}
@@ -77,7 +90,7 @@ export function DeliveryList({ webhook, active, act }: Props) {
       {list.hasNextPage && (
         <ShowMore busy={list.isFetchingNextPage} act={() => void list.fetchNextPage()} />
       )}
-    </section>
+    </Flex>
   );
 }
 
@@ -94,39 +107,52 @@ function Row({ delivery, webhook, active, replay }: RowProps) {
   const { event_type: type, state } = delivery;
   const label: string = type in EVENT_LABELS ? EVENT_LABELS[type as keyof typeof EVENT_LABELS] : "";
   return (
-    <li className={css.delivery} data-testid="delivery" data-state={state}>
+    <li className={css.section} data-testid="delivery" data-state={state}>
       <button
         type="button"
-        className={css.summary}
+        className={css.pick}
+        style={{ flexWrap: "wrap", alignItems: "center" }}
         aria-expanded={open}
         aria-controls={body}
         onClick={() => setOpen(!open)}
       >
-        <time dateTime={delivery.created}>{dateTimeText(delivery.created)}</time>
-        <span className={css.type}>{label || translate("deliveryList.test")}</span>
-        <span className={css.result}>{deliveryText(delivery)}</span>
+        <Text component="time" w={160} c="ink.2" dateTime={delivery.created}>
+          {dateTimeText(delivery.created)}
+        </Text>
+        <Text span w={180} c="ink.0" fw={550}>
+          {label || translate("deliveryList.test")}
+        </Text>
+        <Text span flex="1 1 160px" c={COLOURS[state] ?? "inherit"}>
+          {deliveryText(delivery)}
+        </Text>
         <IconChevronDown size={15} className={css.chevron} data-open={open} aria-hidden />
       </button>
       {open && (
-        <div id={body} className={css.body}>
+        <Stack id={body} gap={10} px={8} pb={14}>
           {delivery.attempts.length === 0 ? (
-            <p className={css.note}>{translate("deliveryList.noAttemptIsCompleteYet")}</p>
+            <Note py={10}>{translate("deliveryList.noAttemptIsCompleteYet")}</Note>
           ) : (
-            <ol className={css.attempts}>
+            <Flex component="ol" direction="column" gap={6}>
               {delivery.attempts.map((attempt) => (
-                <li key={attempt.at} data-testid="attempt">
+                <Flex
+                  component="li"
+                  key={attempt.at}
+                  wrap="wrap"
+                  gap="2px 12px"
+                  data-testid="attempt"
+                >
                   <time dateTime={attempt.at}>{formatDateTime(new Date(attempt.at))}</time>
                   <span>{statusText(attempt)}</span>
                   <span>{durationText(attempt.seconds)}</span>
-                  <span className={css.answer}>
+                  <Text span flex="1 1 200px" style={{ overflowWrap: "anywhere" }}>
                     {answerText(attempt) || translate("deliveryList.emptyResponse")}
-                  </span>
-                </li>
+                  </Text>
+                </Flex>
               ))}
-            </ol>
+            </Flex>
           )}
           <Payload webhook={webhook} delivery={delivery.id} />
-          <div className={css.actions}>
+          <Group gap={8}>
             <Button
               size="sm"
               variant="default"
@@ -136,14 +162,14 @@ function Row({ delivery, webhook, active, replay }: RowProps) {
             >
               {translate("deliveryList.sendAgain")}
             </Button>
-            <small>
+            <Text component="small" c="ink.3" style={{ overflowWrap: "anywhere" }}>
               {translateRich("deliveryList.webhookId", {
                 id: delivery.id,
                 code: (children) => <code>{children}</code>,
               })}
-            </small>
-          </div>
-        </div>
+            </Text>
+          </Group>
+        </Stack>
       )}
     </li>
   );
@@ -154,7 +180,7 @@ function Payload({ webhook, delivery }: { webhook: string; delivery: string }) {
   const { data } = useQuery({ ...queries.delivery(webhook, delivery), refetchInterval: false });
   if (data === undefined) return null;
   return (
-    <Code block className={css.payload ?? ""} data-testid="payload">
+    <Code block mah={260} fz={12} style={{ overflow: "auto" }} data-testid="payload">
       {JSON.stringify(JSON.parse(data.payload), null, 2)}
     </Code>
   );

@@ -1,6 +1,6 @@
 /** One webhook: its state, what was sent to it, and what can be changed. */
 
-import { Button } from "@mantine/core";
+import { Button, Group, Paper, Stack, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { type NewWebhook, type Webhook, webhookService } from "../../api/webhooks";
@@ -9,10 +9,10 @@ import { queries } from "../../state/queries";
 import { dateTimeText } from "../../state/times";
 import { answerText, deliveryText, eventsText, healthText } from "../../state/webhooks/webhooks";
 import { ConfirmDialog } from "../shared/ConfirmDialog";
+import css from "../shared/panels.module.css";
 import { DeliveryList } from "./DeliveryList";
 import { WebhookForm } from "./WebhookForm";
 import { RotationDialog, WebhookSecret } from "./WebhookSecret";
-import css from "./webhooks.module.css";
 
 interface Props {
   readonly webhook: Webhook;
@@ -35,126 +35,128 @@ export function WebhookCard({ webhook, act }: Props) {
     void act(async () => setRotated(await webhookService.rotateSecret(id, overlap)));
   };
   return (
-    <li className={css.card} data-testid="webhook-row">
-      <Texts webhook={webhook} />
-      {test !== null && <TestResult webhook={id} delivery={test} />}
-      {rotated !== null && <WebhookSecret webhook={rotated} onClose={() => setRotated(null)} />}
-      <div className={css.actions}>
-        <Button
-          size="sm"
-          disabled={!active}
-          onClick={() => void act(async () => setTest((await webhookService.test(id)).id))}
-          data-testid="webhook-test"
-        >
-          {translate("webhookCard.sendATest")}
-        </Button>
-        <Button
-          size="sm"
-          variant="default"
-          aria-expanded={view === "deliveries"}
-          onClick={() => toggle("deliveries")}
-          data-testid="webhook-deliveries"
-        >
-          {translate("webhookCard.deliveries")}
-        </Button>
-        <Button
-          size="sm"
-          variant="default"
-          aria-expanded={view === "edit"}
-          onClick={() => toggle("edit")}
-          data-testid="webhook-edit"
-        >
-          {translate("webhookCard.edit")}
-        </Button>
-        <Button
-          size="sm"
-          variant="default"
-          onClick={() => setAsking("rotate")}
-          data-testid="webhook-rotate"
-        >
-          {translate("webhookCard.replaceTheSecret")}
-        </Button>
-        <Button
-          size="sm"
-          variant="default"
-          onClick={() => void act(() => webhookService.change(id, { active: !active }))}
-          data-testid="webhook-switch"
-        >
-          {active ? translate("webhookCard.switchOff") : translate("webhookCard.switchOn")}
-        </Button>
-        <Button size="sm" color="red" variant="light" onClick={() => setAsking("delete")}>
-          {translate("webhookCard.delete")}
-        </Button>
-      </div>
-      {view === "edit" && (
-        <WebhookForm
-          fields={webhook}
-          label={translate("webhookCard.save")}
-          onSend={async ({ url, description, event_types }) => {
-            const saved = await act(() =>
-              webhookService.change(id, { url, description, event_types }),
-            );
-            if (saved) setView("");
-            return saved;
-          }}
-          onCancel={() => setView("")}
+    <Paper component="li" radius={12} p={16} mb={12} data-testid="webhook-row">
+      <Stack gap={12}>
+        <Texts webhook={webhook} />
+        {test !== null && <TestResult webhook={id} delivery={test} />}
+        {rotated !== null && <WebhookSecret webhook={rotated} onClose={() => setRotated(null)} />}
+        <Group gap={8}>
+          <Button
+            size="sm"
+            disabled={!active}
+            onClick={() => void act(async () => setTest((await webhookService.test(id)).id))}
+            data-testid="webhook-test"
+          >
+            {translate("webhookCard.sendATest")}
+          </Button>
+          <Button
+            size="sm"
+            variant="default"
+            aria-expanded={view === "deliveries"}
+            onClick={() => toggle("deliveries")}
+            data-testid="webhook-deliveries"
+          >
+            {translate("webhookCard.deliveries")}
+          </Button>
+          <Button
+            size="sm"
+            variant="default"
+            aria-expanded={view === "edit"}
+            onClick={() => toggle("edit")}
+            data-testid="webhook-edit"
+          >
+            {translate("webhookCard.edit")}
+          </Button>
+          <Button
+            size="sm"
+            variant="default"
+            onClick={() => setAsking("rotate")}
+            data-testid="webhook-rotate"
+          >
+            {translate("webhookCard.replaceTheSecret")}
+          </Button>
+          <Button
+            size="sm"
+            variant="default"
+            onClick={() => void act(() => webhookService.change(id, { active: !active }))}
+            data-testid="webhook-switch"
+          >
+            {active ? translate("webhookCard.switchOff") : translate("webhookCard.switchOn")}
+          </Button>
+          <Button size="sm" color="red" variant="light" onClick={() => setAsking("delete")}>
+            {translate("webhookCard.delete")}
+          </Button>
+        </Group>
+        {view === "edit" && (
+          <WebhookForm
+            fields={webhook}
+            label={translate("webhookCard.save")}
+            onSend={async ({ url, description, event_types }) => {
+              const saved = await act(() =>
+                webhookService.change(id, { url, description, event_types }),
+              );
+              if (saved) setView("");
+              return saved;
+            }}
+            onCancel={() => setView("")}
+          />
+        )}
+        {view === "deliveries" && <DeliveryList webhook={id} active={active} act={act} />}
+        <RotationDialog
+          opened={asking === "rotate"}
+          onClose={() => setAsking("")}
+          onRotate={rotate}
         />
-      )}
-      {view === "deliveries" && <DeliveryList webhook={id} active={active} act={act} />}
-      <RotationDialog
-        opened={asking === "rotate"}
-        onClose={() => setAsking("")}
-        onRotate={rotate}
-      />
-      <ConfirmDialog
-        confirmation={
-          asking === "delete"
-            ? {
-                title: translate("webhookCard.deleteTheWebhook"),
-                text: translate("webhookCard.noMoreEventsAreSent", { url: webhook.url }),
-                yes: translate("webhookCard.delete"),
-                no: translate("webhookCard.keep"),
-              }
-            : null
-        }
-        onYes={() => {
-          setAsking("");
-          void act(() => webhookService.delete(id));
-        }}
-        onNo={() => setAsking("")}
-      />
-    </li>
+        <ConfirmDialog
+          confirmation={
+            asking === "delete"
+              ? {
+                  title: translate("webhookCard.deleteTheWebhook"),
+                  text: translate("webhookCard.noMoreEventsAreSent", { url: webhook.url }),
+                  yes: translate("webhookCard.delete"),
+                  no: translate("webhookCard.keep"),
+                }
+              : null
+          }
+          onYes={() => {
+            setAsking("");
+            void act(() => webhookService.delete(id));
+          }}
+          onNo={() => setAsking("")}
+        />
+      </Stack>
+    </Paper>
   );
 }
 
 function Texts({ webhook }: { webhook: Webhook }) {
   const { active, failures, last_delivery: last, previous_secret_until: until } = webhook;
-  const health = !active ? "off" : failures > 0 ? "bad" : "good";
+  const health = !active ? "ink.3" : failures > 0 ? "var(--bad-ink)" : "var(--good)";
   return (
-    <div className={css.texts}>
-      <p className={css.title}>
-        <strong>{webhook.url}</strong>
-        <span className={css.health} data-health={last === null && active ? "off" : health}>
+    <Stack gap={4} style={{ overflowWrap: "anywhere" }}>
+      <Text c="ink.0" fz={14}>
+        <strong>{webhook.url}</strong>{" "}
+        <Text span fz={12.5} fw={600} c={last === null && active ? "ink.3" : health}>
           {healthText(webhook)}
-        </span>
-      </p>
+        </Text>
+      </Text>
       {webhook.description !== "" && <p>{webhook.description}</p>}
-      <p className={css.quiet}>{eventsText(webhook.event_types)}</p>
+      <Text c="ink.3">{eventsText(webhook.event_types)}</Text>
       {last !== null && (
-        <p className={css.quiet} data-testid="webhook-state">
+        <Text c="ink.3" data-testid="webhook-state">
           {translate("webhookCard.last", {
             eventType: last.event_type,
             created: dateTimeText(last.created),
             last: deliveryText(last),
           })}
-        </p>
+        </Text>
       )}
       {until !== null && (
-        <p className={css.quiet}>
+        <Text c="ink.3">
           {translate("webhookCard.alsoSignedWithTheOld", { until: dateTimeText(until) })}
-        </p>
+        </Text>
       )}
-    </div>
+    </Stack>
   );
 }
 
@@ -163,11 +165,11 @@ function TestResult({ webhook, delivery }: { webhook: string; delivery: string }
   const { data } = useQuery(queries.delivery(webhook, delivery));
   const attempt = data?.attempts.at(-1);
   const answer = attempt === undefined ? "" : answerText(attempt);
-  const result = attempt === undefined ? "open" : data?.state === "delivered" ? "good" : "bad";
+  const result = attempt === undefined ? "grey" : data?.state === "delivered" ? "green" : "red";
   return (
-    <div className={css.test} role="status" data-result={result} data-testid="webhook-test-result">
+    <div className={css.callout} role="status" data-tone={result} data-testid="webhook-test-result">
       <strong>{translate("webhookCard.test", { data: deliveryText(data) })}</strong>
-      {answer !== "" && <span>{answer}</span>}
+      {answer !== "" && <div>{answer}</div>}
     </div>
   );
 }

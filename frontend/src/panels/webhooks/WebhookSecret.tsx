@@ -1,23 +1,32 @@
 /** The secret of a webhook, shown once, and the dialog that replaces it. */
 
-import { Button, Code, CopyButton, Modal, Select } from "@mantine/core";
+import { Button, Code, CopyButton, Flex, Group, Modal, Select, Stack } from "@mantine/core";
 import { useState } from "react";
 import type { NewWebhook } from "../../api/webhooks";
 import { translate } from "../../language/translate";
 import { dateTimeText } from "../../state/times";
-import css from "./webhooks.module.css";
+import css from "../shared/panels.module.css";
 
 export function WebhookSecret({ webhook, onClose }: { webhook: NewWebhook; onClose: () => void }) {
   const until = webhook.previous_secret_until;
   return (
-    <section className={css.secret} aria-label={translate("webhookSecret.secretOfTheWebhook")}>
+    <Flex
+      component="section"
+      direction="column"
+      align="flex-start"
+      gap={12}
+      mb={12}
+      className={css.callout}
+      data-tone="amber"
+      aria-label={translate("webhookSecret.secretOfTheWebhook")}
+    >
       <p>
         <strong>{translate("webhookSecret.copyTheSecretNowIt")}</strong>{" "}
         {until !== null &&
           translate("webhookSecret.requestsAreSignedWithBoth", { until: dateTimeText(until) })}
       </p>
       <Code data-testid="webhook-secret">{webhook.secret}</Code>
-      <div className={css.actions}>
+      <Group gap={8}>
         <CopyButton value={webhook.secret}>
           {({ copied, copy }) => (
             <Button size="sm" onClick={copy}>
@@ -28,8 +37,8 @@ export function WebhookSecret({ webhook, onClose }: { webhook: NewWebhook; onClo
         <Button size="sm" variant="default" onClick={onClose}>
           {translate("webhookSecret.done")}
         </Button>
-      </div>
-    </section>
+      </Group>
+    </Flex>
   );
 }
 
@@ -57,7 +66,7 @@ export function RotationDialog({ opened, onClose, onRotate }: RotationProps) {
       title={translate("webhookSecret.replaceTheSecret")}
       centered
     >
-      <div className={css.dialog}>
+      <Stack gap={16}>
         <p>{translate("webhookSecret.forTheChosenTimeRequests")}</p>
         <Select
           label={translate("webhookSecret.alsoSignWithTheOld")}
@@ -66,15 +75,15 @@ export function RotationDialog({ opened, onClose, onRotate }: RotationProps) {
           allowDeselect={false}
           onChange={(value) => setOverlap(value ?? "24")}
         />
-        <div className={css.actions} data-end>
+        <Group gap={8} justify="flex-end">
           <Button variant="default" onClick={onClose}>
             {translate("webhookSecret.cancel")}
           </Button>
           <Button onClick={() => onRotate(Number(overlap))} data-testid="webhook-rotate-yes">
             {translate("webhookSecret.replaceTheSecret2")}
           </Button>
-        </div>
-      </div>
+        </Group>
+      </Stack>
     </Modal>
   );
 }
