@@ -14,11 +14,12 @@ import { ShortcutsDialog } from "../panels/shared/ShortcutsDialog";
 import { useMe } from "../state/accounts/accounts";
 import { syncDrawing } from "../state/drawing/drawingSync";
 import { subscribeToEvents, useDrawing } from "../state/queries";
-import { HISTORY, LIBRARY, STATION, syncWithAddress, WEBHOOKS } from "../state/routes";
+import { DRAWINGS, HISTORY, LIBRARY, STATION, syncWithAddress, WEBHOOKS } from "../state/routes";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 import { DrawingError } from "./DrawingError";
 import { DropZone } from "./DropZone";
+import { NotFound } from "./NotFound";
 import { Part } from "./Part";
 import { listenToKeys, type PictureCommands } from "./shortcuts";
 import { TopBar } from "./TopBar";
@@ -65,8 +66,13 @@ export function App() {
           </Part>
         )}
       </Route>
-      <Route>
+      <Route path={DRAWINGS}>
         <DrawingPage />
+      </Route>
+      <Route>
+        <main>
+          <NotFound text={translate("app.thereIsNoSuchPage")} />
+        </main>
       </Route>
     </Switch>
   );

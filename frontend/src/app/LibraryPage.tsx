@@ -4,6 +4,8 @@ import "../messages/load";
 import { Button, FileButton, Text, Title } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
+import { useRoute } from "wouter";
+import { navigate } from "wouter/use-hash-location";
 import { type LibraryEntry, type Shelf, service } from "../api/client";
 import { translate } from "../language/translate";
 import { errorText } from "../messages/translateMessage";
@@ -16,12 +18,27 @@ import { slugOf } from "../state/drawing/draft";
 import { refreshLibrary, SHELF_TITLES } from "../state/library/definitions";
 import { byTitle } from "../state/naturalOrder";
 import { queries } from "../state/queries";
+import { decodedPart, LIBRARY } from "../state/routes";
+import { NotFound } from "./NotFound";
 
 const SHELVES = Object.keys(SHELF_TITLES) as Shelf[];
 
+/** Show an entry of the library; null shows none. */
+const setOpen = (entry: Pick<LibraryEntry, "shelf" | "name"> | null): void =>
+  navigate(
+    entry === null ? "/library" : `/library/${entry.shelf}/${encodeURIComponent(entry.name)}`,
+  );
+
 export function LibraryPage() {
-  const { data: entries = [] } = useQuery(queries.library());
-  const [open, setOpen] = useState<Pick<LibraryEntry, "shelf" | "name"> | null>(null);
+  const { data: entries = [], isSuccess } = useQuery(queries.library());
+  const [, params] = useRoute(LIBRARY);
+  const shelf = SHELVES.find((one) => one === params?.shelf);
+  const name = decodedPart(params?.name);
+  const open = shelf === undefined || name === "" ? null : { shelf, name };
+  const isMissing =
+    open === null
+      ? params?.shelf !== undefined
+      : isSuccess && !entries.some((one) => one.shelf === shelf && one.name === name);
   const [fault, setFault] = useState("");
   const importFile = async (shelf: Shelf, file: File | null) => {
     if (file === null) return;
@@ -91,7 +108,17 @@ export function LibraryPage() {
         ))}
       </nav>
       <main className={css.editor}>
-        {open === null ? (
+        {isMissing ? (
+          <NotFound
+            text={
+              open === null
+                ? translate("app.thereIsNoSuchPage")
+                : translate("libraryPage.thereIsNo", open)
+            }
+            href="#/library"
+            label={translate("libraryPage.machinesBoardsAndTools")}
+          />
+        ) : open === null ? (
           <Text maw={560} fz={15}>
             {translate("libraryPage.chooseAMachineABoard")}
           </Text>

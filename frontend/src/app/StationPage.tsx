@@ -31,6 +31,7 @@ import { useChecks } from "../state/station/checks";
 import { HANDS, useHandsClear } from "../state/station/handsClear";
 import type { ViewerEvents } from "../viewer/contract";
 import { Canvas } from "./Canvas";
+import { NotFound } from "./NotFound";
 import type { PictureCommands } from "./shortcuts";
 
 interface Props {
@@ -77,12 +78,14 @@ export function StationPage({ machine: name }: Props) {
   if (machine === undefined) {
     return (
       <main className={css.page}>
-        <p className={css.lost} role="status">
-          {machines === undefined
-            ? translate("stationPage.loadingTheMachine")
-            : translate("stationPage.thereIsNoMachineNamed", { name })}{" "}
-          <a href="#/">{translate("stationPage.backToAllDrawings")}</a>
-        </p>
+        {machines === undefined ? (
+          <p className={css.lost} role="status">
+            {translate("stationPage.loadingTheMachine")}{" "}
+            <a href="#/">{translate("stationPage.backToAllDrawings")}</a>
+          </p>
+        ) : (
+          <NotFound text={translate("stationPage.thereIsNoMachineNamed", { name })} />
+        )}
       </main>
     );
   }

@@ -27,6 +27,7 @@ export const de = {
   // app/App.tsx
   "app.jobQueueAndMachine": "Auftrag, Warteschlange und Maschine",
   "app.drawingsLineTypesAndImport": "Zeichnungen, Linienarten und Import",
+  "app.thereIsNoSuchPage": "Diese Seite gibt es nicht",
   // app/DrawingError.tsx
   "drawingError.thisDrawingCannotBeOpened": "Diese Zeichnung kann nicht geöffnet werden",
   // app/DropZone.tsx
@@ -34,6 +35,8 @@ export const de = {
   // app/LibraryPage.tsx
   "libraryPage.importedFrom": "importiert aus {name}",
   "libraryPage.machinesBoardsAndTools": "Maschinen, Material und Werkzeuge",
+  "libraryPage.thereIsNo":
+    "Es gibt {shelf, select, machines {keine Maschine} boards {kein Material} other {kein Werkzeug}} namens {name}",
   "libraryPage.backToDrawings": "Zurück zu den Zeichnungen",
   "libraryPage.supplied": "mitgeliefert",
   "libraryPage.own": "eigene",
@@ -589,6 +592,7 @@ export const de = {
     "{count, plural, one {# Linie weicht von der gezeichneten Kurve ab} other {# Linien weichen von der gezeichneten Kurve ab}}",
   "acceptForm.other": "{count, plural, one {# Linie} other {# Linien}}: {kind}",
   // panels/job/JobPanel.tsx
+  "jobPanel.showTheDrawingWithoutAJob": "Die Zeichnung ohne Auftrag zeigen",
   "jobPanel.openJob": "Geöffneter Auftrag",
   "jobPanel.downloadRefusedProgramLines":
     "Abgelehntes Programm herunterladen ({lines, plural, one {# Zeile} other {# Zeilen}})",

@@ -27,6 +27,7 @@ export const en = {
   // app/App.tsx
   "app.jobQueueAndMachine": "Job, queue and machine",
   "app.drawingsLineTypesAndImport": "Drawings, line types and import",
+  "app.thereIsNoSuchPage": "There is no such page",
   // app/DrawingError.tsx
   "drawingError.thisDrawingCannotBeOpened": "This drawing cannot be opened",
   // app/DropZone.tsx
@@ -34,6 +35,8 @@ export const en = {
   // app/LibraryPage.tsx
   "libraryPage.importedFrom": "imported from {name}",
   "libraryPage.machinesBoardsAndTools": "Machines, boards and tools",
+  "libraryPage.thereIsNo":
+    "There is no {shelf, select, machines {machine} boards {board} other {tool}} named {name}",
   "libraryPage.backToDrawings": "Back to drawings",
   "libraryPage.supplied": "supplied",
   "libraryPage.own": "own",
@@ -573,6 +576,7 @@ export const en = {
     "{count, plural, one {# line differs from the drawn curve} other {# lines differ from the drawn curve}}",
   "acceptForm.other": "{count, plural, one {# line} other {# lines}}: {kind}",
   // panels/job/JobPanel.tsx
+  "jobPanel.showTheDrawingWithoutAJob": "Show the drawing without a job",
   "jobPanel.openJob": "Open job",
   "jobPanel.downloadRefusedProgramLines":
     "Download refused program ({lines, plural, one {# line} other {# lines}})",

@@ -14,12 +14,15 @@ test.each<[string, Partial<OpenDrawing>]>([
   expect(`#${drawingPath({ ...NOTHING, ...opened })}`).toBe(hash);
 });
 
-test.each(["#/station/my%20table", "#/library", "#/webhooks", "#/history"])(
-  "the drawing stays open behind %s",
-  (hash) => {
-    expect(drawingOf(hash)).toBeNull();
-  },
-);
+test.each([
+  "#/station/my%20table",
+  "#/library",
+  "#/library/tools/knife",
+  "#/webhooks",
+  "#/history",
+])("the drawing stays open behind %s", (hash) => {
+  expect(drawingOf(hash)).toBeNull();
+});
 
 test.each(["", "#", "#/nowhere", "#/drawings/", "#/drawings/%E0%A4%A", "#/station/"])(
   "%s opens nothing",

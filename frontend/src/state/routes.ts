@@ -6,6 +6,7 @@
  *     #/drawings/ID/jobs/ID           a drawing and a job of it
  *     #/station/MACHINE               the page of the person at a machine
  *     #/library                       machines, boards and tools
+ *     #/library/SHELF/NAME            one of them, such as #/library/machines/demo-table
  *     #/history                       ended jobs, statistics and tools
  *     #/webhooks                      endpoints of other systems
  *
@@ -16,11 +17,14 @@ import { navigate } from "wouter/use-hash-location";
 import { type OpenDrawing, useUiStore } from "./store";
 
 export const STATION = "/station/:machine";
-export const LIBRARY = "/library";
+export const LIBRARY = "/library/:shelf?/:name?";
 export const HISTORY = "/history";
 export const WEBHOOKS = "/webhooks";
 
-const OTHER_VIEW = /^#\/(?:library|history|webhooks|station\/[^/]+)$/;
+/** Addresses of the page of drawings and of the history. */
+export const DRAWINGS = /^\/(?:history|drawings\/[^/]+(?:\/jobs\/[^/]+)?)?$/;
+
+const OTHER_VIEW = /^#\/(?:library(?:\/[^/]+\/[^/]+)?|history|webhooks|station\/[^/]+)$/;
 const DRAWING = /^#\/drawings\/([^/]+)(?:\/jobs\/([^/]+))?$/;
 
 /** What an address opens; null if it names a view behind which the drawing stays open. */
@@ -37,6 +41,15 @@ export function drawingOf(hash: string): OpenDrawing | null {
 
 const decoded = (part: string | undefined): string | null =>
   part === undefined ? null : decodeURIComponent(part);
+
+/** A part of a path as it was before it was encoded; as it is typed if the encoding is invalid. */
+export function decodedPart(part = ""): string {
+  try {
+    return decodeURIComponent(part);
+  } catch {
+    return part;
+  }
+}
 
 /** Path of a drawing and a job of it; "/" without a drawing. */
 export function drawingPath({ drawing, job }: OpenDrawing): string {

@@ -1,7 +1,6 @@
-/** The entities of a group of the import { Box, Text } from "@mantine/core";
-import { Box, Text } from "@mantine/core";
-import report; a click zooms to one. */
+/** The entities of a group of the import report; a click zooms to one. */
 
+import { Stack, Text } from "@mantine/core";
 import { useMemo, useState } from "react";
 import type { Drawing, ImportReportRow, ReportGroup } from "../../api/client";
 import type { Box, Edges } from "../../geometry/records";
@@ -27,7 +26,7 @@ export function Entities({ group, drawing }: { group: ReportGroup; drawing: Draw
   const listed = report.data?.rows ?? firstRows;
   const rows = useMemo(() => entitiesOf(listed, group), [listed, group]);
   return (
-    <Box mah={276} mx={8} mb={8} pl={6} className={panels.inset} data-testid="entities">
+    <Stack gap={0} mah={276} mx={8} mb={8} pl={6} className={panels.inset} data-testid="entities">
       {edges !== undefined &&
         rows.slice(0, limit).map((row, at) => (
           <Entity
@@ -47,7 +46,7 @@ export function Entities({ group, drawing }: { group: ReportGroup; drawing: Draw
           act={() => setLimit(limit + STEP)}
         />
       )}
-    </Box>
+    </Stack>
   );
 }
 

@@ -15,7 +15,7 @@ import { type ReactNode, useState } from "react";
 import { type Job, service } from "../../api/client";
 import { translate } from "../../language/translate";
 import { translateRich } from "../../language/translateRich";
-import { messageHint, messageText } from "../../messages/translateMessage";
+import { errorText, messageHint, messageText } from "../../messages/translateMessage";
 import { useRefusal } from "../../state/accounts/accounts";
 import { command } from "../../state/actions";
 import { concernedRows } from "../../state/drawing/rows";
@@ -34,12 +34,13 @@ import {
 import { canContinue } from "../../state/job/rest";
 import { SHOWN_STAGES, stageProgress } from "../../state/job/stages";
 import { useBoardTitle, useEdges, useJob } from "../../state/queries";
+import { showDrawing } from "../../state/routes";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
 import { OrderCard } from "../order/OrderDetails";
 import { ConfirmDialog } from "../shared/ConfirmDialog";
 import css from "../shared/panels.module.css";
-import { Figures, Hint, Note } from "../shared/parts";
+import { Figures, Hint, LinkButton, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { RestPanel } from "./RestPanel";
 import { StateBadge } from "./StateBadge";
@@ -47,7 +48,19 @@ import { VerdictCard } from "./VerdictCard";
 import { WaitsAtMachine } from "./WaitsAtMachine";
 
 export function JobPanel() {
-  const { data: job } = useJob();
+  const { data: job, error } = useJob();
+  const drawing = useUiStore((ui) => ui.drawing);
+  if (job === undefined && error !== null)
+    return (
+      <Section title={translate("jobPanel.openJob")}>
+        <div className={css.callout} data-tone="amber" role="alert" data-testid="no-job">
+          {errorText(error)}{" "}
+          <LinkButton onClick={() => showDrawing(drawing)}>
+            {translate("jobPanel.showTheDrawingWithoutAJob")}
+          </LinkButton>
+        </div>
+      </Section>
+    );
   if (job === undefined) return null;
   return (
     <Section
