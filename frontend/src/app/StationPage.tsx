@@ -116,6 +116,7 @@ export function StationPage({ machine: name }: Props) {
         <AskOperator />
         <Tabs
           variant="pills"
+          className={css.tabs ?? ""}
           value={tab}
           onChange={(value) => setTab(value === "machine" ? "machine" : "job")}
         >

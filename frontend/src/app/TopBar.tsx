@@ -59,6 +59,7 @@ export function TopBar() {
         <Icon
           label={translate("topBar.showOrHideTheLeft")}
           on={leftOpen}
+          large
           act={() => set({ leftOpen: !leftOpen })}
         >
           <IconLayoutSidebar size={18} stroke={1.6} />
@@ -107,6 +108,7 @@ export function TopBar() {
         <Icon
           label={translate("topBar.showOrHideTheRight")}
           on={rightOpen}
+          large
           act={() => set({ rightOpen: !rightOpen })}
         >
           <IconLayoutSidebarRight size={18} stroke={1.6} />
@@ -121,11 +123,13 @@ interface IconProps {
   act: () => void;
   off?: boolean;
   on?: boolean;
+  /** Left out on a phone, where the side panels are below the canvas. */
+  large?: boolean;
   testId?: string;
   children: ReactNode;
 }
 
-function Icon({ label, act, off = false, on, testId, children }: IconProps) {
+function Icon({ label, act, off = false, on, large = false, testId, children }: IconProps) {
   return (
     <Tooltip label={label}>
       <ActionIcon
@@ -133,6 +137,7 @@ function Icon({ label, act, off = false, on, testId, children }: IconProps) {
         color="gray"
         size="lg"
         aria-label={label}
+        {...(large ? { visibleFrom: "xs" } : {})}
         {...(on === undefined ? {} : { "aria-pressed": on })}
         disabled={off}
         onClick={act}

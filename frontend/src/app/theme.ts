@@ -90,7 +90,10 @@ export const theme = createTheme({
     Anchor: { defaultProps: { c: "var(--accent-ink)", inherit: true } },
     Badge: { defaultProps: { variant: "light", tt: "none", fw: 600, lts: 0 } },
     Paper: { defaultProps: { withBorder: true } },
-    Fieldset: { defaultProps: { miw: 0 } },
+    Fieldset: {
+      defaultProps: { miw: 0 },
+      styles: { legend: { paddingInline: 4, fontSize: "inherit", fontWeight: 500 } },
+    },
     Progress: { defaultProps: { radius: "sm" } },
     // A menu that is longer than the space beside its button scrolls inside the window.
     Menu: {

@@ -10,6 +10,9 @@ const SRC = join(dirname(fileURLToPath(import.meta.url)), "..");
 
 /** Attributes and properties whose values no user reads. */
 const TECHNICAL = new Set([
+  ..."align bd bg c display flex fz hiddenFrom mah mih ml mt p pb spacing verticalSpacing visibleFrom wrap".split(
+    " ",
+  ),
   ..."accept as autoComplete className classNames color component d dash fill fontFamily gap height".split(
     " ",
   ),

@@ -27,7 +27,8 @@ export function OperatorForm() {
     >
       <Group gap={8} align="flex-end">
         <TextInput
-          flex="1 1 130px"
+          flex="1 1 220px"
+          styles={{ label: { color: "var(--ink-0)", fontSize: 14, fontWeight: 600 } }}
           size="md"
           label={translate("operatorForm.whoWorksAtThisDevice")}
           name="operator"
@@ -82,13 +83,20 @@ export function OperatorButton({ compact = false }: { compact?: boolean }) {
       size="xs"
       px={8}
       mih={34}
+      fw={400}
       flex="0 1 auto"
       leftSection={<IconUser size={18} stroke={1.6} aria-hidden />}
       onClick={change}
       title={translate("operatorForm.changeTheNameOfThe")}
       data-testid="operator"
     >
-      <Text span fz={13} maw={160} truncate="end" {...(compact ? { visibleFrom: "xs" } : {})}>
+      <Text
+        span
+        fz={compact ? 13 : 16}
+        maw={160}
+        truncate="end"
+        {...(compact ? { visibleFrom: "xs" } : {})}
+      >
         {name || translate("operatorForm.noName")}
       </Text>
     </Button>

@@ -42,7 +42,16 @@ export function DocumentPanel() {
             <IconArrowLeft size={17} />
           </ActionIcon>
         </Tooltip>
-        <Title order={1} flex={1} fz={15} fw={600} title={drawing.name}>
+        <Title
+          order={1}
+          flex={1}
+          fz={15}
+          fw={600}
+          title={drawing.name}
+          miw={0}
+          lineClamp={2}
+          style={{ overflowWrap: "anywhere" }}
+        >
           {drawing.name}
         </Title>
       </div>

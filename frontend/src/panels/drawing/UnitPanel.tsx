@@ -73,7 +73,12 @@ export function UnitPanel() {
   );
 }
 
-const CHOICE = { flexDirection: "column", alignItems: "flex-start", gap: 4 } as const;
+const CHOICE = {
+  flexDirection: "column",
+  alignItems: "flex-start",
+  gap: 4,
+  padding: "8px 10px",
+} as const;
 
 /** One button per unit, with the size that it gives and the evidence for it. */
 export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: readonly Unit[] }) {

@@ -185,8 +185,8 @@ function Row({ entry }: { entry: QueueEntry }) {
         </small>
         <small data-testid="queue-id">{job.id}</small>
         <OrderLine job={job} />
+        {place === 0 && <StateBadge job={job} />}
       </span>
-      {place === 0 && <StateBadge job={job} />}
       {place > 0 && job.priority !== 0 && (
         <Badge
           component="span"

@@ -115,7 +115,15 @@ export function VerdictCard({ job }: { job: Job }) {
         <Saved verdict={verdict} />
       </Stack>
       {findings.length > 0 && (
-        <Box mah={260} mt={12} mx={-6} mb={-6} style={{ overflow: "auto" }} data-testid="findings">
+        <Box
+          mah={260}
+          fz={12}
+          mt={12}
+          mx={-6}
+          mb={-6}
+          style={{ overflow: "auto" }}
+          data-testid="findings"
+        >
           {findings.slice(0, SHOWN).map((finding, at) => (
             // biome-ignore lint/suspicious/noArrayIndexKey: two findings may read alike
             <Row key={at} finding={finding} />

@@ -183,7 +183,7 @@ function Table(props: TableProps) {
       {/* rjsf numbers the items of a list with a hyphen. */}
       <Fieldset
         my={6}
-        className={css.wide}
+        className={css.table}
         legend={schemaTexts[title] ?? title.replace(/-(\d+)$/, " $1")}
       >
         <div className={css.fields}>{properties.map(({ content }) => content)}</div>

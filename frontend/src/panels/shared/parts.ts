@@ -13,7 +13,7 @@ export const Figure = Text.withProps({
   span: true,
   fz: 12,
   c: "ink.3",
-  style: { whiteSpace: "nowrap" },
+  style: { whiteSpace: "nowrap", fontVariantNumeric: "tabular-nums" },
 });
 
 /** A name that is cut off where the row ends. */

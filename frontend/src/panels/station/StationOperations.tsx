@@ -1,6 +1,6 @@
 /** Operations of the person at the machine between two jobs. */
 
-import { Flex, SimpleGrid, Text } from "@mantine/core";
+import { Box, Flex, SimpleGrid, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Job, Machine, OperationRequest, Station } from "../../api/client";
 import { translate } from "../../language/translate";
@@ -229,10 +229,12 @@ function OutputSwitch({ name, note, on, known, enabled, reason, onSwitch, testId
       }
       data-testid={testId}
     >
-      {name}
-      <Text component="small" display="block" fw={400}>
-        {note}
-      </Text>
+      <Box component="span" ta="left">
+        {name}
+        <Text component="small" display="block" fw={400}>
+          {note}
+        </Text>
+      </Box>
     </WideButton>
   );
 }

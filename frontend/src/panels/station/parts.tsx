@@ -17,9 +17,7 @@ export const WideButton = Button.withProps({
 /** A group of controls with a title. */
 export const ControlGroup = Fieldset.withProps({
   variant: "unstyled",
-  fz: 16,
-  c: "ink.2",
-  fw: 600,
+  styles: { legend: { marginBottom: 6, color: "var(--ink-2)", fontSize: 16, fontWeight: 600 } },
 });
 
 interface NotedProps {

@@ -135,8 +135,8 @@ function Texts({ webhook }: { webhook: Webhook }) {
   return (
     <Stack gap={4} style={{ overflowWrap: "anywhere" }}>
       <Text c="ink.0" fz={14}>
-        <strong>{webhook.url}</strong>{" "}
-        <Text span fz={12.5} fw={600} c={last === null && active ? "ink.3" : health}>
+        <strong>{webhook.url}</strong>
+        <Text span ml={10} fz={12.5} fw={600} c={last === null && active ? "ink.3" : health}>
           {healthText(webhook)}
         </Text>
       </Text>
