@@ -87,7 +87,7 @@ export const theme = createTheme({
     Button: { defaultProps: { fw: 600 } },
     Text: { defaultProps: { inherit: true } },
     Title: { defaultProps: { c: "ink.0", fw: 650 } },
-    Anchor: { defaultProps: { c: "var(--accent-ink)", inherit: true } },
+    Anchor: { defaultProps: { c: "var(--accent-ink)", inherit: true, underline: "always" } },
     Badge: { defaultProps: { variant: "light", tt: "none", fw: 600, lts: 0 } },
     Paper: { defaultProps: { withBorder: true } },
     Fieldset: {

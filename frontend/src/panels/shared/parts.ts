@@ -29,7 +29,12 @@ export const StationNumber = ThemeIcon.withProps({
 });
 
 /** A command in a text. */
-export const LinkButton = Anchor.withProps({ component: "button", type: "button", fz: 12 });
+export const LinkButton = Anchor.withProps({
+  component: "button",
+  type: "button",
+  fz: 12,
+  underline: "hover",
+});
 
 /** Figures below a bar, from side to side. */
 export const Figures = Group.withProps({ justify: "space-between", gap: 8, fz: 12, c: "ink.2" });
