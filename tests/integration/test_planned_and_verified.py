@@ -93,6 +93,51 @@ def test_an_edge_that_is_left_out_although_the_tool_can_make_it_is_a_fault(
     assert {finding.message.code for finding in found} == {"verify.not-worked"}
 
 
+@pytest.mark.parametrize("kind", [CUT, LineType.HALF_CUT])
+def test_a_stub_shorter_than_the_lead_of_the_blade_is_made_if_the_cut_can_start_there(
+    kind: LineType,
+) -> None:
+    # At the start the blade enters exactly.
+    slit = ((150, 200), (250, 200)), ((250, 200), (250, 200.15))
+    for ends in (slit, [end[::-1] for end in slit[::-1]]):
+        verdict = verdict_of(dieline(OUTLINE, (kind, edges(*ends))))
+        assert not [one for one in verdict.findings if one.severity is not Severity.NOTE]
+
+
+def u_shape(stub: float) -> Dieline:
+    """Return a blank with a slit that has a stub at both ends."""
+    first = ((150, 200 + stub), (150, 200))
+    slit = edges(first, ((150, 200), (250, 200)), ((250, 200), (250, 200 + stub)))
+    return dieline(OUTLINE, (CUT, slit))
+
+
+def test_a_stub_shorter_than_the_lead_of_the_blade_at_the_finish_is_a_shortfall() -> None:
+    # The lead is (2 + 0.3) tan 10° = 0.4055 mm.
+    (finding,) = verdict_of(u_shape(0.4)).findings
+    assert finding.severity is Severity.SHORTFALL
+    assert finding.message.code == "verify.stub-too-short"
+    assert finding.edge == 6
+    assert finding.measure == pytest.approx(0.4)
+    assert verdict_of(u_shape(0.41)).accepted
+
+
+def test_a_knife_that_stops_before_the_corner_of_a_stub_is_refused() -> None:
+    line = u_shape(0.4)
+    text = process(
+        sequence([compensate(some) for some in plan(line, MACHINE, BOARD)], MACHINE), MACHINE,
+        "grblhal",
+    ).text  # fmt: skip
+    assert text.count(b"X250.0000") == 1
+    found = faults(
+        verify(text.replace(b"X250.0000", b"X249.9945"), line, (0.0, 0.0), MACHINE, BOARD)
+    )
+    assert {finding.message.code for finding in found} == set()
+    found = faults(
+        verify(text.replace(b"X250.0000", b"X249.9000"), line, (0.0, 0.0), MACHINE, BOARD)
+    )
+    assert "verify.comes-out-short" in {finding.message.code for finding in found}
+
+
 NOTCHED = (CUT, closed((100, 100), (400, 100), (400, 300), (270, 300), (250, 260), (230, 300),
                        (100, 300)))  # fmt: skip
 PLUS = (CUT, closed((200, 100), (300, 100), (300, 200), (400, 200), (400, 300), (200, 300)))

@@ -36,6 +36,7 @@ from knifetip.geometry.azimuth import left_normal
 from knifetip.geometry.columns import F64, I32, U8, Bool
 from knifetip.geometry.path import (
     Paths,
+    lengths_behind_corners,
     longest_segments,
     point_along,
     select_paths,
@@ -62,7 +63,8 @@ def knife_toolpath(operation: Operation) -> Toolpath:
     swivel depth.
 
     A cut that ends inside a panel is left out if it is not longer than the length by which the
-    slanted blade cuts the top face ahead of its tip; the verifier reports it as a shortfall.
+    slanted blade cuts the top face ahead of its tip; the verifier reports it as a shortfall.  So is
+    the last part of a cut that ends inside a panel, from a corner sharper than the swivel angle.
 
     Raises
     ------
@@ -229,7 +231,13 @@ def _adjust_ends(
             lead=lead[short[0]],
             at_edges=listed,
         )
-    cut, rows = trim_ends(paths, np.zeros(len(paths)), np.where(free, lead, 0.0))
+    removed = np.where(free, lead, 0.0)
+    if operation.line_type in (LineType.CUT, LineType.HALF_CUT):
+        # The tip cannot stop before the end on such a stub, so it stops at the corner.
+        stub = lengths_behind_corners(paths, blade.swivel)
+        is_left_out = (finish == End.FREE) & (stub <= lead)
+        removed = np.where(is_left_out, stub, removed)
+    cut, rows = trim_ends(paths, np.zeros(len(paths)), removed)
     again, more = _repeated_starts(paths, np.where(smooth, overrun, 0.0))
     beyond, far = _extensions(paths, np.where(finish == End.MEETS, overrun, 0.0))
     led = smooth & (operation.side != 0)

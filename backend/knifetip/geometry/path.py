@@ -7,13 +7,17 @@ paths need no separators: two segments are connected if the end of one is the st
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 
 from knifetip.geometry import arc
-from knifetip.geometry.azimuth import azimuth
+from knifetip.geometry.azimuth import azimuth, turn_angle
 from knifetip.geometry.columns import F64, I32, Bool, freeze
 from knifetip.geometry.tolerance import BULGE, POINT
+
+#: Greatest error of an angle between two segments by rounding (degrees).
+_KINK_ERROR: Final = 1e-6
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -213,6 +217,26 @@ def point_along(paths: Paths, distance: F64) -> tuple[F64, F64, I32]:
     ahead = azimuth(arc.tangents(start, end, bulge)[0])
     heading: F64 = ahead + np.degrees(arc.sweep(bulge)) * fraction
     return arc.point_at(start, end, bulge, fraction), heading, rows.astype(np.int32)
+
+
+def lengths_behind_corners(paths: Paths, kink: float) -> F64:
+    """Return the length of each of p paths from its last corner to its end, (p,) mm.
+
+    A corner is a joint of two segments at which the path turns by more than ``kink`` degrees.  The
+    length is infinite for a path without a corner.  The start of a closed path is no corner.
+    """
+    ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
+    turn = np.zeros(len(paths.bulge))
+    turn[1:] = np.abs(turn_angle(azimuth(arriving)[:-1], azimuth(ahead)[1:]))
+    turn[paths.first[:-1]] = 0.0
+    # Exactly this angle, as it may be drawn, is no corner, however it is rounded.
+    corner = np.flatnonzero(turn > kink + _KINK_ERROR)
+    result = np.full(len(paths), np.inf)
+    reached = np.concatenate([[0.0], np.cumsum(arc.length(paths.start, paths.end, paths.bulge))])
+    owner = paths.path_of[corner]
+    # The last assignment to a path is that of its last corner.
+    result[owner] = reached[paths.first[1:][owner]] - reached[corner]
+    return result
 
 
 def reverse_paths(paths: Paths, mask: Bool) -> tuple[Paths, I32]:

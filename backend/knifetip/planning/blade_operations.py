@@ -11,6 +11,7 @@ from knifetip.geometry.columns import I8, I32, I64, U8, Bool
 from knifetip.geometry.path import (
     Paths,
     insert_gaps,
+    lengths_behind_corners,
     reverse_paths,
     select_paths,
     trim_ends,
@@ -206,7 +207,10 @@ def _cut(outline: BoardOutline, dieline: Dieline, cuts: _Cuts, setup: Setup) -> 
     start, finish = _kinds_of_ends(paths, source, dieline, outline)
     # A blade enters exactly at its tip and runs out ahead of it: finish at the end where a cut
     # beyond it harms least.
-    backwards = (_FINISH_RANK[start] > _FINISH_RANK[finish]) & ~has_bridges
+    backwards = _FINISH_RANK[start] > _FINISH_RANK[finish]
+    if isinstance(tool, Knife):
+        backwards |= _end_in_stubs(paths, start, finish, tool, tool.lead(1.0) * cuts.depth)
+    backwards &= ~has_bridges
     paths, segment = reverse_paths(paths, backwards)
     source = source[segment]
     ends = np.where(backwards, finish, start), np.where(backwards, start, finish)
@@ -214,6 +218,24 @@ def _cut(outline: BoardOutline, dieline: Dieline, cuts: _Cuts, setup: Setup) -> 
         path_kinds[has_bridges] = End.BRIDGE
     depth = np.full((len(source), 1), cuts.depth)
     return replace(setup.operation(cuts.line_type, paths, source, depth, ends), side=side)
+
+
+def _end_in_stubs(paths: Paths, start: U8, finish: U8, knife: Knife, lead: float) -> Bool:
+    """Return the mask of the p paths with two free ends of which only the finish is a stub, (p,).
+
+    A stub is not longer than the ``lead`` of the blade (mm) and begins at a corner sharper than the
+    swivel angle of the knife.  The blade can make it at the start of a path, but not at its finish.
+
+    ``start``, ``finish`` (p,): kinds of the ends of the paths.
+    """
+    mask = (start == End.FREE) & (finish == End.FREE)
+    if lead == 0.0 or not mask.any():
+        return np.zeros(len(paths), np.bool_)
+    mask &= lengths_behind_corners(paths, knife.swivel) <= lead
+    if mask.any():
+        other, _ = reverse_paths(paths, np.ones(len(paths), np.bool_))
+        mask &= lengths_behind_corners(other, knife.swivel) > lead
+    return mask
 
 
 def _keep_waste_left(

@@ -127,6 +127,29 @@ def test_the_stop_before_a_free_end_may_lie_round_a_corner() -> None:
     np.testing.assert_allclose(ends.stop[3], [9.85, 0.0], atol=1e-12)
 
 
+@pytest.mark.parametrize("first", [0, 1])
+@pytest.mark.parametrize(("stub", "stop"), [(0.25, 10.0), (0.41, None)])
+def test_the_stop_before_a_stub_lies_on_its_corner(
+    first: int, stub: float, stop: float | None
+) -> None:
+    ends = [(0.0, 0.0, 10.0, 0.0), (10.0, 0.0, 10.0, stub)]
+    if first:
+        ends = [(x1, y1, x0, y0) for x0, y0, x1, y1 in reversed(ends)]
+    drawn = dieline(*((CUT, *end, 0.0) for end in ends))
+    edges = place_edges(drawn, (0.0, 0.0))
+    found = knife_ends(edges, edges, 0.4, 0.3, swivel=15.0)
+    free = 0 if first else 3
+    wanted = [10.0, 0.0] if stop else [10.0, stub - 0.4]
+    np.testing.assert_allclose(found.stop[free], wanted, atol=1e-12)
+    assert found.setback[free] == pytest.approx(stub if stop else 0.4)
+    on_stub = [-1, -1] if not stop else [free, -1] if first else [-1, free]
+    assert found.stub_end.tolist() == on_stub
+    # The other end has room, and a path that turns by less is not lifted.
+    np.testing.assert_allclose(found.stop[3 - free], [0.4, 0.0], atol=1e-12)
+    smooth = knife_ends(edges, edges, 0.4, 0.3, swivel=90.0)
+    assert (smooth.stub_end == -1).all()
+
+
 def test_only_a_collinear_groove_continues_another() -> None:
     groove = LineType.V_GROOVE
     drawn = dieline(

@@ -584,6 +584,15 @@ MESSAGES: Final[Entries] = {
         edge="edge",
         type="text",
     ),
+    "verify.stub-too-short": entry(
+        "The last {length:.2f} mm of the cut, from a corner at which the knife is lifted to an end "
+        "inside a panel, are not made: there the slanted blade needs a cut longer than "
+        "{lead:.2f} mm.",
+        "Draw a longer stub, join its end to another cut, set its line type to ignored, or choose "
+        "a knife with a less slanted blade.",
+        length="number",
+        lead="number",
+    ),
     "verify.too-few-bridges": entry(
         "Only {bridges:# bridge holds|# bridges hold} the part, but the board needs at least "
         "{fewest:# bridge|# bridges}.",

@@ -437,6 +437,13 @@ TEXTS: Final[Texts] = {
         "(„{type:type}“) nicht mit diesem Werkzeug gemacht werden darf.",
         "Die Linienart der Kante prüfen, dann den Auftrag neu berechnen.",
     ),
+    "verify.stub-too-short": Text(
+        "Die letzten {length:.2f} mm des Schnitts, von einer Ecke, an der das Messer gehoben wird, "
+        "bis zu einem Ende in einem Feld, werden nicht gemacht: Dort braucht die schräge Klinge "
+        "einen Schnitt, der länger ist als {lead:.2f} mm.",
+        "Das letzte Stück länger zeichnen, sein Ende mit einem anderen Schnitt verbinden, seine "
+        "Linienart auf „Ignoriert“ setzen, oder ein Messer mit weniger schräger Klinge wählen.",
+    ),
     "verify.too-few-bridges": Text(
         "Nur {bridges:# Haltesteg hält|# Haltestege halten} das Teil, aber das Material braucht "
         "mindestens {fewest:# Haltesteg|# Haltestege}.",

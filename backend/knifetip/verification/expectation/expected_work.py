@@ -22,7 +22,7 @@ import numpy as np
 from knifetip.model.board import Board
 from knifetip.model.dieline import LineType
 from knifetip.model.tool import CreaseWheel
-from knifetip.verification.columns import F64, Bool
+from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, point_at
 from knifetip.verification.curves.near_points import pair_distances
 from knifetip.verification.expectation.crease_depth import depth_towards
@@ -40,6 +40,8 @@ from knifetip.verification.tools import OperationKind
 
 #: A wheel that would be pressed by this depth or less is not pressed (mm).
 _SHALLOWEST_PRESS: Final = 0.01
+#: Greatest error of the angle between two edges by rounding (degrees).
+_ANGLE_SLACK: Final = 1e-6
 #: Greatest difference in direction of grooves that continue each other (degrees).
 _COLLINEAR_ANGLE: Final = 0.005
 
@@ -176,11 +178,20 @@ class KnifeEnds:
     free: Bool  #: (2n,) the end lies inside a panel
     meets: Bool  #: (2n,) the end lies on another through cut
     overrun: F64  #: (2n,) mm, planned overrun of the tip past the end
+    setback: F64  #: (2n,) mm along the path from the stop to a free end, 0 for other ends
+    #: (n,) the free end of the stub on which each edge lies, -1 for none; the tip can cut a stub
+    #: from this end, but not towards it
+    stub_end: I64
     paths: EdgePaths
 
 
 def knife_ends(
-    edges: Edges, cuts: Edges, lead: float, overrun: float, ring: Bool | None = None
+    edges: Edges,
+    cuts: Edges,
+    lead: float,
+    overrun: float,
+    ring: Bool | None = None,
+    swivel: float = 180.0,
 ) -> KnifeEnds:
     """Return the planned stops of the tip at the 2n ends of n edges that a knife cuts.
 
@@ -197,6 +208,9 @@ def knife_ends(
         Length by which the tip passes an end that meets a cut, if waste lies ahead of this end.
     ring : (n,)
         Mask of the edges of closed contours, which are cut without a stop; None for no edge.
+    swivel : degrees
+        The knife is lifted at sharper corners.  A stub is the part of a path from its last such
+        corner to a free end, if it is not longer than ``lead``: the tip stops at the corner.
     """
     count = len(edges)
     link, _ = link_ends(edges, 180.0, ring)
@@ -232,7 +246,59 @@ def knife_ends(
         stop[free_ends] = point_at(edges.curve[row], place)
         turned = np.where(at_last == paths.flipped[row], 180.0, 0.0)
         arrival[free_ends] = azimuth_at(edges.curve[row], place) + turned
-    return KnifeEnds(stop, arrival, free, meets, past, paths)
+    setback = np.where(free, lead, 0.0)
+    end, corner, left = _stubs(edges, link, paths, swivel, lead)
+    inside = free[end]
+    end, corner, left = end[inside], corner[inside], left[inside]
+    setback[end] = left
+    stop[end], arrival[end] = edges.ends[corner], edges.outward[corner]
+    stub_end = _edges_on_stubs(edges, paths, end, left)
+    return KnifeEnds(stop, arrival, free, meets, past, setback, stub_end, paths)
+
+
+def _stubs(
+    edges: Edges, link: I64, paths: EdgePaths, swivel: float, lead: float
+) -> tuple[I64, I64, F64]:
+    """Return the k ends of paths behind whose last sharp corner the blade has no room.
+
+    Returns the end of the edge at which each of these paths ends, (k,); the end of an edge at which
+    the tip reaches the corner, (k,); and the length of the path from there to its end, (k,) mm.
+
+    ``link`` (2n,): index of the end to which each end of the n edges is linked, -1 for none.
+    ``paths``: paths of the edges with these links.
+    ``swivel`` degrees: the path turns by more at a sharp corner.
+    ``lead`` mm: a path that is longer, but not from its last corner to its end, has no room.
+    """
+    here = np.flatnonzero(link >= 0)
+    turn = angle_between(edges.outward[here], edges.outward[link[here]] + 180.0)
+    here = here[turn > swivel + _ANGLE_SLACK]
+    path = paths.path[here // 2]
+    is_candidate = (paths.first[path] >= 0) & (paths.length[path] > lead + LIMIT_SLACK)
+    here, path = here[is_candidate], path[is_candidate]
+    # A path leaves an edge at its end, or at its start if the edge is traversed backwards.
+    leaves = (here % 2 == 1) != paths.flipped[here // 2]
+    reached = paths.begin[here // 2] + np.where(leaves, edges.curve[here // 2, 5], 0.0)
+    left = np.where(leaves, paths.length[path] - reached, reached)
+    end = np.where(leaves, paths.last[path], paths.first[path])
+    order = np.lexsort((left, end))
+    order = order[left[order] <= lead + LIMIT_SLACK]
+    end, nearest = np.unique(end[order], return_index=True)
+    return end, here[order[nearest]], left[order[nearest]]
+
+
+def _edges_on_stubs(edges: Edges, paths: EdgePaths, end: I64, size: F64) -> I64:
+    """Return the end of the stub on which each of n edges lies, (n,), -1 for none.
+
+    ``end``, ``size`` (k,) and (k,) mm: ends of edges at which k stubs end, and their lengths.
+    """
+    path = paths.path[end // 2]
+    at_last = paths.last[path] == end
+    head, tail = np.zeros((2, len(paths.length)))
+    head[path[~at_last]], tail[path[at_last]] = size[~at_last], size[at_last]
+    middle = paths.begin + edges.curve[:, 5] / 2.0
+    on_head = middle < head[paths.path]
+    on_tail = middle > (paths.length - tail)[paths.path]
+    return np.where(on_head, paths.first[paths.path], np.where(on_tail, paths.last[paths.path], -1))
 
 
 def groove_continues(edges: Edges) -> Bool:

@@ -87,7 +87,14 @@ class KnifeCheck(StationCheck):
         solid_rows = np.flatnonzero(~perforated)
         solid_edges = self.edges.with_types(LineType.CUT, LineType.HALF_CUT)
         ring = find_outlines(solid_edges).outer if self._needs_bridges else None
-        ends = knife_ends(solid_edges, cuts, lead_depth * slant, overrun_depth * slant, ring)
+        ends = knife_ends(
+            solid_edges,
+            cuts,
+            lead_depth * slant,
+            overrun_depth * slant,
+            ring,
+            blade.swivel if blade else 180.0,
+        )
         rounds = self._paths_with_bridges(solid_edges, ends.paths)
         has_bridges = np.zeros(len(self.edges), np.bool_)
         has_bridges[solid_rows[rounds[ends.paths.path]]] = True
@@ -98,9 +105,7 @@ class KnifeCheck(StationCheck):
         dashed = np.zeros(int(self.track.max(initial=-1)) + 1, np.bool_)
         dashed[self.track[overlaps.curve[overlaps.best & perforated[overlaps.edge]]]] = True
         dashed |= self._tracks_along(overlaps, has_bridges)
-        over = check_track_ends(
-            self, solid_edges, solid_rows, ends, dashed, lead_depth * slant, overrun_depth * slant
-        )
+        over = check_track_ends(self, solid_edges, solid_rows, ends, dashed, overrun_depth * slant)
         # An overrun crosses other edges, but it does not cut along them.
         overrun_start = overrun_starts(self, over)
         overlaps = mark_nearest(overlaps, self.curve, overrun_start)
@@ -174,10 +179,12 @@ class KnifeCheck(StationCheck):
     def _report_short_cuts(
         self, overlaps: Overlaps, solid_rows: I64, ends: KnifeEnds, lead: float
     ) -> I64:
-        """Report cuts that are too short for the blade and are not made, as shortfalls.
+        """Report cuts and stubs that are too short for the blade and are not made, as shortfalls.
 
         Both ends of such a cut lie inside a panel, and the cut is not longer than ``lead`` (mm),
-        the length by which the blade cuts the top face ahead of its tip.
+        the length by which the blade cuts the top face ahead of its tip.  A stub is the last part
+        of a longer cut, behind a corner at which the knife is lifted; it is left out if a tip path
+        stops at this corner.  A stub within the tolerance is not reported.
 
         ``overlaps``: overlaps of the tip paths with the edges.
         ``solid_rows``, ``ends``: indices of the cuts and half-cuts in the edges of this check, and
@@ -199,6 +206,23 @@ class KnifeCheck(StationCheck):
             message = Message("verify.cut-too-short", length=length, lead=lead)
             size = float(self.size[edge])
             self.add_finding("uncut", edge, message, size, severity=Severity.SHORTFALL)
+        return np.concatenate([edges, self._report_stubs(solid_rows, ends, lead)])
+
+    def _report_stubs(self, solid_rows: I64, ends: KnifeEnds, lead: float) -> I64:
+        """Report stubs that are left out, as shortfalls; return the indices of their edges.
+
+        The parameters are those of ``_report_short_cuts``.
+        """
+        left_out = np.flatnonzero((ends.stub_end >= 0) & (self.high[solid_rows] < 0.0))
+        edges: I64 = solid_rows[left_out]
+        np.add.at(self.figures.uncut, self.edges.row[edges], self.size[edges])
+        for end in np.unique(ends.stub_end[left_out])[:MAX_FINDINGS].tolist():
+            length = float(ends.setback[end])
+            if length <= self.slack:
+                continue
+            message = Message("verify.stub-too-short", length=length, lead=lead)
+            edge = int(solid_rows[end // 2])
+            self.add_finding("uncut", edge, message, length, severity=Severity.SHORTFALL)
         return edges
 
     def _record_faces(self, overlaps: Overlaps, over: F64, top: float, bottom: float) -> None:

@@ -56,7 +56,6 @@ def check_track_ends(
     solid_rows: I64,
     ends: KnifeEnds,
     dashed: Bool,
-    lead: float,
     overrun: float,
 ) -> F64:
     """Check where the knife enters and leaves the board; return the overrun of each of t tracks,
@@ -80,8 +79,6 @@ def check_track_ends(
         Planned stops of the knife at the ends of the edges ``solid_edges``.
     dashed : (t,)
         Mask of the tracks that are cuts of perforations or cuts between bridges.
-    lead : mm
-        Length by which the blade cuts the top face ahead of its tip.
     overrun : mm
         Planned overrun of the tip past the start of a closed run.
     """
@@ -143,7 +140,11 @@ def check_track_ends(
     # Coincident cuts end at the same points.
     free = np.flatnonzero(ends.free & ~np.isnan(ends.stop[:, 0]))
     together = pairs_within(ends.stop[planned[short]], ends.stop[free], JOIN_DISTANCE)[1]
-    _record_setback(check, solid_edges, solid_rows, ends, np.unique(free[together]), lead)
+    left_out = _ends_of_left_out_stubs(
+        ends, solid_edges, start, stop[closes[right]], ahead[closes[right]], check.slack
+    )
+    stops = np.unique(np.concatenate([free[together], left_out]))
+    _record_setback(check, solid_edges, solid_rows, ends, stops)
 
     runs = _RunStops(
         np.flatnonzero(~closed & ~right), last[closes], stop[closes], ahead[closes], ring, gap,
@@ -213,6 +214,24 @@ def _stops_on_cuts(check: StationCheck, ends: KnifeEnds, stop: F64) -> tuple[Boo
     masks[0, track[over]] = True
     masks[1, track[~over]] = True
     return masks[0], masks[1]
+
+
+def _ends_of_left_out_stubs(
+    ends: KnifeEnds, edges: Edges, start: F64, stop: F64, ahead: F64, slack: float
+) -> I64:
+    """Return the free ends of the stubs before whose corner a run stops and on which none starts.
+
+    ``start`` (t, 2) mm: points at which the knife enters the board.
+    ``stop``, ``ahead`` (k, 2) mm and (k,) degrees: points at which runs stop, and their directions
+    of travel there.
+    ``slack`` mm: greatest distance of these points from the planned ones.
+    """
+    stubs = np.unique(ends.stub_end[ends.stub_end >= 0])
+    run, stub = pairs_within(stop, ends.stop[stubs], slack)
+    arrives = angle_between(ahead[run], ends.ahead[stubs[stub]]) <= ALONG_EDGE
+    left_out = np.unique(stubs[stub[arrives]])
+    made = pairs_within(start, edges.ends[left_out], slack)[1]
+    return np.delete(left_out, made)
 
 
 def _start_along_edges(edges: Edges, paths: F64, end: I64, tolerance: float) -> Bool:
@@ -318,13 +337,13 @@ def _record_setback(
     solid_rows: I64,
     ends: KnifeEnds,
     free_ends: I64,
-    lead: float,
 ) -> None:
-    """Move the limits of edges inwards by the blade's lead at free ends, and record the setback.
+    """Move the limits of edges inwards by the setback of free ends, and record the setback.
 
     The limits of an edge are the points at which the tip may start and must stop.  A free end lies
     inside a panel; the tip stops before it, so that the cut in the top face ends there.  The
-    setback of an edge is the length that lies outside its limits.
+    setback of an edge is the length that lies outside its limits; a stub is not set back, but left
+    out.
 
     ``check``: the check of the knife's station, whose limits and figures are changed.
     ``solid_edges``, ``solid_rows``: edges that are cuts or half-cuts, and the index of each among
@@ -332,15 +351,17 @@ def _record_setback(
     ``ends``: planned stops of the knife at the ends of the edges ``solid_edges``.
     ``free_ends``: indices of the free ends: 2i is the start and 2i + 1 the end of edge i of
     ``solid_edges``.
-    ``lead`` mm: length by which the blade cuts the top face ahead of its tip.
     """
     paths = ends.paths
     path = paths.path[free_ends // 2]
     begin = np.zeros(len(paths.length))
     finish = paths.length.copy()
     at_last = paths.last[path] == free_ends
-    finish[path[at_last]] -= lead
-    begin[path[~at_last]] += lead
+    finish[path[at_last]] -= ends.setback[free_ends[at_last]]
+    begin[path[~at_last]] += ends.setback[free_ends[~at_last]]
     low, high = paths.intervals(begin, finish, solid_edges.curve)
-    check.figures.setback[solid_edges.row] += solid_edges.curve[:, 5] - np.maximum(high - low, 0.0)
+    back = solid_edges.curve[:, 5] - np.maximum(high - low, 0.0)
+    left_out = np.isin(ends.stub_end, free_ends)
+    back[left_out], low[left_out], high[left_out] = 0.0, 0.0, -1.0
+    check.figures.setback[solid_edges.row] += back
     check.low[solid_rows], check.high[solid_rows] = low, high
