@@ -15,7 +15,9 @@ from knifetip.errors import PlanError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.columns import F64, I32, I64, Bool
+from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
+from knifetip.geometry.tolerance import GAP, JOIN
 
 #: Places along an edge at which it must lie beside another one; its ends may lie at corners.
 _FRACTIONS: Final = (0.25, 0.5, 0.75)
@@ -94,6 +96,8 @@ def explain_copies(
 ) -> PlanError:
     """Return the error about lines drawn twice if they prevent milling, else ``error``.
 
+    Lines without which another cut would end at no cut are not copies, but part of a contour.
+
     Parameters
     ----------
     error
@@ -111,6 +115,8 @@ def explain_copies(
     if not named.any():
         return error
     chosen: Bool = np.isin(copies.row, _connected(ends, copies.row, copies.row[named]))
+    if _leave_open_ends(ends, bulge, copies.row[chosen]):
+        return error
     rows = source[copies.row[chosen]]
     return PlanError(
         "milling.drawn-twice",
@@ -120,6 +126,25 @@ def explain_copies(
         distance=copies.distance[chosen].max(),
         at_edges=rows,
     )
+
+
+def _leave_open_ends(ends: F64, bulge: F64, left_out: I64) -> bool:
+    """Return whether other cuts that meet the ones to be left out would end at no cut.
+
+    ``ends``, ``bulge`` (n, 2, 2) mm and (n,): all cuts.
+    ``left_out`` (k,): indices of the cuts to be left out.
+    """
+    kept = np.ones(len(ends), np.bool_)
+    kept[left_out] = False
+    rows = np.flatnonzero(kept).astype(np.int32)
+    points = ends[rows].reshape(-1, 2)
+    owner = np.repeat(np.arange(len(rows), dtype=np.int32), 2)
+    removed, none = ends[left_out], np.full(len(points), -1, np.int32)
+    met = find_points_on_segments(points, none, removed[:, 0], removed[:, 1], bulge[left_out], JOIN)
+    still = find_points_on_segments(
+        points[met], owner[met], ends[rows, 0], ends[rows, 1], bulge[rows], GAP
+    )
+    return not bool(still.all())
 
 
 def _connected(ends: F64, rows: I64, first: I64) -> I64:

@@ -80,6 +80,15 @@ def test_parts_that_share_an_edge_are_not_drawn_twice() -> None:
     assert caught.value.message.arguments["error"].code == "milling.contours-cross"
 
 
+def test_a_side_without_which_a_contour_is_open_is_no_copy() -> None:
+    # Between two parts with a common side there is a recess, 0.5 mm wide.
+    left = closed((0, 0), (100, 0), (100, 100), (0, 100))
+    right = closed((100, 0), (200, 0), (200, 100), (110, 100), (100.5, 80), (100.5, 60), (100, 60))
+    with pytest.raises(PlanError) as caught:
+        compile_cuts(lines_of(left, right), [])
+    assert caught.value.message.arguments["error"].code == "milling.shared-edge"
+
+
 def test_the_shorter_line_is_the_copy_and_of_equal_lines_the_later_one() -> None:
     ends = edges(
         ((0, 0), (100, 0)), ((10, 0.3), (60, 0.3)), ((0, 5), (100, 5)), ((0, 5.1), (100, 5.1))
