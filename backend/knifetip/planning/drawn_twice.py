@@ -96,7 +96,8 @@ def explain_copies(
 ) -> PlanError:
     """Return the error about lines drawn twice if they prevent milling, else ``error``.
 
-    Lines without which another cut would end at no cut are not copies, but part of a contour.
+    If parts share an edge, lines without which another cut would end at no cut are not copies:
+    without them a part is no longer closed, so the edge is only seemingly not shared.
 
     Parameters
     ----------
@@ -115,7 +116,8 @@ def explain_copies(
     if not named.any():
         return error
     chosen: Bool = np.isin(copies.row, _connected(ends, copies.row, copies.row[named]))
-    if _leave_open_ends(ends, bulge, copies.row[chosen]):
+    shared = error.message.code == "milling.shared-edge"
+    if shared and _leave_open_ends(ends, bulge, copies.row[chosen]):
         return error
     rows = source[copies.row[chosen]]
     return PlanError(
