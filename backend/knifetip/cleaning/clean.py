@@ -106,6 +106,8 @@ def clean(dieline: Dieline, extent: Extent = Extent.ALL) -> Cleaned:
         np.zeros(len(dieline), np.bool_),
         merges_near=extent > Extent.SEPARATE,
     )
+    if extent > Extent.SEPARATE:
+        state.merge_copied_runs(dieline)
     for _ in range(_ROUNDS if extent > Extent.NOTHING else 0):
         was_split = state.remove_overlaps(dieline)
         if extent > Extent.LOOPED:

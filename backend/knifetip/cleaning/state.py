@@ -12,6 +12,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.cleaning.close_gaps import close_gaps, find_debris
+from knifetip.cleaning.copied_runs import merge_copied_runs
 from knifetip.cleaning.corner_loops import SHORT, find_corner_loops
 from knifetip.cleaning.deviation import measure_deviation, measured_edges
 from knifetip.cleaning.end_points import EndPoints, connected_edges, find_end_points
@@ -90,6 +91,28 @@ class CleaningState:
         split = len(pieces.edge) > len(self.bulge)
         self._divide(drawn, pieces)
         return split
+
+    def merge_copied_runs(self, drawn: Dieline) -> None:
+        """Merge curves that were drawn twice as chords with other vertices.
+
+        A run that would move by more than ``GAP`` stays.  ``drawn`` contains the drawn edges.
+        """
+        before = replace(self)
+        is_fixed = np.zeros(len(self.bulge), np.bool_)
+        for _ in range(_TRIALS):
+            pieces = merge_copied_runs(
+                self.ends, self.bulge, self.kind, self.end_points().place, is_fixed
+            )
+            if pieces is None:
+                return
+            self._divide(drawn, pieces)
+            self._reattach(drawn, self.overlapping)
+            far = self._deviation(drawn) > GAP + POINT
+            if not far.any():
+                return
+            for column in fields(before):
+                setattr(self, column.name, getattr(before, column.name))
+            is_fixed |= np.isin(self.row[self.edge], self.row[far])
 
     def merge_near(self, drawn: Dieline) -> bool:
         """Merge current edges that nearly coincide, within ``GAP``.

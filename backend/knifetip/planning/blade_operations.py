@@ -228,7 +228,7 @@ def _end_in_stubs(paths: Paths, start: U8, finish: U8, knife: Knife, lead: float
 
     ``start``, ``finish`` (p,): kinds of the ends of the paths.
     """
-    mask = (start == End.FREE) & (finish == End.FREE)
+    mask: Bool = (start == End.FREE) & (finish == End.FREE)
     if lead == 0.0 or not mask.any():
         return np.zeros(len(paths), np.bool_)
     mask &= lengths_behind_corners(paths, knife.swivel) <= lead

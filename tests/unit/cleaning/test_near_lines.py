@@ -99,6 +99,63 @@ def test_a_corner_drawn_twice_as_chords_with_other_vertices_is_one_arc(
     assert check_cleaning(line, made) == []
 
 
+def polygon(count: int, radius: float, degrees: float = 0.0) -> F64:
+    turn = np.radians(degrees) + 2.0 * np.pi * np.arange(count) / count
+    return closed(*(radius * np.column_stack([np.cos(turn), np.sin(turn)])).tolist())
+
+
+@pytest.mark.parametrize(
+    ("radius", "count", "other", "degrees"),
+    [
+        (20.0, 70, 71, 0.0),  # one common vertex
+        (20.0, 70, 70, 180.0 / 70.0),  # turned by half an edge
+        (5.0, 35, 48, 11.0),
+        (5.0, 35, 70, 0.0),  # every second vertex is common
+        (1.0, 13, 18, 3.0),
+        (50.0, 111, 111, 0.7),
+    ],
+)
+@pytest.mark.parametrize("turned", [0.0, 33.0])
+def test_a_circle_drawn_twice_as_coarse_polygons_is_one_polygon(
+    radius: float, count: int, other: int, degrees: float, turned: float
+) -> None:
+    """The polygons are too coarse for an arc: at least 0.01 mm inside the circle."""
+    assert radius * (1.0 - math.cos(math.pi / count)) > 0.01
+    line = dieline(
+        (CUT, polygon(count, radius, turned)), (CUT, polygon(other, radius, turned + degrees))
+    )
+    made = clean(line)
+    assert len(worked(made)) == count
+    assert length(made) == pytest.approx(2.0 * count * radius * math.sin(math.pi / count))
+    assert made.merged.sum() == pytest.approx(2.0 * other * radius * math.sin(math.pi / other))
+    assert set(reasons(made)[count:]) <= {"NEAR", "TWICE"}
+    assert_right(line, made)
+
+
+def test_a_rounded_panel_drawn_twice_with_other_corners_keeps_what_meets_the_copy() -> None:
+    outlines = []
+    for chords, size in ((8, 40.0), (11, 40.01)):
+        corner = 5.0 * np.exp(1j * np.linspace(0.0, np.pi / 2.0, chords + 1)) + (size - 5.0) * (
+            1 + 1j
+        )
+        points = np.concatenate([corner * 1j**k for k in range(4)])
+        outlines.append(closed(*np.column_stack([points.real, points.imag]).tolist()))
+    crease = edges(((-40.01, 0.0), (40.01, 0.0)))
+    line = dieline((CUT, outlines[0]), (CUT, outlines[1]), (CREASE, crease))
+    made = clean(line)
+    cuts = worked(made)[made.dieline.line_type[worked(made)] == CUT]
+    assert set(cuts.tolist()) <= set(range(36))
+    (fold,) = np.flatnonzero(made.dieline.line_type == CREASE)
+    np.testing.assert_allclose(np.abs(made.dieline.ends[fold, :, 0]), 40.0, atol=1e-6)
+    assert_right(line, made)
+
+
+@pytest.mark.parametrize("apart", [0.06, 0.3])
+def test_polygons_of_circles_that_differ_by_more_stay_two(apart: float) -> None:
+    line = dieline((CUT, polygon(70, 20.0)), (CUT, polygon(83, 20.0 + apart)))
+    assert not clean(line).changed.any()
+
+
 def test_short_lines_at_an_angle_of_more_than_20_degrees_stay_two() -> None:
     """Both ends of the second line are within 0.01 mm of the first one."""
     line = dieline((CUT, edges(((0.0, 0.0), (0.4, 0.0)), ((0.2, -0.0099), (0.25, 0.0099)))))

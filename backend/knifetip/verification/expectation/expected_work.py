@@ -247,12 +247,12 @@ def knife_ends(
         turned = np.where(at_last == paths.flipped[row], 180.0, 0.0)
         arrival[free_ends] = azimuth_at(edges.curve[row], place) + turned
     setback = np.where(free, lead, 0.0)
-    end, corner, left = _stubs(edges, link, paths, swivel, lead)
-    inside = free[end]
-    end, corner, left = end[inside], corner[inside], left[inside]
-    setback[end] = left
-    stop[end], arrival[end] = edges.ends[corner], edges.outward[corner]
-    stub_end = _edges_on_stubs(edges, paths, end, left)
+    stub, corner, left = _stubs(edges, link, paths, swivel, lead)
+    inside = free[stub]
+    stub, corner, left = stub[inside], corner[inside], left[inside]
+    setback[stub] = left
+    stop[stub], arrival[stub] = edges.ends[corner], edges.outward[corner]
+    stub_end = _edges_on_stubs(edges, paths, stub, left)
     return KnifeEnds(stop, arrival, free, meets, past, setback, stub_end, paths)
 
 

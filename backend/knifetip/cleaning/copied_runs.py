@@ -1,0 +1,250 @@
+"""copied_runs: merge curves that were drawn twice as chords with other vertices.
+
+A run is a sequence of edges of one line type between two points at which not exactly two of them
+meet, or a closed contour.  Two runs are copies if each lies along its whole length within ``GAP``
+of the other one, and has nearly the same direction there.  Then one of the runs remains, whole: the
+longer one, of nearly equal ones that with the fewest edges, and then the first.  Runs whose edges
+correspond to each other are left to ``remove_overlaps``.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Final, NamedTuple
+
+import numpy as np
+
+from knifetip.cleaning.end_points import connected_edges
+from knifetip.cleaning.remove_overlaps import Pieces
+from knifetip.geometry import arc
+from knifetip.geometry.azimuth import unit_vectors
+from knifetip.geometry.columns import F64, I64, U8, Bool
+from knifetip.geometry.spatial_index.box_pairs import box_pairs
+from knifetip.geometry.tolerance import ANGLE, GAP, POINT, SAME
+
+#: Positions at which an edge must lie beside the other run.
+_FRACTIONS: Final = (0.0, 0.25, 0.5, 0.75, 1.0)
+#: Cosine of the greatest angle between two edges beside each other (30°).
+_PARALLEL: Final = 0.866
+#: Runs whose lengths differ by less than about this fraction are alike.
+_ALIKE: Final = 0.01
+#: Runs must be longer than this (mm): everything near a shorter one lies beside it.
+_LEAST: Final = 4.0 * GAP
+#: Greatest number of pairs of runs that are compared, which bounds the time.
+_MOST_PAIRS: Final = 1000
+#: Greatest number of candidates for a corner of the box of a run.
+_CROWD: Final = 16
+
+
+class _Runs(NamedTuple):
+    """r runs of k edges."""
+
+    edges: list[I64]  #: the edges of each run
+    box: F64  #: (r, 4) mm: x min, y min, x max, y max
+    length: F64  #: (r,) mm
+    vertices: F64  #: (r,) a number that is equal for runs with equal vertices
+    kind: I64  #: (r,) line type
+
+
+class _Match(NamedTuple):
+    """How q stretches of a run lie beside edges of its copy."""
+
+    edge: I64  #: (q,) edge of each stretch
+    begin: F64  #: (q,) start of each stretch, 0 … 1 of the length of its edge
+    end: F64  #: (q,)
+    beside: I64  #: (q,) edge of the copy beside it
+
+
+def merge_copied_runs(ends: F64, bulge: F64, kind: U8, place: I64, is_fixed: Bool) -> Pieces | None:
+    """Return the k edges without the runs that are copies of others; None if there is none.
+
+    Parameters
+    ----------
+    ends, bulge, kind : (k, 2, 2) mm, (k,) and (k,)
+        Start and end points, bulges and line types of the edges.
+    place : (2k,)
+        Point of each end, as in ``EndPoints``.
+    is_fixed : (k,)
+        Mask of the edges whose runs remain.
+    """
+    if len(bulge) < 3:
+        return None
+    runs = _find_runs(ends, bulge, kind, place)
+    one, other = _candidates(runs)
+    if len(one) == 0:
+        return None
+    scale = np.round(np.log(np.maximum(runs.length, POINT)) / _ALIKE)
+    count = np.array([len(edges) for edges in runs.edges])
+    first = np.array([edges[0] for edges in runs.edges])
+    rank = np.empty(len(count), np.int64)
+    rank[np.lexsort((first, count, -scale))] = np.arange(len(count))
+    one, other = np.where(rank[one] < rank[other], [one, other], [other, one])
+    is_removed = np.zeros(len(count), np.bool_)
+    matches = []
+    for keeps, goes in sorted(
+        zip(one.tolist(), other.tolist(), strict=True), key=lambda pair: rank[list(pair)].tolist()
+    ):
+        if is_removed[keeps] or is_removed[goes] or is_fixed[runs.edges[goes]].any():
+            continue
+        match = _match(ends, bulge, runs.edges[goes], runs.edges[keeps])
+        if match is not None:
+            is_removed[goes] = True
+            matches.append(match)
+    if not matches:
+        return None
+    return _pieces(ends, bulge, matches)
+
+
+def _find_runs(ends: F64, bulge: F64, kind: U8, place: I64) -> _Runs:
+    """Return the runs of the edges; the parameters are those of ``merge_copied_runs``."""
+    key = place * 256 + np.repeat(kind.astype(np.int64), 2)
+    vertex = np.unique(key, return_inverse=True)[1].ravel()
+    joins = np.bincount(vertex)[vertex] == 2
+    single = np.where(joins, vertex, len(vertex) + np.arange(len(vertex)))
+    run_of = connected_edges(np.unique(single, return_inverse=True)[1].ravel().astype(np.int64))
+    order = np.argsort(run_of, kind="stable")
+    first = np.flatnonzero(np.append(True, np.diff(run_of[order]) > 0))
+    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)[order]
+    box = np.hstack(
+        [
+            np.minimum.reduceat(boxes[:, :2], first),
+            np.maximum.reduceat(boxes[:, 2:], first),
+        ]
+    )
+    # Not symmetrical, as curves are.
+    points = ends @ np.array([371.0, 913.0])
+    points = (np.sin(points) + np.cos(1.7 * points)).sum(axis=1)
+    return _Runs(
+        np.split(order, first[1:]),
+        box,
+        np.add.reduceat(arc.length(ends[:, 0], ends[:, 1], bulge)[order], first),
+        np.add.reduceat(points[order], first),
+        kind[order[first]].astype(np.int64),
+    )
+
+
+def _candidates(runs: _Runs) -> tuple[I64, I64]:
+    """Return the pairs of runs with nearly the same box that may be copies, (p,) and (p,)."""
+    none = np.zeros(0, np.int64)
+    cell = np.floor(runs.box[:, :2] / (2.0 * GAP)).astype(np.int64)
+    crowd = np.unique(cell, axis=0, return_inverse=True, return_counts=True)
+    usual = np.flatnonzero(crowd[2][crowd[1].ravel()] <= _CROWD)
+    corner = np.hstack([runs.box[usual, :2], runs.box[usual, :2]])
+    one, other = box_pairs(corner, corner, GAP)
+    one, other = usual[one], usual[other]
+    count = np.array([len(edges) for edges in runs.edges])
+    keep = (one < other) & (runs.kind[one] == runs.kind[other])
+    keep &= (np.abs(runs.box[one] - runs.box[other]) <= GAP).all(axis=1)
+    # Single edges, and equal runs, are left to ``remove_overlaps``.
+    keep &= (count[one] > 1) | (count[other] > 1)
+    keep &= np.minimum(runs.length[one], runs.length[other]) > _LEAST
+    keep &= np.abs(runs.vertices[one] - runs.vertices[other]) > POINT
+    one, other = one[keep].astype(np.int64), other[keep].astype(np.int64)
+    return (none, none) if len(one) > _MOST_PAIRS else (one, other)
+
+
+def _match(ends: F64, bulge: F64, goes: I64, keeps: I64) -> _Match | None:
+    """Return how the run ``goes`` lies beside the run ``keeps``; None if they are no copies."""
+    if len(goes) == len(keeps) and _correspond(ends, bulge, goes, keeps):
+        return None
+    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
+    row, beside = box_pairs(boxes[goes], boxes[keeps], GAP)
+    row, beside = goes[row], keeps[beside]
+    for own, others, run in ((row, beside, goes), (beside, row, keeps)):
+        for fraction in _FRACTIONS:
+            place = np.full(len(own), fraction)
+            near = np.isin(run, own[_distances(ends, bulge, own, others, place) < GAP - POINT])
+            if not near.all():
+                return None
+    # The stretches change at the points nearest to vertices of the run that remains.
+    edge, cut = [np.repeat(goes, 2)], [np.tile([0.0, 1.0], len(goes))]
+    for side in (0, 1):
+        vertex = ends[beside, side]
+        at = arc.nearest_fraction(ends[row, 0], ends[row, 1], bulge[row], vertex)
+        point = arc.point_at(ends[row, 0], ends[row, 1], bulge[row], at)
+        size = arc.length(ends[row, 0], ends[row, 1], bulge[row])
+        inside = (np.minimum(at, 1.0 - at) * size > POINT) & (
+            np.hypot(*(point - vertex).T) <= 2.0 * GAP
+        )
+        edge.append(row[inside])
+        cut.append(at[inside])
+    edges, cuts = np.concatenate(edge), np.concatenate(cut)
+    order = np.lexsort((cuts, edges))
+    edges, cuts = edges[order], cuts[order]
+    some = (edges[1:] == edges[:-1]) & (np.diff(cuts) > 0.0)
+    edges, begin, end = edges[:-1][some], cuts[:-1][some], cuts[1:][some]
+    # The edge beside the middle of each stretch.
+    first = np.searchsorted(row, edges) if (np.diff(row) >= 0).all() else None
+    if first is None:
+        order = np.argsort(row, kind="stable")
+        row, beside = row[order], beside[order]
+        first = np.searchsorted(row, edges)
+    many = np.searchsorted(row, edges, side="right") - first
+    stretch = np.repeat(np.arange(len(edges)), many)
+    pair = first[stretch] + np.arange(len(stretch)) - np.repeat(np.cumsum(many) - many, many)
+    middle = 0.5 * (begin + end)
+    away = _distances(ends, bulge, row[pair], beside[pair], middle[stretch])
+    order = np.lexsort((away, stretch))
+    nearest = order[np.searchsorted(stretch[order], np.arange(len(edges)))]
+    if (away[nearest] > GAP).any():
+        return None
+    return _Match(edges, begin, end, beside[pair[nearest]])
+
+
+def _correspond(ends: F64, bulge: F64, one: I64, other: I64) -> bool:
+    """Return whether each edge of a run lies beside one edge of another run, so that
+    ``remove_overlaps`` merges them: ends within ``SAME``, or nearly and in the same direction.
+    """
+    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
+    row, beside = box_pairs(boxes[one], boxes[other], 2.0 * GAP)
+    row, beside = one[row], other[beside]
+    gap = ends[row][:, :, None] - ends[beside][:, None]
+    apart = np.hypot(gap[..., 0], gap[..., 1])
+    # The greater distance of two ends, in either direction of the edge beside.
+    forward = np.maximum(apart[:, 0, 0], apart[:, 1, 1])
+    apart = np.minimum(forward, np.maximum(apart[:, 0, 1], apart[:, 1, 0]))
+    ahead = unit_vectors(ends[:, 1] - ends[:, 0])
+    cosine = np.abs((ahead[row] * ahead[beside]).sum(axis=1))
+    limit = np.where(cosine > math.cos(math.radians(ANGLE)), 2.0 * GAP, SAME)
+    return bool(np.isin(one, row[apart <= limit]).all())
+
+
+def _distances(ends: F64, bulge: F64, own: I64, others: I64, place: F64) -> F64:
+    """Return the distances of points of edges from other edges with nearly the same direction, (m,)
+    mm; infinite if the direction differs.
+
+    ``own``, ``others`` (m,): the m pairs of edges.
+    ``place`` (m,): position of the point on the first edge, 0 … 1.
+    """
+    edge = ends[own, 0], ends[own, 1], bulge[own]
+    facing = ends[others, 0], ends[others, 1], bulge[others]
+    point = arc.point_at(*edge, place)
+    foot = arc.nearest_fraction(*facing, point)
+    away: F64 = np.hypot(*(arc.point_at(*facing, foot) - point).T)
+    ahead = unit_vectors(arc.tangent_at(*edge, place))
+    cosine = np.abs((ahead * unit_vectors(arc.tangent_at(*facing, foot))).sum(axis=1))
+    return np.where(cosine < _PARALLEL, np.inf, away)
+
+
+def _pieces(ends: F64, bulge: F64, matches: list[_Match]) -> Pieces:
+    """Return the edges without those of the runs in ``matches``, as pieces."""
+    edge, begin, end, beside = (
+        np.concatenate([match[column] for match in matches]) for column in range(4)
+    )
+    stays = np.ones(len(bulge), np.bool_)
+    stays[edge] = False
+    owner = np.flatnonzero(stays)
+    number = np.full(len(bulge), -1, np.int64)
+    number[owner] = np.arange(len(owner))
+    whole = np.zeros(len(owner)), np.ones(len(owner))
+    return Pieces(
+        ends[owner],
+        bulge[owner],
+        owner.astype(np.int32),
+        np.concatenate([owner, edge]).astype(np.int32),
+        np.concatenate([whole[0], begin]),
+        np.concatenate([whole[1], end]),
+        np.concatenate([number[owner], number[beside]]).astype(np.int32),
+        np.concatenate([np.zeros(len(owner), np.bool_), np.ones(len(edge), np.bool_)]),
+        np.zeros(len(owner)),
+    )
