@@ -39,11 +39,21 @@ _CROWD: Final = 16
 class _Runs(NamedTuple):
     """r runs of k edges."""
 
-    edges: list[I64]  #: the edges of each run
+    order: I64  #: (k,) the edges, run by run
+    first: I64  #: (r + 1,) place in ``order`` at which each run begins
     box: F64  #: (r, 4) mm: x min, y min, x max, y max
     length: F64  #: (r,) mm
     vertices: F64  #: (r,) a number that is equal for runs with equal vertices
     kind: I64  #: (r,) line type
+
+    def edges(self, run: int) -> I64:
+        """Return the edges of a run."""
+        return self.order[self.first[run] : self.first[run + 1]]
+
+    @property
+    def sizes(self) -> I64:
+        """Number of edges of each run, (r,)."""
+        return np.diff(self.first)
 
 
 class _Match(NamedTuple):
@@ -74,19 +84,18 @@ def merge_copied_runs(ends: F64, bulge: F64, kind: U8, place: I64, is_fixed: Boo
     if len(one) == 0:
         return None
     scale = np.round(np.log(np.maximum(runs.length, POINT)) / _ALIKE)
-    count = np.array([len(edges) for edges in runs.edges])
-    first = np.array([edges[0] for edges in runs.edges])
+    count = runs.sizes
     rank = np.empty(len(count), np.int64)
-    rank[np.lexsort((first, count, -scale))] = np.arange(len(count))
+    rank[np.lexsort((runs.order[runs.first[:-1]], count, -scale))] = np.arange(len(count))
     one, other = np.where(rank[one] < rank[other], [one, other], [other, one])
     is_removed = np.zeros(len(count), np.bool_)
     matches = []
     for keeps, goes in sorted(
         zip(one.tolist(), other.tolist(), strict=True), key=lambda pair: rank[list(pair)].tolist()
     ):
-        if is_removed[keeps] or is_removed[goes] or is_fixed[runs.edges[goes]].any():
+        if is_removed[keeps] or is_removed[goes] or is_fixed[runs.edges(goes)].any():
             continue
-        match = _match(ends, bulge, runs.edges[goes], runs.edges[keeps])
+        match = _match(ends, bulge, runs.edges(goes), runs.edges(keeps))
         if match is not None:
             is_removed[goes] = True
             matches.append(match)
@@ -115,7 +124,8 @@ def _find_runs(ends: F64, bulge: F64, kind: U8, place: I64) -> _Runs:
     points = ends @ np.array([371.0, 913.0])
     points = (np.sin(points) + np.cos(1.7 * points)).sum(axis=1)
     return _Runs(
-        np.split(order, first[1:]),
+        order,
+        np.append(first, len(order)),
         box,
         np.add.reduceat(arc.length(ends[:, 0], ends[:, 1], bulge)[order], first),
         np.add.reduceat(points[order], first),
@@ -126,18 +136,21 @@ def _find_runs(ends: F64, bulge: F64, kind: U8, place: I64) -> _Runs:
 def _candidates(runs: _Runs) -> tuple[I64, I64]:
     """Return the pairs of runs with nearly the same box that may be copies, (p,) and (p,)."""
     none = np.zeros(0, np.int64)
-    cell = np.floor(runs.box[:, :2] / (2.0 * GAP)).astype(np.int64)
-    crowd = np.unique(cell, axis=0, return_inverse=True, return_counts=True)
-    usual = np.flatnonzero(crowd[2][crowd[1].ravel()] <= _CROWD)
+    count = runs.sizes
+    if (count == 1).all():
+        return none, none
+    cell = np.floor((runs.box[:, :2] - runs.box[:, :2].min(axis=0)) / (2.0 * GAP))
+    _, cell_of, crowd = np.unique(
+        cell[:, 0] * 2.0**26 + cell[:, 1], return_inverse=True, return_counts=True
+    )
+    usual = np.flatnonzero((crowd[cell_of.ravel()] <= _CROWD) & (runs.length > _LEAST))
     corner = np.hstack([runs.box[usual, :2], runs.box[usual, :2]])
     one, other = box_pairs(corner, corner, GAP)
     one, other = usual[one], usual[other]
-    count = np.array([len(edges) for edges in runs.edges])
     keep = (one < other) & (runs.kind[one] == runs.kind[other])
     keep &= (np.abs(runs.box[one] - runs.box[other]) <= GAP).all(axis=1)
     # Single edges, and equal runs, are left to ``remove_overlaps``.
     keep &= (count[one] > 1) | (count[other] > 1)
-    keep &= np.minimum(runs.length[one], runs.length[other]) > _LEAST
     keep &= np.abs(runs.vertices[one] - runs.vertices[other]) > POINT
     one, other = one[keep].astype(np.int64), other[keep].astype(np.int64)
     return (none, none) if len(one) > _MOST_PAIRS else (one, other)
@@ -147,15 +160,22 @@ def _match(ends: F64, bulge: F64, goes: I64, keeps: I64) -> _Match | None:
     """Return how the run ``goes`` lies beside the run ``keeps``; None if they are no copies."""
     if len(goes) == len(keeps) and _correspond(ends, bulge, goes, keeps):
         return None
-    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
-    row, beside = box_pairs(boxes[goes], boxes[keeps], GAP)
-    row, beside = goes[row], keeps[beside]
-    for own, others, run in ((row, beside, goes), (beside, row, keeps)):
-        for fraction in _FRACTIONS:
-            place = np.full(len(own), fraction)
-            near = np.isin(run, own[_distances(ends, bulge, own, others, place) < GAP - POINT])
-            if not near.all():
-                return None
+    one, other = box_pairs(_boxes(ends, bulge, goes), _boxes(ends, bulge, keeps), GAP)
+    row, beside = goes[one], keeps[other]
+    # Both runs at all fractions at once: calls with short columns take time.
+    sides, places = 2 * len(one), len(_FRACTIONS)
+    away = _distances(
+        ends,
+        bulge,
+        np.tile(np.concatenate([row, beside]), places),
+        np.tile(np.concatenate([beside, row]), places),
+        np.repeat(np.array(_FRACTIONS), sides),
+    ).reshape(places, sides)
+    is_near = np.zeros((places, len(goes) + len(keeps)), np.bool_)
+    place, pair = np.nonzero(away < GAP - POINT)
+    is_near[place, np.concatenate([one, len(goes) + other])[pair]] = True
+    if not is_near.all():
+        return None
     # The stretches change at the points nearest to vertices of the run that remains.
     edge, cut = [np.repeat(goes, 2)], [np.tile([0.0, 1.0], len(goes))]
     for side in (0, 1):
@@ -174,11 +194,9 @@ def _match(ends: F64, bulge: F64, goes: I64, keeps: I64) -> _Match | None:
     some = (edges[1:] == edges[:-1]) & (np.diff(cuts) > 0.0)
     edges, begin, end = edges[:-1][some], cuts[:-1][some], cuts[1:][some]
     # The edge beside the middle of each stretch.
-    first = np.searchsorted(row, edges) if (np.diff(row) >= 0).all() else None
-    if first is None:
-        order = np.argsort(row, kind="stable")
-        row, beside = row[order], beside[order]
-        first = np.searchsorted(row, edges)
+    order = np.argsort(row, kind="stable")
+    row, beside = row[order], beside[order]
+    first = np.searchsorted(row, edges)
     many = np.searchsorted(row, edges, side="right") - first
     stretch = np.repeat(np.arange(len(edges)), many)
     pair = first[stretch] + np.arange(len(stretch)) - np.repeat(np.cumsum(many) - many, many)
@@ -195,18 +213,22 @@ def _correspond(ends: F64, bulge: F64, one: I64, other: I64) -> bool:
     """Return whether each edge of a run lies beside one edge of another run, so that
     ``remove_overlaps`` merges them: ends within ``SAME``, or nearly and in the same direction.
     """
-    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
-    row, beside = box_pairs(boxes[one], boxes[other], 2.0 * GAP)
+    row, beside = box_pairs(_boxes(ends, bulge, one), _boxes(ends, bulge, other), 2.0 * GAP)
     row, beside = one[row], other[beside]
     gap = ends[row][:, :, None] - ends[beside][:, None]
     apart = np.hypot(gap[..., 0], gap[..., 1])
     # The greater distance of two ends, in either direction of the edge beside.
     forward = np.maximum(apart[:, 0, 0], apart[:, 1, 1])
     apart = np.minimum(forward, np.maximum(apart[:, 0, 1], apart[:, 1, 0]))
-    ahead = unit_vectors(ends[:, 1] - ends[:, 0])
-    cosine = np.abs((ahead[row] * ahead[beside]).sum(axis=1))
+    ahead, along = (unit_vectors(ends[rows, 1] - ends[rows, 0]) for rows in (row, beside))
+    cosine = np.abs((ahead * along).sum(axis=1))
     limit = np.where(cosine > math.cos(math.radians(ANGLE)), 2.0 * GAP, SAME)
     return bool(np.isin(one, row[apart <= limit]).all())
+
+
+def _boxes(ends: F64, bulge: F64, rows: I64) -> F64:
+    """Return the bounding boxes of some of the edges, (m, 4) mm."""
+    return arc.bounding_boxes(ends[rows, 0], ends[rows, 1], bulge[rows])
 
 
 def _distances(ends: F64, bulge: F64, own: I64, others: I64, place: F64) -> F64:
