@@ -10,6 +10,7 @@ import numpy as np
 
 from knifetip.library import load
 from knifetip.model.dieline import LineType
+from knifetip.model.tool import Knife
 from knifetip.topology.noding import split_at_crossings
 
 if TYPE_CHECKING:
@@ -129,6 +130,16 @@ def _divided(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
     return "divided", replace(attempt, drawing=divided, line_type=attempt.line_type[source])
 
 
+def _divided_or_knife(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
+    """Divide the cuts, or choose a knife where a cutter makes them."""
+    changed = _divided(refusal, attempt)
+    if changed is None and not any(
+        isinstance(station.tool, Knife) for station in attempt.machine.stations
+    ):
+        changed = _knife(refusal, attempt)
+    return changed
+
+
 def _whole_sheet(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
     """State no sheet."""
     if attempt.options.sheet is None:
@@ -153,5 +164,5 @@ _ACTIONS: Final[dict[str, Callable[[Refusal, Attempt], tuple[str, Attempt] | Non
     "sheet.without-outline": _whole_sheet,
     "verify.cuts-part": _thinner_cutter,
     "verify.inside-part": _thinner_cutter,
-    "verify.loose-piece": _divided,
+    "verify.loose-piece": _divided_or_knife,
 }

@@ -342,7 +342,8 @@ MESSAGES: Final[Entries] = {
         "The edge at X{x:.3f} Y{y:.3f} (coordinates of the sheet) lies on a part of the board "
         "that line {line} of the program has already cut out, so this part of the board may move.",
         "Process this edge before the contour that cuts out this part of the board. Where "
-        "contours cross, divide them at their crossings in the drawing.",
+        "contours cross, divide them at their crossings in the drawing. If a cutter makes open "
+        "contours, close them, or choose a machine with a knife.",
         x="number",
         y="number",
         line="count",

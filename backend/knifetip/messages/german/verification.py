@@ -269,7 +269,8 @@ TEXTS: Final[Texts] = {
         "Die Kante bei X{x:.3f} Y{y:.3f} (Koordinaten des Bogens) liegt auf einem Teil des "
         "Kartons, das Programmzeile {line} schon ausgeschnitten hat, also kann es sich bewegen.",
         "Diese Kante vor der Kontur machen, die dieses Teil ausschneidet. Wo sich Konturen "
-        "kreuzen, sie in der Zeichnung an den Kreuzungen teilen.",
+        "kreuzen, sie in der Zeichnung an den Kreuzungen teilen. Macht ein Fräser offene "
+        "Konturen, sie schließen oder eine Maschine mit Messer wählen.",
     ),
     "verify.made-before": Text(
         "Station {station} bearbeitet {length:.3f} mm bei X{x:.3f} Y{y:.3f} (Koordinaten des "
