@@ -10,8 +10,8 @@ const FILES = readdirSync(SRC, { recursive: true, encoding: "utf8" });
 const SHEETS = FILES.filter((file) => file.endsWith(".module.css"));
 
 /** The classes that the rules of a style sheet name. */
-export function classesOf(sheet: string): Set<string> {
-  const selectors = sheet.replace(/\/\*[^]*?\*\//g, "").replace(/\{[^{}]*\}/g, "{}");
+function classesOf(sheet: string): Set<string> {
+  const selectors = sheet.replace(/\/\*[\s\S]*?\*\//g, "").replace(/\{[^{}]*\}/g, "{}");
   return new Set([...selectors.matchAll(/\.([a-zA-Z]\w*)/g)].map(([, name]) => String(name)));
 }
 

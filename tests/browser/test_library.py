@@ -307,3 +307,31 @@ def test_the_deflection_of_a_cutter_is_computed_from_a_test_cut(
     (deflection,) = api.get("/api/boards/measured-board").json()["deflection"]
     assert deflection["tool"] == "Router"
     assert (deflection["x"], deflection["y"]) == (pytest.approx(0.08), pytest.approx(0.05))
+
+
+@pytest.mark.parametrize(
+    ("address", "said", "back"),
+    [
+        ("library/machines/nowhere", "There is no machine named nowhere", "/#/library"),
+        ("library/boards/nowhere", "There is no board named nowhere", "/#/library"),
+        ("library/shelf/nowhere", "There is no such page", "/#/library"),
+        ("station/nowhere", "There is no machine named nowhere", "/#/"),
+        ("nowhere", "There is no such page", "/#/"),
+    ],
+)
+def test_an_address_that_names_nothing_says_so(
+    page: Page, server: Running, address: str, said: str, back: str
+) -> None:
+    page.goto(f"{server.url}/#/{address}")
+    shown = page.get_by_test_id("not-found")
+    expect(shown).to_contain_text(said)
+    shown.get_by_role("link").click()
+    expect(page).to_have_url(f"{server.url}{back}")
+    expect(shown).to_have_count(0)
+
+
+def test_an_entry_of_the_library_has_an_address(page: Page, server: Running) -> None:
+    open_entry(page, server, "demo-table")
+    expect(page).to_have_url(f"{server.url}/#/library/machines/demo-table")
+    page.reload()
+    expect(page.get_by_role("heading", level=1, name="Demo table 1600 × 1200")).to_be_visible()

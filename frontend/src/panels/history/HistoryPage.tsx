@@ -113,6 +113,7 @@ function EndedJobs({ machine }: { machine: string }) {
             aria-label={label}
             placeholder={label}
             leftSection={field === "drawing" && <IconSearch size={15} aria-hidden />}
+            leftSectionWidth={30}
             value={filter[field] ?? ""}
             onChange={(event) => change({ [field]: event.currentTarget.value })}
             data-testid={testid}

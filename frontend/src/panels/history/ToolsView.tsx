@@ -89,7 +89,7 @@ function Tool({ machine, tool, refusal }: ToolProps) {
       </Box>
       <NumberInput
         aria-label={translate("toolsView.lifeOfInMetres0", { name })}
-        w={150}
+        w={170}
         hideControls
         min={0}
         max={1e7}
@@ -97,7 +97,7 @@ function Tool({ machine, tool, refusal }: ToolProps) {
         thousandSeparator=" "
         suffix=" m"
         leftSection={translate("toolsView.life")}
-        leftSectionWidth={44}
+        leftSectionWidth={72}
         disabled={refusal !== null}
         title={refusal ?? undefined}
         value={life ?? tool.life}
