@@ -82,7 +82,7 @@ export function OperatorButton({ compact = false }: { compact?: boolean }) {
       color="gray"
       size="xs"
       px={8}
-      mih={34}
+      mih={compact ? 34 : 44}
       fw={400}
       flex="0 1 auto"
       leftSection={<IconUser size={18} stroke={1.6} aria-hidden />}
