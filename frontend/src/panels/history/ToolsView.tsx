@@ -61,6 +61,7 @@ function Tool({ machine, tool, refusal }: ToolProps) {
       align="center"
       wrap="wrap"
       gap="6px 14px"
+      data-warning={warning}
       data-testid="tool"
     >
       <StationNumber size={26} fz={13}>
@@ -80,7 +81,6 @@ function Tool({ machine, tool, refusal }: ToolProps) {
       <Box
         flex="2 1 240px"
         className={css.bar}
-        data-warning={warning}
         style={{ "--share": `${Math.min(100, share * 100)}%` } as CSSProperties}
       >
         {tool.life > 0
