@@ -258,6 +258,12 @@ MESSAGES: Final[Entries] = {
     ),
     "field.too-long": entry("{path} is longer than {most} characters", path="text", most="count"),
     "field.too-many": entry("{path} has more than {most} values", path="text", most="count"),
+    "field.too-many-copies": entry(
+        "{path} contains {count} copies of drawings; a sheet may have {limit}",
+        path="text",
+        count="count",
+        limit="count",
+    ),
     "field.too-many-passes": entry(
         "{path} is {value:g} mm, which is too small: the V-groove would need more than {most} "
         "passes",

@@ -153,6 +153,9 @@ MESSAGES: Final[Entries] = {
     "unit.not-given": entry(
         "the unit of the drawing is not known",
     ),
+    "unit.of-layout": entry(
+        "a layout is in millimetres",
+    ),
     "unit.number": entry("{text}", text="text"),
     "unit.number-in": entry("{text} ({unit:unit})", text="text", unit="text"),
     "unit.numbers-match": entry(

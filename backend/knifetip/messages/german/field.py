@@ -176,6 +176,9 @@ TEXTS: Final[Texts] = {
     "field.too-many": Text(
         "{path} hat mehr als {most} Werte",
     ),
+    "field.too-many-copies": Text(
+        "{path} enthält {count} Exemplare von Zeichnungen; ein Bogen darf {limit} haben",
+    ),
     "field.too-many-passes": Text(
         "{path} ist {value:g} mm, das ist zu klein: Die V-Nut bräuchte mehr als {most} Durchgänge",
     ),

@@ -123,6 +123,9 @@ TEXTS: Final[Texts] = {
     "unit.not-given": Text(
         "die Einheit der Zeichnung ist nicht bekannt",
     ),
+    "unit.of-layout": Text(
+        "ein Layout ist in Millimetern",
+    ),
     "unit.number": Text(
         "{text}",
     ),

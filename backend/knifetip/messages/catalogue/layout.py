@@ -1,0 +1,54 @@
+"""layout: messages about drawings that are placed on a sheet."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from knifetip.messages.entry import Entries, entry
+
+MESSAGES: Final[Entries] = {
+    "layout.drawing-changed": entry(
+        "drawing {drawing} has revision {current}, and the layout was made with revision "
+        "{revision}",
+        "Look at the changed drawing on the sheet, and store the layout with its new revision.",
+        drawing="text",
+        current="count",
+        revision="count",
+    ),
+    "layout.edge-elsewhere": entry(
+        "an edge of copy {copy} is {distance:.4g} mm away from where the layout places it",
+        copy="count",
+        distance="number",
+    ),
+    "layout.edges-added": entry(
+        "{count, plural, one {# edge} other {# edges}} on the sheet belong to no drawing",
+        count="count",
+    ),
+    "layout.edges-missing": entry(
+        "edges of copy {copy} are missing on the sheet",
+        copy="count",
+    ),
+    "layout.no-unit": entry(
+        "the unit of drawing {drawing} is not known, so its size on the sheet is not known",
+        "Choose the unit of the drawing.",
+        drawing="text",
+    ),
+    "layout.off-sheet": entry(
+        "copy {copy} extends {distance:.4g} mm over the edge of the sheet",
+        "Move or turn the copy, or use a larger sheet.",
+        copy="count",
+        distance="number",
+    ),
+    "layout.overlap": entry(
+        "copies {copy} and {other} overlap by {area:.4g} mm²",
+        "Move one of them.",
+        copy="count",
+        other="count",
+        area="number",
+    ),
+    "layout.too-many-edges": entry(
+        "the copies on the sheet have more than {limit} edges together",
+        "Place fewer copies, or use several sheets.",
+        limit="count",
+    ),
+}
