@@ -272,7 +272,7 @@ def compile(
         check_depths(work, dieline, machine, board)
     checked = clean_checked(dieline)
     cleaned = checked.cleaned
-    offset = placement(cleaned.dieline, machine)
+    offset = placement(cleaned.dieline, machine, options.sheet)
     with located_errors(drawing):
         starts = place_starts(options.contour_starts, dieline, cleaned, offset)
         chosen = _CleanedChoices(starts, work_on_cleaned(work, cleaned))
@@ -331,7 +331,7 @@ def compile_rest(
     machine = machine.for_board(board).at_feed(options.feed_factor)
     work = chosen_work(options, dieline)
     checked = clean_checked(with_depths(dieline, work, board.caliper))
-    offset = placement(checked.cleaned.dieline, machine)
+    offset = placement(checked.cleaned.dieline, machine, options.sheet)
     progress(Stage.SEQUENCE, 0.4)
     with located_errors(drawing):
         toolpath = keep_tracks(rest.toolpath, rest.tracks, machine, board.caliper)

@@ -34,11 +34,40 @@ class Sheet(Table):
         "(mm); 0 for a sheet without a size",
     )
 
+    margin_below: float | None = Field(
+        default=None,
+        ge=0.0,
+        le=10_000.0,
+        description="Distance of the drawing from the lower edge of the sheet (mm), if it differs "
+        "from `margin`; otherwise null",
+    )
+
     @model_validator(mode="after")
     def _whole(self) -> Sheet:
-        if (self.width is None) != (self.height is None) or (self.width is None and self.margin):
+        if (self.width is None) != (self.height is None) or (
+            self.width is None and (self.margin or self.margin_below)
+        ):
             raise field_error("field.sheet-size")
         return self
+
+    @property
+    def margins(self) -> tuple[float, float]:
+        """Distance of the drawing from the left and from the lower edge of the sheet (mm)."""
+        return self.margin, self.margin if self.margin_below is None else self.margin_below
+
+    def corner(self, origin: tuple[float, float]) -> tuple[float, float]:
+        """Return where the lower left corner of the sheet lies on a table (mm).
+
+        The drawing begins at the machine's origin if the table has room for the margins there;
+        otherwise the sheet begins at the edge of the table.
+
+        Parameters
+        ----------
+        origin : mm
+            Origin of the machine, see ``Machine.origin``.
+        """
+        (x, y), (left, below) = origin, self.margins
+        return max(x - left, 0.0), max(y - below, 0.0)
 
     @property
     def size(self) -> tuple[float, float] | None:
@@ -50,4 +79,6 @@ class Sheet(Table):
         """The sheet as a comment for the head of a program."""
         if self.size is None:
             return "sheet cut to the outline of the drawing"
-        return f"sheet {self.size[0]:g} x {self.size[1]:g} margin {self.margin:g}"
+        text = f"sheet {self.size[0]:g} x {self.size[1]:g} margin {self.margin:g}"
+        left, below = self.margins
+        return text if left == below else f"{text} and {below:g}"

@@ -8,13 +8,17 @@ from knifetip.errors import TravelExceeded
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import extents
 from knifetip.model.machine import Machine
+from knifetip.model.sheet import Sheet
 
 
-def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
+def placement(
+    dieline: Dieline, machine: Machine, sheet: Sheet | None = None
+) -> tuple[float, float]:
     """Return the shift (x, y) in mm that moves the drawing to its position on the machine's table.
 
-    The lower left corner of the drawing is moved to the machine's origin.  Ignored and unclassified
-    edges have no influence.
+    The lower left corner of the drawing is moved to the machine's origin, or as far from the edges
+    of the table as the margins of the sheet require.  Ignored and unclassified edges have no
+    influence.
 
     Raises
     ------
@@ -25,6 +29,11 @@ def placement(dieline: Dieline, machine: Machine) -> tuple[float, float]:
     has_work = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
     low_x, low_y, high_x, high_y = extents(dieline.ends[has_work], dieline.bulge[has_work])
     x, y = machine.origin
+    if sheet is not None:
+        x, y = (
+            start + distance
+            for start, distance in zip(sheet.corner((x, y)), sheet.margins, strict=True)
+        )
     width, height = high_x - low_x, high_y - low_y
     room_x, room_y = machine.width - x, machine.height - y
     if width > room_x or height > room_y:

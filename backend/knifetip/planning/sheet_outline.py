@@ -63,7 +63,8 @@ def sheet_outline(sheet: Sheet, dieline: Dieline, machine: Machine) -> BoardOutl
     width, height = sheet.size
     has_work = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
     low_x, low_y, high_x, high_y = extents(dieline.ends[has_work], dieline.bulge[has_work])
-    x, y = float(low_x) - sheet.margin, float(low_y) - sheet.margin
+    left, below = sheet.margins
+    x, y = float(low_x) - left, float(low_y) - below
     if high_x > x + width + GAP or high_y > y + height + GAP:
         raise PlanError(
             "sheet.smaller-than-drawing",

@@ -173,8 +173,7 @@ def _box_of_sheet(service: Service, machine: str) -> dict[str, Any]:
     sheet = None if job is None else job.options.sheet
     if sheet is None or sheet.size is None:
         return {}
-    origin = service.store.library.machine(machine).origin
-    x, y = (start - sheet.margin for start in origin)
+    x, y = sheet.corner(service.store.library.machine(machine).origin)
     return {"box": [x, y, x + sheet.size[0], y + sheet.size[1]]}
 
 

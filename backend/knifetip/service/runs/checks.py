@@ -166,7 +166,7 @@ def _sheet_message(row: Job, machine: Machine | None) -> Message:
     if machine is None:
         place = None
     elif sheet is not None and sheet.size is not None:
-        x, y = (start - sheet.margin for start in machine.origin)
+        x, y = sheet.corner(machine.origin)
         place = Message("check.sheet-place", x=x, y=y)
     else:
         x, y = machine.origin

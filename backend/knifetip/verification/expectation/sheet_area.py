@@ -93,7 +93,7 @@ def place_sheet(sheet: Sheet, edges: Edges) -> SheetArea:
     points = np.concatenate(_chords(edges.curve[has_work]))
     if len(points) == 0:
         return SheetArea(points, points)
-    low = points.min(axis=0) - sheet.margin
+    low = points.min(axis=0) - np.array(sheet.margins)
     corners = low + np.array(sheet.size) * np.array(
         [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
     )

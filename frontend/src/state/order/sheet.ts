@@ -13,6 +13,12 @@ export function sheetSize(sheet: Sheet | null): readonly [number, number] | null
   return width === null || height === null ? null : [width, height];
 }
 
+/** Distance of the drawing from the left and from the lower edge of a sheet (mm). */
+const sheetMargins = ({ margin = 0, margin_below = null }: Sheet): readonly [number, number] => [
+  margin,
+  margin_below ?? margin,
+];
+
 /**
  * A rectangular sheet as a box in drawing coordinates; null if its shape is not a rectangle.
  *
@@ -21,7 +27,8 @@ export function sheetSize(sheet: Sheet | null): readonly [number, number] | null
 export function sheetBox(sheet: Sheet | null, corner: Point): Box | null {
   const size = sheetSize(sheet);
   if (sheet === null || size === null) return null;
-  const [x, y] = [corner.x - sheet.margin, corner.y - sheet.margin];
+  const [left, below] = sheetMargins(sheet);
+  const [x, y] = [corner.x - left, corner.y - below];
   return [x, y, x + size[0], y + size[1]];
 }
 
