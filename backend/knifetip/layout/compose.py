@@ -90,19 +90,19 @@ def compose(layout: Layout, sources: Sequence[Source], source_of: Sequence[int])
     ends: list[F64] = []
     bulge: list[F64] = []
     total = 0
-    for index, (placed, source) in enumerate(zip(layout.placed, source_of, strict=True)):
-        rows = worked[source]
+    for index, (placed, number) in enumerate(zip(layout.placed, source_of, strict=True)):
+        rows = worked[number]
         total += placed.count * len(rows)
         if total > MOST_EDGES:
             raise DrawingTooLarge("layout.too-many-edges", limit=MOST_EDGES)
-        dieline = sources[source].dieline
+        dieline = sources[number].dieline
         turned = dieline.ends[rows] @ turning(placed.turn, mirror=placed.mirror)
         bow = -dieline.bulge[rows] if placed.mirror else dieline.bulge[rows]
         box = extents(turned, bow)
         for corner in placed.corners(box[2] - box[0], box[3] - box[1]):
             shift = np.round(np.array(corner) - box[:2], _DECIMALS)
             position = Position(corner, placed.turn, placed.mirror)
-            copies.append(Copy(source, index, position, shift, box + np.tile(shift, 2)))
+            copies.append(Copy(number, index, position, shift, box + np.tile(shift, 2)))
             ends.append(turned + shift)
             bulge.append(bow)
     counts = np.array([len(one) for one in bulge], np.int64)

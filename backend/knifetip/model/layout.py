@@ -85,12 +85,13 @@ class PlacedDrawing(Table):
 class Layout(Table):
     """A sheet with the drawings that are placed on it."""
 
-    sheet: LayoutSheet
+    sheet: LayoutSheet = Field(description="The sheet")
     placed: tuple[PlacedDrawing, ...] = Field(
         strict=False,  # JSON has lists
         min_length=1,
         max_length=MOST_PLACED,
-        description="The drawings on the sheet, in the order in which they were placed",
+        description="Drawings on the sheet; each may have rows and columns of copies. Copies are "
+        "counted in this order, from 1",
     )
 
     @model_validator(mode="after")

@@ -50,6 +50,7 @@ from knifetip.service.http.routing import (
 )
 from knifetip.service.http.scopes import AccessScope
 from knifetip.service.http.site import Site
+from knifetip.service.layouts import routes as layouts
 from knifetip.service.library import definition_routes as definitions
 from knifetip.service.library import routes as library
 from knifetip.service.limits.bodies import Limits
@@ -88,8 +89,9 @@ from knifetip.service.xjdf import routes as xjdf
 _log = logging.getLogger("knifetip.api")
 
 _ROUTES = (
-    drawings, customer_answers, jobs, job_commands, orders, confirmation, queues, rest, history,
-    events, machines, tools, library, definitions, profiles, webhooks, xjdf, gateway, accounts,
+    drawings, customer_answers, layouts, jobs, job_commands, orders, confirmation, queues, rest,
+    history, events, machines, tools, library, definitions, profiles, webhooks, xjdf, gateway,
+    accounts,
 )  # fmt: skip
 
 

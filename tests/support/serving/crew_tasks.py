@@ -15,6 +15,7 @@ from knifetip.errors import CurvedGroove
 from knifetip.model.stage import Progress, Stage
 from knifetip.service.processes import tasks
 from knifetip.service.processes.kernel_groups import Part
+from knifetip.service.processes.readings import Reading
 
 
 def double(progress: Progress, number: int) -> int:
@@ -67,7 +68,7 @@ class GatedReading:
 
     __name__ = "read"
 
-    def __call__(self, progress: Progress, *arguments: Any) -> tasks.Reading:
+    def __call__(self, progress: Progress, *arguments: Any) -> Reading:
         with Path(self.begun).open("a") as file:
             file.write(f"{os.getpid()}\n")
         wait_for(progress, self.gate)

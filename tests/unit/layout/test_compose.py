@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -32,7 +33,7 @@ def carton() -> Source:
     return Source(drawing, pipeline.classify(drawing, load.profile("default")))
 
 
-def placed(x: float, y: float, **others: float) -> PlacedDrawing:
+def placed(x: float, y: float, **others: Any) -> PlacedDrawing:
     return PlacedDrawing(drawing="carton", x=x, y=y, **others)
 
 

@@ -7,6 +7,10 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "layout.changed": entry(
+        "layout changed; it has {count, plural, one {# copy} other {# copies}}",
+        count="count",
+    ),
     "layout.drawing-changed": entry(
         "drawing {drawing} has revision {current}, and the layout was made with revision "
         "{revision}",
@@ -33,6 +37,11 @@ MESSAGES: Final[Entries] = {
         "Choose the unit of the drawing.",
         drawing="text",
     ),
+    "layout.of-layout": entry(
+        "{drawing} is a layout, and a layout cannot be placed on another sheet",
+        "Place the drawings of the layout.",
+        drawing="text",
+    ),
     "layout.off-sheet": entry(
         "copy {copy} extends {distance:.4g} mm over the edge of the sheet",
         "Move or turn the copy, or use a larger sheet.",
@@ -45,6 +54,17 @@ MESSAGES: Final[Entries] = {
         copy="count",
         other="count",
         area="number",
+    ),
+    "layout.read-only": entry(
+        "the lines of layout {layout} are those of its drawings, and cannot be changed in the "
+        "layout",
+        "Change the drawing, and store the layout with its new revision.",
+        layout="text",
+    ),
+    "layout.sheet-fixed": entry(
+        "layout {layout} states its sheet, and the order states another one",
+        "Leave the sheet out of the order, or change the sheet of the layout.",
+        layout="text",
     ),
     "layout.too-many-edges": entry(
         "the copies on the sheet have more than {limit} edges together",

@@ -86,7 +86,10 @@ def compile_arguments(store: Store, job: Job, machine: Definition) -> tuple[obje
     drawing = store.drawings.get_with(job.drawing, "content", "edges", "overrides")
     return (
         StoredDrawing(
-            drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
+            drawing.content,
+            drawing.edges,
+            interpretation_of(drawing, drawing.overrides),
+            drawing.layout is not None,
         ),
         interpretation_of(job, store.jobs.column(job.id, "overrides")),
         machine,

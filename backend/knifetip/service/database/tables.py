@@ -155,6 +155,8 @@ class Drawing(Base):
     #: account that uploaded it, see ``acting``; empty for one that every designer changes
     owner: Mapped[str] = mapped_column(sa.String(80), default="")
     shared: Mapped[bool] = mapped_column(default=False)  #: every designer may change it
+    #: a ``Layout``, from which the drawing was composed; None for an uploaded drawing
+    layout: Mapped[dict[str, Any] | None] = mapped_column(sa.JSON(none_as_null=True))
     #: details of the order: see ``order_details``
     external_id: Mapped[str] = mapped_column(sa.String(200), default="")
     customer: Mapped[str] = mapped_column(sa.String(200), default="")

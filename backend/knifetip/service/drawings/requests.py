@@ -39,6 +39,7 @@ from knifetip.service.order_details.details import Details
 from knifetip.service.order_details.models import details_fields
 from knifetip.service.processes import tasks
 from knifetip.service.processes.pool import TaskFailed
+from knifetip.service.processes.readings import Reading
 from knifetip.units.customer_unit import learn_unit
 
 #: Number of attempts to change a drawing that other requests change at the same time.
@@ -181,7 +182,7 @@ def learned_unit(
     return learn_unit(service.store.customer_answers.taught(customer, drawing), name, sha256)
 
 
-def record_uses(service: Service, row: Drawing, reading: tasks.Reading) -> None:
+def record_uses(service: Service, row: Drawing, reading: Reading) -> None:
     """Store what a drawing teaches about the drawings of its customer."""
     given = "" if row.unit_learned else row.unit_given
     service.store.customer_answers.record(
@@ -195,7 +196,7 @@ def read_drawing(
     content: bytes,
     interpretation: Interpretation,
     handles: Sequence[str] | None = None,
-) -> tasks.Reading:
+) -> Reading:
     """Read and classify a drawing in a worker process; return the data that are to be stored.
 
     Parameters
@@ -269,6 +270,8 @@ def apply_change(
     def change_once() -> Drawing:
         row = service.store.drawings.get_with(id, "content", "overrides", "edges")
         check_match(match, row)
+        if row.layout is not None:
+            raise WrongState("layout.read-only", layout=row.name)
         change = decide(row)
         handles = unpack_columns(row.edges)[1]["handles"]
         reading = read_drawing(service, row.name, row.content, change.interpretation, handles)

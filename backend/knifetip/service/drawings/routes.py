@@ -11,6 +11,7 @@ from fastapi.concurrency import run_in_threadpool
 from pydantic.json_schema import SkipJsonSchema
 
 from knifetip import formats
+from knifetip.errors import WrongState
 from knifetip.formats import FORMATS, format_of
 from knifetip.library import custom_profiles
 from knifetip.messages import Message
@@ -354,6 +355,8 @@ def choose_page(
     one.
     """
     row = service.store.drawings.get_with(id, "content")
+    if row.layout is not None:
+        raise WrongState("layout.read-only", layout=row.name)
     details = ("external_id", "customer", "due", "notes", "extra")
     upload = Upload(
         row.name,
@@ -372,4 +375,6 @@ def get_file(service: ServiceDep, id: DrawingId) -> Response:
     """Download the uploaded file of a drawing."""
     row = service.store.drawings.get(id)
     content = service.store.drawings.column(id, "content")
+    if row.layout is not None:
+        return bytes_response(content, row.sha256, "application/zip", f"{row.name}.zip")
     return bytes_response(content, row.sha256, format_of(content).media_type, row.name)

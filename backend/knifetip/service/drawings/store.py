@@ -49,6 +49,7 @@ class NewDrawing:
     details: Details = field(default_factory=dict)  #: columns of ``order_details``
     #: names of the customer's files that gave the unit; empty if a user gave it
     unit_learned: tuple[str, ...] = ()
+    layout: dict[str, Any] | None = None  #: see ``tables.Drawing``
 
 
 class DrawingStore:
@@ -102,6 +103,7 @@ class DrawingStore:
             sha256=new.sha256,
             **drawing_columns(new.interpretation),
             unit_learned=list(new.unit_learned),
+            layout=new.layout,
             version=1,
             summary=new.summary,
             key=None if key is None else key.stored,
@@ -202,7 +204,12 @@ class DrawingStore:
         return self._contents.value(Drawing, id, column, "drawing")
 
     def recent(
-        self, before: int | None, limit: int, wanted: DetailsFilter | None = None
+        self,
+        before: int | None,
+        limit: int,
+        wanted: DetailsFilter | None = None,
+        *,
+        layouts: bool = False,
     ) -> list[Drawing]:
         """Return at most ``limit`` drawings, newest first.
 
@@ -214,8 +221,11 @@ class DrawingStore:
             Greatest number of drawings.
         wanted
             Conditions on the details of their orders; None for none.
+        layouts
+            Whether to return layouts instead of uploaded drawings.
         """
         query = sa.select(Drawing).order_by(Drawing.serial.desc()).limit(limit)
+        query = query.where(Drawing.layout.is_not(None) if layouts else Drawing.layout.is_(None))
         query = query.where(*acting_limits().drawing_conditions())
         if before is not None:
             query = query.where(Drawing.serial < before)

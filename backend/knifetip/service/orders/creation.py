@@ -7,12 +7,14 @@ from functools import partial
 
 from fastapi import Response
 
-from knifetip.errors import OpenQuestions
+from knifetip.errors import OpenQuestions, WrongState
 from knifetip.library.definition import Definition, Shelf, machine_of
 from knifetip.model.acceptance import Exceptions
 from knifetip.model.dieline import LineType
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.job_options import JobOptions
+from knifetip.model.layout import Layout
+from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Acceptance
 from knifetip.planning.tool_steps import lacks_tool
 from knifetip.service.compiling.key import digest_of
@@ -181,7 +183,10 @@ def _require_answers(service: Service, order: JobIn) -> PreparedOrder:
     questions = service.run(
         tasks.open_questions,
         StoredDrawing(
-            drawing.content, drawing.edges, interpretation_of(drawing, drawing.overrides)
+            drawing.content,
+            drawing.edges,
+            interpretation_of(drawing, drawing.overrides),
+            drawing.layout is not None,
         ),
         prepared.interpretation,
         prepared.machine,
@@ -232,11 +237,35 @@ def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpr
     ``drawing``: the stored drawing.
     """
     interpretation = interpretation_of(drawing, drawing.overrides)
+    if drawing.layout is not None:
+        return replace(interpretation, options=_options_of_layout(order, drawing))
     if order.profile is not None:
         rules = customer_rules(service, order.profile)
         interpretation = replace(interpretation, profile=order.profile, rules=rules)
     if order.overrides:
         overrides = merge_overrides(drawing.edges, drawing.overrides, order.overrides)
         interpretation = replace(interpretation, overrides=overrides)
-    options = JobOptions(**{name: getattr(order, name) for name in JobOptions.model_fields})
-    return replace(interpretation, options=options)
+    return replace(interpretation, options=_options(order))
+
+
+def _options(order: JobIn) -> JobOptions:
+    return JobOptions(**{name: getattr(order, name) for name in JobOptions.model_fields})
+
+
+def _options_of_layout(order: JobIn, drawing: Drawing) -> JobOptions:
+    """Return the options of an order for a layout, which states the sheet and all line types.
+
+    Raises
+    ------
+    WrongState
+        The order has a profile, line types or a sheet of its own.
+    """
+    if order.profile is not None or order.overrides:
+        raise WrongState("layout.read-only", layout=drawing.name)
+    sheet = Layout.model_validate(drawing.layout).sheet
+    low_x, low_y, *_ = drawing.summary["bounds"]
+    margins = {"margin": max(low_x, 0.0), "margin_below": max(low_y, 0.0)}
+    stated = Sheet(width=sheet.width, height=sheet.height, **margins)
+    if order.sheet not in (None, stated):
+        raise WrongState("layout.sheet-fixed", layout=drawing.name)
+    return _options(order).model_copy(update={"sheet": stated})

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -22,12 +23,24 @@ from knifetip.presentation.edges import restore_drawing, stored_handles
 
 
 @dataclass(frozen=True, slots=True)
+class Reading:
+    """Result of reading and classifying a drawing, in the form in which it is stored."""
+
+    summary: dict[str, Any]
+    edges: bytes  #: packed ``EdgeTable``
+    import_report: bytes  #: JSON, deflated
+    overrides: bytes  #: (n,) ``NO_OVERRIDE`` or a LineType
+    uses: list[dict[str, Any]]  #: what the drawing teaches, see ``customer_answers.use_json``
+
+
+@dataclass(frozen=True, slots=True)
 class StoredDrawing:
     """A stored drawing: its file, its edges, and the interpretation used to read the file."""
 
     content: bytes  #: the file
     edges: bytes  #: packed ``EdgeTable`` of the drawing
     interpretation: Interpretation  #: interpretation of the reading
+    is_layout: bool = False  #: whether the file is a ``LayoutArchive``
 
 
 def restore_or_read(

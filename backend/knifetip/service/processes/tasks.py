@@ -10,7 +10,7 @@ import hashlib
 import os
 from collections.abc import Sequence
 from contextlib import nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -57,7 +57,9 @@ from knifetip.service.processes.kernel_groups import (
     is_compiled,
     missing_parts,
 )
+from knifetip.service.processes.layout_tasks import check_sheet
 from knifetip.service.processes.readings import (
+    Reading,
     StoredDrawing,
     carry_over,
     read_drawing,
@@ -78,17 +80,6 @@ def import_stages() -> None:
     from knifetip import pipeline  # noqa: F401  # imported for the other tasks
 
     missing_parts()
-
-
-@dataclass(frozen=True, slots=True)
-class Reading:
-    """Result of reading and classifying a drawing, in the form in which it is stored."""
-
-    summary: dict[str, Any]
-    edges: bytes  #: packed ``EdgeTable``
-    import_report: bytes  #: JSON, deflated
-    overrides: bytes  #: (n,) ``NO_OVERRIDE`` or a LineType
-    uses: list[dict[str, Any]]  #: what the drawing teaches, see ``customer_answers.use_json``
 
 
 def read(
@@ -335,6 +326,8 @@ def compile(
     drawing, dieline = restore_or_read(stored, interpretation)
     if not drawing.unit:
         raise UnitUnknown("drawing.unit-unknown", evidence=drawing.evidence)
+    if stored.is_layout:
+        check_sheet(stored.content, dieline)
     target = machine_of(machine)
     job = (drawing, dieline, target, board_of(board))
     options = interpretation.options

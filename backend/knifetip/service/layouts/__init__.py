@@ -1,0 +1,1 @@
+"""Layouts: sheets with placed drawings, which are ordered like drawings."""
