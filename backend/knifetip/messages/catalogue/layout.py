@@ -8,7 +8,7 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "layout.changed": entry(
-        "layout changed; it has {count, plural, one {# copy} other {# copies}}",
+        "layout changed; number of copies on the sheet: {count}",
         count="count",
     ),
     "layout.drawing-changed": entry(
@@ -25,7 +25,7 @@ MESSAGES: Final[Entries] = {
         distance="number",
     ),
     "layout.edges-added": entry(
-        "{count, plural, one {# edge} other {# edges}} on the sheet belong to no drawing",
+        "edges on the sheet that belong to no drawing: {count}",
         count="count",
     ),
     "layout.edges-missing": entry(

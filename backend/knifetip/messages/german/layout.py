@@ -8,7 +8,7 @@ from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
     "layout.changed": Text(
-        "Layout geändert; es hat {count, plural, one {# Exemplar} other {# Exemplare}}",
+        "Layout geändert; Zahl der Exemplare auf dem Bogen: {count}",
     ),
     "layout.drawing-changed": Text(
         "Zeichnung {drawing} hat Revision {current}; das Layout wurde mit Revision {revision} "
@@ -21,7 +21,7 @@ TEXTS: Final[Texts] = {
         "Layout sie platziert",
     ),
     "layout.edges-added": Text(
-        "{count, plural, one {# Kante} other {# Kanten}} auf dem Bogen gehören zu keiner Zeichnung",
+        "Kanten auf dem Bogen, die zu keiner Zeichnung gehören: {count}",
     ),
     "layout.edges-missing": Text(
         "auf dem Bogen fehlen Kanten von Exemplar {copy}",
