@@ -42,6 +42,7 @@ def test_a_sheet_cut_to_size_saves_time_and_is_stated(
         "width": size and size[0],
         "height": size and size[1],
         "margin": 0.0,
+        "margin_below": None,
     }
     assert "sheet" not in programs[0]
     assert "(sheet " in programs[1]

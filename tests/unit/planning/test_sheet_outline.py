@@ -11,6 +11,7 @@ import pytest
 from knifetip.errors import PlanError
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.sheet import Sheet
+from knifetip.planning.placement import placement
 from knifetip.planning.plan import plan
 from knifetip.planning.sheet_outline import sheet_outline, sheet_run_outs
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
@@ -119,3 +120,20 @@ def test_a_sheet_that_does_not_fit_is_refused(sheet: Sheet, expected: str) -> No
 def test_an_open_outline_is_no_sheet() -> None:
     with pytest.raises(PlanError, match="no closed outline"):
         sheet_outline(Sheet(), dieline((LineType.CUT, BLANK[:3])), MACHINE)
+
+
+@pytest.mark.parametrize(
+    ("margins", "corner"),
+    [((3.0, None), (7.0, 7.0)), ((3.0, 30.0), (7.0, 0.0)), ((40.0, 5.0), (0.0, 5.0))],
+)
+def test_a_sheet_with_wide_margins_begins_at_the_edge_of_the_table(
+    margins: tuple[float, float | None], corner: tuple[float, float]
+) -> None:
+    machine = replace(MACHINE, origin=(10.0, 10.0))
+    sheet = Sheet(width=400.0, height=300.0, margin=margins[0], margin_below=margins[1])
+    assert sheet.corner(machine.origin) == corner
+    drawn = grooved()
+    x, y = placement(drawn, machine, sheet)
+    assert (x, y) == tuple(map(sum, zip(corner, sheet.margins, strict=True)))
+    outline = sheet_outline(sheet, replace(drawn, ends=drawn.ends + (x, y)), machine)
+    assert tuple(outline.start.min(axis=0)) == corner

@@ -355,6 +355,8 @@ def test_the_time_saved_by_least_lifts_is_reported(
     ("sheet", "state"),
     [
         ({"width": 120.0, "height": 110.0, "margin": 4.0}, "ready"),
+        ({"width": 120.0, "height": 110.0, "margin": 4.0, "margin_below": 9.0}, "ready"),
+        ({"width": 120.0, "height": 110.0, "margin": 4.0, "margin_below": 11.0}, "refused"),
         ({"width": None, "height": None, "margin": 0.0}, "ready"),
         ({"width": 50.0, "height": 110.0, "margin": 0.0}, "refused"),
     ],
@@ -367,7 +369,7 @@ def test_a_sheet_is_kept_with_the_job_and_must_hold_the_drawing(
     answer = client.post("/api/jobs", json=order)
     assert answer.status_code == 201, answer.text
     job = wait_for_state(client, answer.json()["id"], "ready", "refused")
-    assert (job["state"], job["sheet"]) == (state, sheet)
+    assert (job["state"], job["sheet"]) == (state, {"margin_below": None, **sheet})
     if state == "refused":
         assert job["message"]["code"] == "sheet.smaller-than-drawing"
 
