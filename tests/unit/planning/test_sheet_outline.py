@@ -135,5 +135,5 @@ def test_a_sheet_with_wide_margins_begins_at_the_edge_of_the_table(
     drawn = grooved()
     x, y = placement(drawn, machine, sheet)
     assert (x, y) == tuple(map(sum, zip(corner, sheet.margins, strict=True)))
-    outline = sheet_outline(sheet, replace(drawn, ends=drawn.ends + (x, y)), machine)
+    outline = sheet_outline(sheet, replace(drawn, ends=drawn.ends + np.array([x, y])), machine)
     assert tuple(outline.start.min(axis=0)) == corner
