@@ -104,7 +104,7 @@ test-all:
 # A test that fails beside the others and passes alone is reported, and must be mended (ADR 138).
 failed:
 	@echo "Tests have failed. They are run once more, alone."
-	$(PYTEST) tests $(SELECTED) -v --last-failed --last-failed-no-failures none -n 1
+	$(BIN)/python -m tests.failed -c backend/pyproject.toml --rootdir . $(SELECTED)
 
 bench: dev
 	$(BIN)/python -m tests.benchmarks

@@ -539,7 +539,7 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     expect(state).to_have_text("Waiting for operator")
     page.get_by_test_id("check-tool-3").tap()
     facts = page.get_by_test_id("tool-facts")
-    for text in ("V-cutter:", "tilt 45°", "has worked 0 m", "X \u221260.00"):
+    for text in ("V-cutter:", "tilt 45°", "worked along 0 m", "X \u221260.00"):
         expect(facts).to_contain_text(text)
     expect(page.get_by_test_id("tool-check-move")).to_be_disabled()
     tick_hands(page)

@@ -208,12 +208,12 @@ def test_work_beside_a_parked_carriage_is_refused_before_a_program_is_written() 
     far = replace(LINE, ends=LINE.ends + np.array([0.0, 930.0]))
     with pytest.raises(
         TravelExceeded,
-        match=r"knife .* would leave 1\d\d.* mm to the parked carriage 2",
+        match=r"knife .* would come as near as 1\d\d.* mm to the parked carriage 2",
     ):
         program(longer, line=far)
     near = replace(LINE, ends=LINE.ends - np.array([0.0, 180.0]))
     with pytest.raises(
-        TravelExceeded, match=r"Crease wheel .* would leave 1\d\d.* mm to the parked carriage 1"
+        TravelExceeded, match=r"Crease wheel .* as near as 1\d\d.* mm to the parked carriage 1"
     ):
         program(longer, line=near)
 
@@ -294,9 +294,9 @@ def test_a_laser_on_the_second_carriage_is_switched_with_its_own_letters() -> No
 
 
 def test_hpgl_and_short_alphabets_are_refused_with_the_reason() -> None:
-    with pytest.raises(LibraryError, match="linear axis V, and HPGL has no such axis"):
+    with pytest.raises(LibraryError, match="linear axis V, but HPGL has no such axis"):
         with_language(TABLE, "hpgl")
-    with pytest.raises(LibraryError, match="linear axis W, and grblHAL has no such axis"):
+    with pytest.raises(LibraryError, match="linear axis W, but grblHAL has no such axis"):
         with_language(MACHINES["own Z"], "grblhal")
 
 

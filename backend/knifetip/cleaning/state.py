@@ -31,6 +31,8 @@ from knifetip.model.dieline import Dieline
 _SLIVER: Final = 1e-12
 #: How often edges that nearly coincide are merged, each time without those that moved too far.
 _TRIALS: Final = 3
+#: The same for curves that were drawn twice; all of them stay after the last one.
+_COPY_TRIALS: Final = 2
 
 
 @dataclass(slots=True)
@@ -97,12 +99,11 @@ class CleaningState:
 
         A run that would move by more than ``GAP`` stays.  ``drawn`` contains the drawn edges.
         """
+        place = self.end_points().place
         before = replace(self)
         is_fixed = np.zeros(len(self.bulge), np.bool_)
-        for _ in range(_TRIALS):
-            pieces = merge_copied_runs(
-                self.ends, self.bulge, self.kind, self.end_points().place, is_fixed
-            )
+        for _ in range(_COPY_TRIALS):
+            pieces = merge_copied_runs(self.ends, self.bulge, self.kind, place, is_fixed)
             if pieces is None:
                 return
             self._divide(drawn, pieces)
@@ -110,9 +111,10 @@ class CleaningState:
             far = self._deviation(drawn) > GAP + POINT
             if not far.any():
                 return
+            too_far = np.isin(before.row, self.row[far]) & (before.edge >= 0)
             for column in fields(before):
                 setattr(self, column.name, getattr(before, column.name))
-            is_fixed |= np.isin(self.row[self.edge], self.row[far])
+            is_fixed[self.edge[too_far]] = True
 
     def merge_near(self, drawn: Dieline) -> bool:
         """Merge current edges that nearly coincide, within ``GAP``.

@@ -43,7 +43,7 @@ def test_the_lengths_add_up_and_every_changed_edge_is_listed(run_clean: RunClean
     code, out = run_clean(cut(0, 0, 100, 0), cut(40, 0, 70, 0), cut(100.03, 0, 200, 0))
     assert code == 0
     assert "drawn 229.970 mm = kept 199.970 + merged 30.000 + dropped 0.000" in out
-    assert "worked 200.000 mm = kept 199.970 + added by closing gaps 0.030" in out
+    assert "processed 200.000 mm = kept 199.970 + added by closing gaps 0.030" in out
     assert "edge 1: the edge lies on edge 0 and was merged into it" in out
     assert "edge 2: the edge was merged into edge 0, which lies on the same line" in out
 

@@ -40,7 +40,7 @@ def test_a_worker_that_is_stuck_ends_with_an_error(tmp_path: Path) -> None:
     with worker(tmp_path, 301.0) as process:
         _, text = process.communicate(timeout=120.0)
     assert process.returncode == 1
-    assert "no sweep for 301 s" in text
+    assert "has not looked for jobs for 301 s" in text
 
 
 def test_a_worker_that_sweeps_goes_on_until_it_is_stopped(tmp_path: Path) -> None:

@@ -80,20 +80,15 @@ def test_a_job_is_exported_with_drawing_program_verdict_and_events(
 
 
 def test_all_jobs_are_exported(
-    client: httpx.Client,
-    knifetip: Command,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    knifetip: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("knifetip.cli.job_client._PAGE", 1)
-    drawing = upload_drawing(client, square())["id"]
-    for _ in range(2):
-        order_job(client, drawing)
-    code, _out, err = knifetip("export", tmp_path, "--server", str(client.base_url))
+    with run_server(Settings(database=f"sqlite:///{tmp_path}/a.sqlite", name="test")) as client:
+        drawing = upload_drawing(client, square())["id"]
+        jobs = {order_job(client, drawing)["id"] for _ in range(2)}
+        code, _out, err = knifetip("export", tmp_path, "--server", str(client.base_url))
     assert code == 0, err
-    listed = {row["id"] for row in client.get("/api/jobs?limit=500").json()}
-    assert len(listed) >= 2
-    assert {file.stem for file in tmp_path.glob("*.zip")} == listed
+    assert {file.stem for file in tmp_path.glob("*.zip")} == jobs
 
 
 def test_old_jobs_are_archived_and_deleted_and_the_others_kept(tmp_path: Path) -> None:

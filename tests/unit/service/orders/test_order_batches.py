@@ -192,8 +192,8 @@ def test_the_result_of_an_order_that_was_not_tried_has_the_reason(
     last = execute_orders(service, orders_of(store), None)[-1]
     assert last.problem is not None
     assert last.problem.text == (
-        "This order was not tried, because an order before it failed. The disk of the server is "
-        "full, so nothing was stored."
+        "This order was not processed, because an order before it failed. The disk of the server "
+        "is full, so nothing was stored."
     )
 
 
