@@ -10,17 +10,18 @@ correspond to each other are left to ``remove_overlaps``.
 from __future__ import annotations
 
 import math
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from knifetip.cleaning.end_points import connected_edges
 from knifetip.cleaning.remove_overlaps import Pieces
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import ANGLE, GAP, POINT, SAME
+from knifetip.geometry.union_find import flatten, union
+from knifetip.kernels import I64_1, kernel
 
 #: Positions at which an edge must lie beside the other run.
 _FRACTIONS: Final = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -43,7 +44,6 @@ class _Runs(NamedTuple):
     first: I64  #: (r + 1,) place in ``order`` at which each run begins
     box: F64  #: (r, 4) mm: x min, y min, x max, y max
     length: F64  #: (r,) mm
-    vertices: F64  #: (r,) a number that is equal for runs with equal vertices
     kind: I64  #: (r,) line type
 
     def edges(self, run: int) -> I64:
@@ -80,7 +80,7 @@ def merge_copied_runs(ends: F64, bulge: F64, kind: U8, place: I64, is_fixed: Boo
     if len(bulge) < 3:
         return None
     runs = _find_runs(ends, bulge, kind, place)
-    one, other = _candidates(runs)
+    one, other = _candidates(runs, ends)
     if len(one) == 0:
         return None
     scale = np.round(np.log(np.maximum(runs.length, POINT)) / _ALIKE)
@@ -106,11 +106,7 @@ def merge_copied_runs(ends: F64, bulge: F64, kind: U8, place: I64, is_fixed: Boo
 
 def _find_runs(ends: F64, bulge: F64, kind: U8, place: I64) -> _Runs:
     """Return the runs of the edges; the parameters are those of ``merge_copied_runs``."""
-    key = place * 256 + np.repeat(kind.astype(np.int64), 2)
-    vertex = np.unique(key, return_inverse=True)[1].ravel()
-    joins = np.bincount(vertex)[vertex] == 2
-    single = np.where(joins, vertex, len(vertex) + np.arange(len(vertex)))
-    run_of = connected_edges(np.unique(single, return_inverse=True)[1].ravel().astype(np.int64))
+    run_of = _connect(place, kind.astype(np.int64))
     order = np.argsort(run_of, kind="stable")
     first = np.flatnonzero(np.append(True, np.diff(run_of[order]) > 0))
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)[order]
@@ -120,21 +116,43 @@ def _find_runs(ends: F64, bulge: F64, kind: U8, place: I64) -> _Runs:
             np.maximum.reduceat(boxes[:, 2:], first),
         ]
     )
-    # Not symmetrical, as curves are.
-    points = ends @ np.array([371.0, 913.0])
-    points = (np.sin(points) + np.cos(1.7 * points)).sum(axis=1)
     return _Runs(
         order,
         np.append(first, len(order)),
         box,
         np.add.reduceat(arc.length(ends[:, 0], ends[:, 1], bulge)[order], first),
-        np.add.reduceat(points[order], first),
         kind[order[first]].astype(np.int64),
     )
 
 
-def _candidates(runs: _Runs) -> tuple[I64, I64]:
-    """Return the pairs of runs with nearly the same box that may be copies, (p,) and (p,)."""
+@kernel
+def _connect(place: I64_1, kind: I64_1) -> Any:
+    """Return the lowest edge of the run of each of k edges, (k,).
+
+    ``place`` (2k,): point of each end.  ``kind`` (k,): line types.  Two edges of one line type are
+    in one run if they meet at a point at which no other edge of this line type ends.
+    """
+    count = np.zeros((place.max() + 1, kind.max() + 1), np.int32)
+    other = np.full(count.shape, -1, np.int64)
+    for end in range(len(place)):
+        count[place[end], kind[end // 2]] += 1
+    parent = np.arange(len(kind))
+    for end in range(len(place)):
+        at, edge = place[end], end // 2
+        if count[at, kind[edge]] == 2:
+            if other[at, kind[edge]] < 0:
+                other[at, kind[edge]] = edge
+            else:
+                union(parent, other[at, kind[edge]], edge)
+    flatten(parent)
+    return parent
+
+
+def _candidates(runs: _Runs, ends: F64) -> tuple[I64, I64]:
+    """Return the pairs of runs with nearly the same box that may be copies, (p,) and (p,).
+
+    ``ends`` (k, 2, 2) mm are the ends of the edges.
+    """
     none = np.zeros(0, np.int64)
     count = runs.sizes
     if (count == 1).all():
@@ -151,9 +169,22 @@ def _candidates(runs: _Runs) -> tuple[I64, I64]:
     keep &= (np.abs(runs.box[one] - runs.box[other]) <= GAP).all(axis=1)
     # Single edges, and equal runs, are left to ``remove_overlaps``.
     keep &= (count[one] > 1) | (count[other] > 1)
-    keep &= np.abs(runs.vertices[one] - runs.vertices[other]) > POINT
+    one, other = one[keep], other[keep]
+    if len(one) == 0:
+        return none, none
+    sums = _vertex_sums(runs, ends)
+    keep = np.abs(sums[one] - sums[other]) > POINT
     one, other = one[keep].astype(np.int64), other[keep].astype(np.int64)
     return (none, none) if len(one) > _MOST_PAIRS else (one, other)
+
+
+def _vertex_sums(runs: _Runs, ends: F64) -> F64:
+    """Return a number for each run, (r,), that is equal for runs with equal vertices."""
+    # Not symmetrical, as curves are.
+    points = ends @ np.array([371.0, 913.0])
+    points = (np.sin(points) + np.cos(1.7 * points)).sum(axis=1)
+    result: F64 = np.add.reduceat(points[runs.order], runs.first[:-1])
+    return result
 
 
 def _match(ends: F64, bulge: F64, goes: I64, keeps: I64) -> _Match | None:
