@@ -1,4 +1,4 @@
-"""Operations that a person at the machine asks for: the server stores them, a gateway does them."""
+"""Operations that a person at the machine requests.  The server stores them, a gateway runs them."""
 
 from __future__ import annotations
 

@@ -78,7 +78,7 @@ def test_the_modules_of_german_are_those_of_the_catalogue() -> None:
 
 
 def english_words(code: str, text: str) -> list[str]:
-    """Return the English words of a German text that are no names."""
+    """Return the English words in a German text, without names."""
     found = [match[0] for match in ENGLISH.finditer(NAMES.sub("", text))]
     return [word for word in found if word != FIELDS.get(code)]
 

@@ -363,8 +363,8 @@ function Item(props: ArrayFieldItemTemplateProps<Fields[], RJSFSchema, FormConte
 }
 
 /**
- * A change goes to the fields themselves: the form of rjsf would add defaults to it, also empty
- * tables, which a file does not have.
+ * Writes a change to the fields directly. The form of rjsf would add default values, such as empty
+ * tables, which the file does not contain.
  */
 function ChangedField(props: FieldProps<Fields, RJSFSchema, FormContext>) {
   const { setAt } = props.registry.formContext;

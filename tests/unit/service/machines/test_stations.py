@@ -42,7 +42,7 @@ NOTICE: dict[str, Any] = {
 
 
 class Timer:
-    """The timer of a server, which stands still until a test moves it."""
+    """The timer of a server. It shows the same time until a test changes it."""
 
     def __init__(self, now: float) -> None:
         self.now = now
