@@ -1,4 +1,4 @@
-"""Operations that a person at the machine requests.  The server stores them, a gateway runs them."""
+"""Operations that a person at the machine requests: the server stores them, a gateway runs them."""
 
 from __future__ import annotations
 
