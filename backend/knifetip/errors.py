@@ -180,6 +180,10 @@ class DegenerateArc(GeometryError):
     """Raised for an arc whose radius or sweep is zero or not a number."""
 
 
+class EditRefused(KnifetipError):
+    """Raised when a user's edit of the geometry of a drawing is not possible."""
+
+
 class PlanError(KnifetipError):
     """Raised when a job cannot be made on a machine."""
 

@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 
 from knifetip.geometry.columns import U8
+from knifetip.model.edit import Edits
 from knifetip.model.job_options import JobOptions
 
 #: In a column of overrides: the edge keeps the line type of its classification.
@@ -16,7 +17,7 @@ NO_OVERRIDE: Final = 255
 
 @dataclass(frozen=True, slots=True)
 class Interpretation:
-    """The user's decisions about a drawing: unit, profile, overrides, and options of a job.
+    """The user's decisions about a drawing: unit, profile, overrides, edits, options of a job.
 
     An override is a line type that the user has set for one edge.  The record contains only plain
     data, so that it can be stored and sent to another process.
@@ -30,6 +31,7 @@ class Interpretation:
     options: JobOptions = field(default_factory=JobOptions)  #: options of a job
     #: answers from earlier drawings of the customer, see ``customer_answers.learned_text``
     learned: str = ""
+    edits: Edits = ()  #: changes of the geometry that the user has made
 
     @property
     def override_column(self) -> U8 | None:

@@ -32,6 +32,10 @@ MESSAGES: Final[Entries] = {
     "drawing.details-changed": entry(
         "The details of the order were changed.",
     ),
+    "drawing.edited": entry(
+        "The drawing has {count:# edit of its lines|# edits of its lines}.",
+        count="count",
+    ),
     "drawing.empty": entry(
         "There is nothing to make: the file contains no objects.",
         "Export the drawing again, with the lines of the carton in model space.",
@@ -133,6 +137,35 @@ MESSAGES: Final[Entries] = {
         "Send a smaller file, for example without pictures.",
         name="text",
         limit="count",
+    ),
+    "edit.end-elsewhere": entry(
+        "Edit {number} moves an end of edge {edge}, but this end is now at {x:mm}, {y:mm} mm.",
+        "Load the drawing again, and repeat the edit.",
+        number="count",
+        edge="count",
+        x="number",
+        y="number",
+    ),
+    "edit.no-length": entry(
+        "After edit {number} an edge would have no length.",
+        "Choose two different points.",
+        number="count",
+    ),
+    "edit.no-such-edge": entry(
+        "Edit {number} moves an end of edge {edge}, but the drawing has only "
+        "{count:# edge|# edges}.",
+        "Choose an edge number that exists. The first edge has number 0.",
+        number="count",
+        edge="count",
+        count="count",
+    ),
+    "edit.no-unit": entry(
+        "The drawing cannot be edited, because its unit is not known.",
+        "Choose the unit of the drawing first.",
+    ),
+    "edit.unit-changed": entry(
+        "The unit of a drawing with edits cannot be changed, because the edits are in mm.",
+        "Undo the edits, change the unit, and make the edits again.",
     ),
     "question.default-width": entry("lines of the default width"),
     "question.follows": entry(

@@ -7,6 +7,7 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "import.added-by-hand": entry("the edge was added by hand"),
     "import.all-outside-page": entry(
         "the whole drawing lies outside the visible area of the page",
         "Move the drawing onto the page in the program that drew it, so that objects beside the "

@@ -31,6 +31,9 @@ TEXTS: Final[Texts] = {
     "drawing.details-changed": Text(
         "Die Angaben der Bestellung wurden geändert.",
     ),
+    "drawing.edited": Text(
+        "Die Zeichnung hat {count:# Änderung|# Änderungen} an ihren Linien.",
+    ),
     "drawing.empty": Text(
         "Es gibt nichts zu machen: Die Datei enthält keine Objekte.",
         "Die Zeichnung noch einmal exportieren, mit den Linien der Schachtel im Modellbereich.",
@@ -107,6 +110,29 @@ TEXTS: Final[Texts] = {
     "drawing.upload-too-large": Text(
         "Die Datei {name} ist größer als {limit} MB.",
         "Eine kleinere Datei senden, zum Beispiel ohne Bilder.",
+    ),
+    "edit.end-elsewhere": Text(
+        "Änderung {number} verschiebt ein Ende von Kante {edge}, aber dieses Ende liegt jetzt bei "
+        "{x:mm}, {y:mm} mm.",
+        "Die Zeichnung noch einmal laden und die Änderung wiederholen.",
+    ),
+    "edit.no-length": Text(
+        "Nach Änderung {number} hätte eine Kante keine Länge.",
+        "Zwei verschiedene Punkte wählen.",
+    ),
+    "edit.no-such-edge": Text(
+        "Änderung {number} verschiebt ein Ende von Kante {edge}, aber die Zeichnung hat nur "
+        "{count:# Kante|# Kanten}.",
+        "Eine vorhandene Kantennummer wählen. Die erste Kante hat die Nummer 0.",
+    ),
+    "edit.no-unit": Text(
+        "Die Zeichnung kann nicht geändert werden, weil ihre Einheit nicht bekannt ist.",
+        "Zuerst die Einheit der Zeichnung wählen.",
+    ),
+    "edit.unit-changed": Text(
+        "Die Einheit einer Zeichnung mit geänderten Linien kann nicht geändert werden, weil die "
+        "Änderungen in mm sind.",
+        "Die Änderungen zurücknehmen, die Einheit ändern und die Änderungen noch einmal machen.",
     ),
     "question.default-width": Text(
         "Linien der Standardbreite",

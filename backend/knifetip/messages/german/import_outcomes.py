@@ -7,6 +7,7 @@ from typing import Final
 from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
+    "import.added-by-hand": Text("die Kante wurde von Hand hinzugefügt"),
     "import.all-outside-page": Text(
         "die ganze Zeichnung liegt außerhalb des sichtbaren Bereichs der Seite",
         "Die Zeichnung in ihrem Programm auf die Seite schieben, damit Objekte neben der Seite "

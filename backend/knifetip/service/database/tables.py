@@ -146,6 +146,8 @@ class Drawing(Base):
     rules: Mapped[str] = mapped_column(sa.Text, default="")
     #: what earlier drawings of the customer taught, see ``customer_answers.learned_text``
     learned: Mapped[str] = mapped_column(sa.Text, default="")
+    #: edits of the geometry, see ``model.edit``
+    edits: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON, default=list)
     #: data for the page: unit, evidence, bounds, counts, layers, questions
     summary: Mapped[dict[str, Any]] = mapped_column(sa.JSON)
     #: ``RequestKey.stored`` of the request; None if it had no key
@@ -211,6 +213,8 @@ class Job(Base):
     rules: Mapped[str] = mapped_column(sa.Text, default="")
     #: what earlier drawings of the customer taught, see ``customer_answers.learned_text``
     learned: Mapped[str] = mapped_column(sa.Text, default="")
+    #: edits of the geometry, see ``model.edit``
+    edits: Mapped[list[dict[str, Any]]] = mapped_column(sa.JSON, default=list)
     unit_given: Mapped[str] = mapped_column(sa.String(8))
     copies: Mapped[int]
     priority: Mapped[int]

@@ -1,13 +1,15 @@
 """Functions that convert between an ``Interpretation`` and the columns of a drawing or a job.
 
 An interpretation contains the user's decisions about a drawing: unit, profile, overrides (line
-types of single edges), and options of a job (corner types, sheet and height of turns).
+types of single edges), edits of the geometry, and options of a job (corner types, sheet and height
+of turns).
 """
 
 from __future__ import annotations
 
 from typing import Any
 
+from knifetip.model.edit import edits_from_json, edits_json
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.job_options import JobOptions
 from knifetip.service.database.tables import Drawing, Job
@@ -29,6 +31,7 @@ def interpretation_of(row: Drawing | Job, overrides: bytes) -> Interpretation:
         rules=row.rules,
         overrides=overrides,
         learned=row.learned,
+        edits=edits_from_json(row.edits),
         options=row.options if isinstance(row, Job) else JobOptions(),
     )
 
@@ -41,6 +44,7 @@ def drawing_columns(interpretation: Interpretation) -> dict[str, Any]:
         "rules": interpretation.rules,
         "overrides": interpretation.overrides,
         "learned": interpretation.learned,
+        "edits": edits_json(interpretation.edits),
     }
 
 

@@ -8,6 +8,7 @@ from pydantic import BaseModel, Field
 
 from knifetip.fields import LISTED
 from knifetip.library.custom_profiles import MAX_BYTES
+from knifetip.model.edit import MOST_EDITS, Edit
 from knifetip.service.drawings.customer_answer_models import LearnedOut
 from knifetip.service.http.message_models import MessageOut
 from knifetip.service.http.models import (
@@ -394,6 +395,9 @@ class DrawingOut(OrderDetailsOut):
         "are none"
     )
     overrides: int = Field(description="Number of edges with a line type set by the user")
+    edits: list[Edit] = Field(
+        default=[], description="Changes of the geometry that the user has made, in order"
+    )
     learned: list[LearnedOut] = Field(
         default=[],
         description="Line types that earlier drawings of the same customer decided, by look; "
@@ -533,6 +537,11 @@ class DrawingPatch(OrderDetailsPatch):
         default="",
         description="Text of an earlier or deleted version of the profile (TOML); empty for the "
         "current version",
+    )
+    edits: Annotated[list[Edit], Field(max_length=MOST_EDITS)] | None = Field(
+        default=None,
+        description="All changes of the geometry, applied in order to the edges of the file; they "
+        "replace the present ones. Null leaves them as they are",
     )
     shared: bool | None = Field(
         default=None,

@@ -399,6 +399,7 @@ def drawing_fields(row: Drawing, state: str) -> dict[str, Any]:
         "rules": row.rules,
         "unit_given": row.unit_given or None,
         "unit_learned": row.unit_learned,
+        "edits": row.edits,
     }
 
 

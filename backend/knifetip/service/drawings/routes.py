@@ -15,6 +15,7 @@ from knifetip.errors import WrongState
 from knifetip.formats import FORMATS, format_of
 from knifetip.library import custom_profiles
 from knifetip.messages import Message
+from knifetip.model.edit import edits_from_json
 from knifetip.model.interpretation import Interpretation
 from knifetip.service.accounts.ownership import OwnDrawing
 from knifetip.service.components import ServiceDep
@@ -187,7 +188,7 @@ def change_drawing(
     patch: DrawingPatch,
     match: IfMatch = None,
 ) -> DrawingOut:
-    """Set the unit of a drawing, classify it with another profile, or change its order details.
+    """Set unit, profile or edits of a drawing, or change the details of its order.
 
     The drawing gets a new revision.  It is read and classified again, unless the request changes
     details of the order or the share only.  A new customer is no such detail, because answers in
@@ -224,9 +225,14 @@ def change_drawing(
             if found is not None:
                 unit, columns["unit_learned"] = found.unit, list(found.drawings)
         event = Message("drawing.reinterpreted", unit=unit, profile=profile)
+        edits = edits_from_json(row.edits) if patch.edits is None else tuple(patch.edits)
+        if edits and unit != row.unit_given:
+            raise WrongState("edit.unit-changed")
+        if patch.edits is not None:
+            event = Message("drawing.edited", count=len(edits))
         if only_details:
             event = Message("drawing.details-changed")
-        after = Interpretation(unit, profile, rules, row.overrides, learned=learned)
+        after = Interpretation(unit, profile, rules, row.overrides, learned=learned, edits=edits)
         return Change(after, event, columns)
 
     return apply_change(service, response, id, match, decide)

@@ -7,6 +7,7 @@ The dieline contains the edges with their line types.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -14,10 +15,12 @@ from typing import Any
 
 import numpy as np
 
+from knifetip.edits import apply_edits
 from knifetip.geometry.columns import U8
 from knifetip.messages import printable
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import Drawing
+from knifetip.model.edit import Edits
 from knifetip.model.interpretation import NO_OVERRIDE, Interpretation
 from knifetip.presentation.edges import restore_drawing, stored_handles
 
@@ -49,11 +52,11 @@ def restore_or_read(
     """Return a drawing and its dieline (edges with line types) for an interpretation.
 
     Both are restored from the stored edges if these conditions are met: the unit is known, the
-    stored interpretation has the same unit, profile and learned answers, no override was removed,
-    the edges were stored with their distances from the curves of the file, and, if there are new
-    overrides, no line type followed from earlier ones or may follow from both.  Otherwise the file
-    is read again.  An override is a line type that the user has set for an edge; the line type that
-    the edge had before is not stored.
+    stored interpretation has the same unit, profile, learned answers and edits, no override was
+    removed, the edges were stored with their distances from the curves of the file, and, if there
+    are new overrides, no line type followed from earlier ones or may follow from both.  Otherwise
+    the file is read again.  An override is a line type that the user has set for an edge; the line
+    type that the edge had before is not stored.
 
     Parameters
     ----------
@@ -81,7 +84,7 @@ def restore_or_read(
                     return drawing, answered
     from knifetip import pipeline
 
-    drawing = read_drawing(stored.content, interpretation.unit)
+    drawing = read_drawing(stored.content, interpretation.unit, interpretation.edits)
     overrides = np.frombuffer(interpretation.overrides, np.uint8)
     if len(overrides) not in (0, len(drawing)):
         # An older version divided the curves of the file into other edges.
@@ -95,9 +98,9 @@ def carry_over(before: U8, handles: Sequence[str], new_handles: Sequence[str]) -
     """Return overrides for m edges from the overrides of n edges of the same file, shape (m,).
 
     An override is the line type that the user has set for an edge, or ``NO_OVERRIDE``.  The n edges
-    were found when the file was read before, the m edges now.  If the two lists of handles are
-    equal, the overrides are copied.  Otherwise a new edge gets the override that all earlier edges
-    with its handle have in common, or ``NO_OVERRIDE`` if there is none.
+    were found when the file was read before, the m edges now.  Where a handle has as many edges as
+    before, they keep their overrides.  Otherwise a new edge gets the override that all earlier
+    edges with its handle have in common, or ``NO_OVERRIDE`` if there is none.
 
     Parameters
     ----------
@@ -110,17 +113,24 @@ def carry_over(before: U8, handles: Sequence[str], new_handles: Sequence[str]) -
     """
     if list(handles) == list(new_handles):
         return before
-    overrides_of: dict[str, set[int]] = {}
+    overrides_of: dict[str, list[int]] = {}
     for handle, override in zip(handles, before.tolist(), strict=True):
-        overrides_of.setdefault(handle, set()).add(override)
-    agreed = {handle: values.pop() for handle, values in overrides_of.items() if len(values) == 1}
-    return np.array([agreed.get(handle, NO_OVERRIDE) for handle in new_handles], np.uint8)
+        overrides_of.setdefault(handle, []).append(override)
+    counts = Counter(new_handles)
+    for handle, found in overrides_of.items():
+        if len(found) != counts[handle]:
+            agreed = found[0] if len(set(found)) == 1 else NO_OVERRIDE
+            overrides_of[handle] = [agreed] * counts[handle]
+    kept = {handle: iter(found) for handle, found in overrides_of.items()}
+    return np.array(
+        [next(kept.get(handle, iter(())), NO_OVERRIDE) for handle in new_handles], np.uint8
+    )
 
 
 # Changes of overrides or profile need the same drawing again: cache the last few.
 @lru_cache(maxsize=4)
-def read_drawing(content: bytes, unit: str) -> Drawing:
-    """Return the drawing that a file contains; the last four drawings read are cached.
+def read_drawing(content: bytes, unit: str, edits: Edits = ()) -> Drawing:
+    """Return the drawing that a file contains, as edited; the last four of them are cached.
 
     Parameters
     ----------
@@ -128,9 +138,20 @@ def read_drawing(content: bytes, unit: str) -> Drawing:
         The file.
     unit
         Unit that the user has set, "" for the unit of the file.
+    edits
+        Changes of the geometry that the user has made.
+
+    Raises
+    ------
+    ReadError
+        The file cannot be read.
+    EditRefused
+        An edit is not possible.
     """
     from knifetip import pipeline
 
+    if edits:
+        return apply_edits(read_drawing(content, unit), edits)
     return pipeline.read(content, unit or None)
 
 
@@ -147,7 +168,7 @@ def _new_overrides(stored: Interpretation, interpretation: Interpretation) -> U8
     """
     if any(
         getattr(stored, name) != getattr(interpretation, name)
-        for name in ("unit", "profile", "rules", "learned")
+        for name in ("unit", "profile", "rules", "learned", "edits")
     ):
         return None
     stored_overrides, overrides = (

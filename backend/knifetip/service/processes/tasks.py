@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from knifetip.edits import with_types_of_added
 from knifetip.errors import KnifetipError, UnitUnknown
 from knifetip.formats.cpu_limit import limit_cpu
 from knifetip.geometry.columns import U8
@@ -162,11 +163,13 @@ def _read(
     from knifetip.presentation.learned import learned_json
 
     progress(Stage.READ, 0.0)
-    drawing = read_drawing(content, interpretation.unit)
+    drawing = read_drawing(content, interpretation.unit, interpretation.edits)
     overrides = np.full(len(drawing), NO_OVERRIDE, np.uint8)
     if handles is not None:
         before = np.frombuffer(interpretation.overrides, np.uint8)
-        overrides = carry_over(before, handles, [printable(handle) for handle in drawing.handles])
+        found = [printable(handle) for handle in drawing.handles]
+        overrides = carry_over(before, handles, found)
+        overrides = with_types_of_added(overrides, interpretation.edits, found, handles)
     progress(Stage.CLASSIFY, 0.6)
     interpretation = replace(interpretation, overrides=overrides.tobytes())
     classified = pipeline.classify(drawing, pipeline.rules_of(interpretation))

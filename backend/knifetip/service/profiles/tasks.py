@@ -58,7 +58,7 @@ def preview(
     from knifetip.classification.decision.profile_rules import matching_rules
 
     progress(Stage.READ, 0.0)
-    drawing = read_drawing(content, interpretation.unit)
+    drawing = read_drawing(content, interpretation.unit, interpretation.edits)
     progress(Stage.CLASSIFY, 0.6)
     other = custom_profiles.parse_text("preview", text)
     before = pipeline.interpret(drawing, interpretation)
@@ -121,7 +121,7 @@ def learn(
     from knifetip.classification.rule_proposals import propose_rules
 
     progress(Stage.READ, 0.0)
-    drawing = read_drawing(content, interpretation.unit)
+    drawing = read_drawing(content, interpretation.unit, interpretation.edits)
     profile = pipeline.rules_of(interpretation)
     overrides = np.frombuffer(interpretation.overrides, np.uint8)
     progress(Stage.CLASSIFY, 0.6)
