@@ -213,7 +213,7 @@ async def test_a_dropped_ok_ends_in_silence_that_names_a_line_with_the_tool_up()
         controller,
     ):
         with pytest.raises(
-            ControllerSilent, match=r"no response to program line \d+ .*was received"
+            ControllerSilent, match=r"No response to program line \d+ .*was received"
         ):
             await stream_to_end(slots(1), controller)
         assert table.state == "Idle"

@@ -23,7 +23,8 @@ exponent: 1,200 mm.  Coordinates, which have the kinds ``x`` and ``y``, have no 
 thousands.  Counts without a format are numbers of lines, edges and stations, which are written with
 their digits alone.  An argument that is a message is replaced by its text, or with ``{error:hint}``
 by its hint.  A list of messages is replaced by their texts, or with ``{faults:hint}`` by their
-hints.  An argument that is None is replaced by an empty text.
+hints.  An argument that is None is replaced by an empty text, and blanks at both ends of the result
+are removed: a template may end with a sentence that is not always there.
 """
 
 from __future__ import annotations
@@ -79,8 +80,7 @@ def hint(message: Message, language: str = ENGLISH.tag) -> str:
         knifetip has no messages in this language.
     """
     chosen = _language(message, language)
-    text = _format_value(message, chosen.texts[message.code].hint, chosen)
-    return text.strip()  # a hint may begin or end with the empty hint of an argument
+    return _format_value(message, chosen.texts[message.code].hint, chosen)
 
 
 def with_text(
@@ -137,12 +137,13 @@ def _inner(message: Message) -> list[Message]:
 
 
 def _format_value(message: Message, template: str, language: Language) -> str:
+    """Return a template with the arguments of a message, without blanks at both ends."""
     kinds = CODES[message.code]
     arguments = {
         name: Position(value) if kinds[name] in ("x", "y") else value
         for name, value in message.arguments.items()
     }
-    return _Formatter(language).vformat(template, (), arguments)
+    return _Formatter(language).vformat(template, (), arguments).strip()
 
 
 class _Formatter(Formatter):
@@ -157,7 +158,7 @@ class _Formatter(Formatter):
             case Message():
                 template = language.texts[value.code]
                 if format_spec == "hint":
-                    return _format_value(value, template.hint, language).strip()
+                    return _format_value(value, template.hint, language)
                 return _format_value(value, template.text, language)
             case tuple():
                 return self._list(value, format_spec)

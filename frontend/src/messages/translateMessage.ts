@@ -44,9 +44,9 @@ export function setTexts(language: string, loaded: Loaded): void {
 /** Entry of a code; undefined for a code that only a newer server has. */
 const entryOf = (code: string): Entry | undefined => texts.TEXTS[code];
 
-/** The text of a message. */
+/** The text of a message; it may end with a sentence that is empty. */
 export const messageText = (message: ServerMessage): string =>
-  format(entryOf(message.code)?.text, message) ?? message.text ?? "";
+  (format(entryOf(message.code)?.text, message) ?? message.text ?? "").trim();
 
 /** What to do about a message; empty if nothing. */
 export const messageHint = (message: ServerMessage): string =>

@@ -29,10 +29,8 @@ JOB = {
         "code": "waiting.for-start",
         "arguments": {
             "machine": "Demo table",
-            "unfinished": None,
             "board": "E-flute 1.6 mm",
-            "sheet": None,
-            "tools": None,
+            "details": [],
         },
         "text": "not used",
         "hint": "not used",

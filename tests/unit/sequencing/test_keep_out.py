@@ -125,9 +125,8 @@ def test_the_error_of_work_in_a_zone_names_place_edge_and_reach() -> None:
     zone = Zone("stop", 290.0, 96.0, 5.0, 5.0, 9.0)
     with pytest.raises(PlanError) as caught:
         sequenced(with_zones(zone))
-    assert "at X 292.5, Y 100.0 mm at edge 6: the tool with its holder needs 3.0 mm" in str(
-        caught.value
-    )
+    assert "at X 292.5, Y 100.0 mm: the tool with its holder needs 3.0 mm" in caught.value.text
+    assert caught.value.text.endswith("The move belongs to edge 6.")
     assert "Move the clamp or stop" in caught.value.hint
 
 

@@ -47,9 +47,8 @@ def test_a_crease_that_stops_early_is_uncut_by_the_missing_length() -> None:
     finding = find_finding("uncut", FOLD, findings_of("G1 Y65.6000 F30000", "G1 Y64.7600 F30000"))
     assert finding.measure == pytest.approx(0.84)
     assert finding.text == (
-        "Edge 10, program line 18: 0.840 mm along the edge are not creased, beginning "
-        "34.760 mm from "
-        "the start of the edge."
+        "Edge 10, program line 18: 0.840 mm along the edge are left without a crease. "
+        "The missing part begins 34.760 mm from the start of the edge."
     )
 
 
@@ -378,7 +377,7 @@ def test_a_groove_needs_both_its_passes() -> None:
     findings = findings_of(back, "")
     finding = find_finding("uncut", GROOVE, findings)
     assert finding.measure == pytest.approx(40.0)
-    assert "not grooved in the direction from the end to the start of the edge" in finding.text
+    assert "without a groove in the direction from the end to the start of the edge" in finding.text
 
 
 def test_the_blade_runs_past_both_ends_of_a_groove_by_its_width() -> None:

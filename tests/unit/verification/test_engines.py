@@ -133,7 +133,7 @@ def test_a_groove_runs_out_until_its_whole_width_has_left_the_board() -> None:
     short = groove_findings(28.75, 100.0)
     assert {finding.kind for finding in short} == {"uncut"}
     assert short[0].measure == pytest.approx(0.05)
-    assert "; the tool must also process the board before the start of the edge" in short[0].text
+    assert ". The tool must also process the board before the start of the edge" in short[0].text
     assert {finding.kind for finding in groove_findings(28.7, 99.9)} == {"uncut"}
     # A longer run-out is refused, because a neighbouring blank may be there.
     assert {finding.kind for finding in groove_findings(28.6, 100.0)} == {"overcut"}

@@ -12,12 +12,12 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "check.board": entry(
-        "The board on the table is {board}{caliper}.",
+        "The board on the table is {board}. {caliper}",
         board="text",
         caliper="message?",
     ),
     "check.caliper": entry(
-        ", {caliper:g} mm thick",
+        "It is {caliper:g} mm thick.",
         caliper="number",
     ),
     "check.fed-sheet": entry(
@@ -39,25 +39,25 @@ MESSAGES: Final[Entries] = {
         note="text",
     ),
     "check.sheet-larger": entry(
-        "A sheet that is larger than the drawing lies in its place{place}.",
+        "A sheet that is larger than the drawing lies in its place. {place}",
         place="message?",
     ),
     "check.sheet-outline": entry(
-        "The sheet, cut to the outline of the drawing, lies in its place{place}.",
+        "The sheet, cut to the outline of the drawing, lies in its place. {place}",
         place="message?",
     ),
     "check.sheet-place": entry(
-        ", its lower left corner at X {x:g}, Y {y:g} mm",
+        "Its lower left corner is at X {x:g}, Y {y:g} mm.",
         x="number",
         y="number",
     ),
     "check.drawing-place": entry(
-        ": the lower left corner of the drawing lies at X {x:g}, Y {y:g} mm",
+        "The lower left corner of the drawing is at X {x:g}, Y {y:g} mm.",
         x="number",
         y="number",
     ),
     "check.sheet-size": entry(
-        "A sheet of {width:g} × {height:g} mm lies in its place{place}.",
+        "A sheet of {width:g} × {height:g} mm lies in its place. {place}",
         width="number",
         height="number",
         place="message?",

@@ -8,7 +8,7 @@ from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
     "controller.alarm": entry(
-        "{name} stopped with ALARM:{code}: {alarm}{due}.",
+        "{name} stopped with ALARM:{code}: {alarm}. {due}",
         "Check the table and home the machine ($H) before the next job.",
         name="text",
         code="count",
@@ -22,7 +22,7 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "controller.alarm-state": entry(
-        "{name} has stopped and reports an alarm{due}.",
+        "{name} has stopped and reports an alarm. {due}",
         "Check the table, then home the machine ($H) or unlock it ($X).",
         name="text",
         due="message",
@@ -31,8 +31,8 @@ MESSAGES: Final[Entries] = {
         "an unknown alarm",
     ),
     "controller.answer-lost": entry(
-        "{name} has been in the state {state} for {seconds:g} s{due}. This means that a response "
-        "of the controller was lost.",
+        "{name} has been in the state {state} for {seconds:g} s. This means that a response of "
+        "the controller was lost. {due}",
         "Check the cable to the controller, then check the board on the table.",
         name="text",
         state="text",
@@ -40,8 +40,8 @@ MESSAGES: Final[Entries] = {
         due="message?",
     ),
     "controller.answer-missing": entry(
-        "The receive buffer of {name} contains fewer bytes than were sent{due}. This means that a "
-        "response of the controller was lost, or bytes on their way to it.",
+        "The receive buffer of {name} contains fewer bytes than were sent. This means that a "
+        "response of the controller was lost, or bytes on their way to it. {due}",
         "Check the cable to the controller, then check the board on the table.",
         name="text",
         due="message?",
@@ -91,7 +91,7 @@ MESSAGES: Final[Entries] = {
         reason="text",
     ),
     "controller.due": entry(
-        "; no response to program line {line} ({text}) was received",
+        "No response to program line {line} ({text}) was received.",
         line="count",
         text="text",
     ),
@@ -135,7 +135,7 @@ MESSAGES: Final[Entries] = {
         state="text",
     ),
     "controller.lost": entry(
-        "The connection to {name} is lost{due}.",
+        "The connection to {name} is lost. {due}",
         "Check the cable to the controller, then check the board on the table.",
         name="text",
         due="message?",
@@ -212,7 +212,7 @@ MESSAGES: Final[Entries] = {
         port="text",
     ),
     "controller.port-missing": entry(
-        "There is no serial port {port}{found}.",
+        "There is no serial port {port}. {found}",
         "Plug in the controller and switch it on, or correct the name of the port.",
         port="text",
         found="message?",
@@ -229,7 +229,10 @@ MESSAGES: Final[Entries] = {
         port="text",
         reason="text",
     ),
-    "controller.ports-found": entry("; this computer has {ports:, }", ports="texts"),
+    "controller.ports-found": entry(
+        "This computer has the ports {ports:, }.",
+        ports="texts",
+    ),
     "controller.refused-safe-state": entry(
         "{refusals: }",
         "Lift the tool and raise the stations at the table. Then compare the outputs in the "
@@ -276,8 +279,8 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "controller.reset": entry(
-        "{name} was reset{due}. The position of the machine may be lost, so the job does not "
-        "continue automatically.",
+        "{name} was reset. The position of the machine may be lost, so the job does not continue "
+        "automatically. {due}",
         "Check the table and home the machine. Then queue the job again or scrap it.",
         name="text",
         due="message?",
@@ -296,7 +299,7 @@ MESSAGES: Final[Entries] = {
         differences="messages",
     ),
     "controller.silent": entry(
-        "{name} has not responded for {seconds:g} s{due}.",
+        "{name} has not responded for {seconds:g} s. {due}",
         "Check the cable to the controller, then check the board on the table.",
         name="text",
         seconds="number",

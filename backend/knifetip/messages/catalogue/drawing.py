@@ -183,7 +183,7 @@ MESSAGES: Final[Entries] = {
         other_type="text",
     ),
     "question.guess": entry(
-        " The most likely line type is {type} ({percent} %): {reason}.",
+        "The most likely line type is {type} ({percent} %): {reason}.",
         type="text",
         percent="count",
         reason="message",
@@ -191,8 +191,8 @@ MESSAGES: Final[Entries] = {
     "question.line-type": entry(
         '{edges:# edge|# edges} on layer "{layer}" (colour {colour}, line style {linetype}) '
         "{edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent "
-        "{width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y "
-        "{y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",
+        "{width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y {y:,.1f}. "
+        "Which line type should {edges:this edge|these edges} get? {guess}",
         edges="count",
         layer="text",
         colour="text",
@@ -208,8 +208,8 @@ MESSAGES: Final[Entries] = {
     "question.line-type-by-width": entry(
         '{edges:# edge|# edges} on layer "{layer}" (colour {colour}, line style {linetype}, '
         "{lines}) {edges:has|have} no line type: total length {length:,.1f} {unit:unit}, extent "
-        "{width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y "
-        "{y:,.1f}. Which line type should {edges:this edge|these edges} get?{guess}",
+        "{width:,.1f} × {height:,.1f} {unit:unit}, lower left corner at X {x:,.1f}, Y {y:,.1f}. "
+        "Which line type should {edges:this edge|these edges} get? {guess}",
         edges="count",
         layer="text",
         colour="text",
@@ -226,7 +226,7 @@ MESSAGES: Final[Entries] = {
     "question.line-width": entry("lines {width:g} mm wide", width="number"),
     "question.line-width-without-unit": entry("lines {width:g} wide", width="number"),
     "question.shape": entry(
-        " The drawing shows: {reason}.",
+        "The drawing shows: {reason}.",
         reason="message",
     ),
     "question.thinnest-lines": entry("thinnest lines"),
@@ -238,7 +238,7 @@ MESSAGES: Final[Entries] = {
         machine="text",
     ),
     "question.unit": entry(
-        "{reason} In which unit is the drawing? Its possible sizes are: {sizes:, }.{evidence}",
+        "{reason} In which unit is the drawing? Its possible sizes are: {sizes:, }. {evidence}",
         reason="message",
         sizes="messages",
         evidence="message?",
@@ -254,7 +254,7 @@ MESSAGES: Final[Entries] = {
         other="text",
     ),
     "question.unit-evidence": entry(
-        " The strongest evidence for {unit:unit} is: {evidence:; }.",
+        "The strongest evidence for {unit:unit} is: {evidence:; }.",
         unit="text",
         evidence="messages",
     ),

@@ -9,8 +9,8 @@ from knifetip.messages.entry import Entries, entry
 MESSAGES: Final[Entries] = {
     "stored.text": entry("{text}", "{hint}", text="text", hint="text"),
     "error.at-edge": entry(
-        "{error} This concerns {count:edge|# edges:} {edges:, }{more}. Edge {edge} is part of the "
-        'object with the handle {handle} on the layer "{layer}".',
+        "{error} This concerns {count:edge|# edges:} {edges:, }. Edge {edge} is part of the "
+        'object with the handle {handle} on the layer "{layer}". {more}',
         "{error:hint}",
         error="message",
         count="count",
@@ -26,7 +26,10 @@ MESSAGES: Final[Entries] = {
         edges="edges",
         error="message",
     ),
-    "error.more-edges": entry(" and {count} more", count="count"),
+    "error.more-edges": entry(
+        "{count:# more edge is|# more edges are} not listed here.",
+        count="count",
+    ),
     "error.in-file": entry(
         "File {name}: {error}",
         "{error:hint}",
@@ -48,7 +51,7 @@ MESSAGES: Final[Entries] = {
         fault="message",
     ),
     "finding.more": entry(
-        " {count:# more finding is|# more findings are} not listed here.",
+        "{count:# more finding is|# more findings are} not listed here.",
         count="count",
     ),
 }

@@ -57,7 +57,10 @@ MESSAGES: Final[Entries] = {
         "Draw the edge again.",
         edge="edge",
     ),
-    "edge.place": entry(" at edge {edge}", edge="edge"),
+    "edge.place": entry(
+        "The move belongs to edge {edge}.",
+        edge="edge",
+    ),
     "edge.too-crowded": entry(
         "More than {limit:,} pairs of end points of edges lie closer together than {distance} mm.",
         "Delete edges that are drawn many times on top of each other.",

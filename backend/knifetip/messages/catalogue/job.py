@@ -147,7 +147,7 @@ MESSAGES: Final[Entries] = {
         "machine starts when the operator confirms the job again.",
     ),
     "job.interrupted": entry(
-        "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
+        "The job was interrupted at program line {line} of {lines}. {cause} {copy}",
         "{cause:hint} Check the table. If the sheet has not moved, continue it: only the tracks "
         "that are left are made. Otherwise queue the job again (a new sheet is cut from the first "
         "program line), or mark the job finished if the sheet is complete, or scrap the job.",
@@ -157,16 +157,17 @@ MESSAGES: Final[Entries] = {
         cause="message",
     ),
     "job.interrupted-in-first-line": entry(
-        "The job was interrupted before its first program line of {lines} was complete{copy}. It "
-        "is not known whether the machine has moved. {cause}",
-        "{cause:hint} Check the table. If the sheet is untouched and has not moved, continue it or "
-        "queue the job again. Otherwise scrap the job.",
+        "The job was interrupted before its first program line of {lines} was complete. It is not "
+        "known whether the machine has moved. {cause} {copy}",
+        "{cause:hint} Check the table. If the sheet is untouched and has not moved, continue it "
+        "or queue the job again. Otherwise scrap the job.",
         lines="count",
         copy="message?",
         cause="message",
     ),
     "job.interrupted-unobserved": entry(
-        "The job was interrupted at program line {line} of {lines} or later{copy}: {most}. {cause}",
+        "The job was interrupted at program line {line} of {lines} or later: {most}. {cause} "
+        "{copy}",
         "{cause:hint} Look at the sheet: it shows which tracks are made. To continue it, state "
         "for each track that is not known whether it is made.",
         line="count",
@@ -189,9 +190,9 @@ MESSAGES: Final[Entries] = {
         line="count",
     ),
     "job.interrupted-at-end": entry(
-        "The job was interrupted at program line {line} of {lines}{copy}. {cause}",
-        "{cause:hint} Check the table. Mark the job finished if the sheet is complete, "
-        "otherwise scrap the job.",
+        "The job was interrupted at program line {line} of {lines}. {cause} {copy}",
+        "{cause:hint} Check the table. Mark the job finished if the sheet is complete, otherwise "
+        "scrap the job.",
         line="count",
         lines="count",
         copy="message?",
@@ -232,7 +233,7 @@ MESSAGES: Final[Entries] = {
     "job.no-end-awaited": entry(
         "Job {job} is {state}, and its machine does not wait for a person to confirm the end of a "
         "program.",
-        "Look at what the job waits for.",
+        "The page of the job shows what the job waits for.",
         job="text",
         state="text",
     ),
@@ -293,7 +294,7 @@ MESSAGES: Final[Entries] = {
         job="text",
     ),
     "job.of-copy": entry(
-        ", in copy {copy} of {copies}",
+        "This happened in copy {copy} of {copies}.",
         copy="count",
         copies="count",
     ),
@@ -316,16 +317,16 @@ MESSAGES: Final[Entries] = {
         "The operator had the job compiled again for the present machine and board.",
     ),
     "job.program-has-shortfalls": entry(
-        "The tools cannot make every line as it is drawn: {findings: }{more}",
-        "Accept these shortfalls for this job, or change the drawing, the line types of its edges, "
-        "the tools or the board.",
+        "The tools cannot make every line as it is drawn: {findings: } {more}",
+        "Accept these shortfalls for this job, or change the drawing, the line types of its "
+        "edges, the tools or the board.",
         findings="messages",
         more="message?",
     ),
     "job.program-refused": entry(
-        "The program does not match the drawing, so nothing was cut: {findings: }{more}",
-        "Choose another machine or board, change the drawing, or set the line types of these edges "
-        "to ignored and make them by hand.",
+        "The program does not match the drawing, so nothing was cut: {findings: } {more}",
+        "Choose another machine or board, change the drawing, or set the line types of these "
+        "edges to ignored and make them by hand.",
         findings="messages",
         more="message?",
     ),

@@ -27,7 +27,10 @@ MESSAGES: Final[Entries] = {
         limit="number",
         unit="text",
     ),
-    "linuxcnc.cause": entry(": {texts:; }", texts="texts"),
+    "linuxcnc.cause": entry(
+        "LinuxCNC reports: {texts:; }.",
+        texts="texts",
+    ),
     "linuxcnc.estop": entry(
         "LinuxCNC at {name} is in emergency stop.",
         "Check the table, release the emergency stop button, then press Unlock, or reset the "
@@ -82,7 +85,7 @@ MESSAGES: Final[Entries] = {
         cause="message",
     ),
     "linuxcnc.program-not-opened": entry(
-        "LinuxCNC at {name} cannot open the program file {path}{cause}.",
+        "LinuxCNC at {name} cannot open the program file {path}. {cause}",
         "If LinuxCNC runs on another computer, share a folder with it and give its path on both "
         "computers: linuxcnc://HOST:PORT/?programs=FOLDER&remote=FOLDER_THERE. The user of "
         "LinuxCNC must be able to read it.",
@@ -91,14 +94,14 @@ MESSAGES: Final[Entries] = {
         cause="message?",
     ),
     "linuxcnc.refused": entry(
-        "LinuxCNC at {name} refused the command {command!r}{cause}.",
+        "LinuxCNC at {name} refused the command {command!r}. {cause}",
         "Check the table and LinuxCNC, then try again.",
         name="text",
         command="text",
         cause="message?",
     ),
     "linuxcnc.rejected-in-check": entry(
-        "LinuxCNC at {name} refused the program before anything moved{cause}.",
+        "LinuxCNC at {name} refused the program before anything moved. {cause}",
         "If a tool is missing, write the tool table of the machine (knifetip machine NAME "
         "--tool-table) to LinuxCNC. Otherwise compile the job again for this controller.",
         name="text",
@@ -112,7 +115,7 @@ MESSAGES: Final[Entries] = {
         seconds="number",
     ),
     "linuxcnc.stopped": entry(
-        "LinuxCNC at {name} reported an error near program line {line}{cause}.",
+        "LinuxCNC at {name} reported an error near program line {line}. {cause}",
         "Check the table and the board before the next job.",
         name="text",
         line="count",

@@ -269,8 +269,8 @@ MESSAGES: Final[Entries] = {
     ),
     "mcx314.alarm-chip": entry(
         "The motion chip of {name} received a segment too late, or refused a segment.",
-        "Check the sheet on the table, then unlock and home the machine. Choose a slower feed or a "
-        "longer refill in the machine file.",
+        "Check the sheet on the table, then unlock and home the machine. In the machine file, "
+        "choose a slower feed, or with refill a longer time for the next segment.",
         name="text",
     ),
     "mcx314.alarm-other": entry(

@@ -65,7 +65,7 @@ MESSAGES: Final[Entries] = {
         customer="text",
     ),
     "output.disabled": entry(
-        " (disabled)",
+        "(disabled)",
     ),
     "output.drawn": entry(
         "drawn {drawn:.3f} mm = kept {kept:.3f} + merged {merged:.3f} + dropped {dropped:.3f}",
@@ -165,18 +165,18 @@ MESSAGES: Final[Entries] = {
         names="texts",
     ),
     "output.migrated": entry(
-        "The tables were migrated from revision {before} to revision {after}.{copy}",
+        "The tables were migrated from revision {before} to revision {after}. {copy}",
         before="text",
         after="text",
         copy="message?",
     ),
     "output.migrated-new": entry(
-        "The tables were migrated to revision {after}.{copy}",
+        "The tables were migrated to revision {after}. {copy}",
         after="text",
         copy="message?",
     ),
     "output.migration-copy": entry(
-        " A copy from before the migration is {file}.",
+        "A copy from before the migration is {file}.",
         file="text",
     ),
     "output.more": entry(
@@ -220,18 +220,18 @@ MESSAGES: Final[Entries] = {
         evidence="message",
     ),
     "output.revision-current": entry(
-        "revision {revision}{writer}, up to date",
+        "revision {revision}, up to date {writer}",
         revision="text",
         writer="message?",
     ),
     "output.revision-newer": entry(
-        "revision {revision}{writer}, newer than revision {newest} of this version",
+        "revision {revision}, newer than revision {newest} of this version {writer}",
         revision="text",
         writer="message?",
         newest="text",
     ),
     "output.revision-older": entry(
-        "revision {revision}{writer}, older than revision {newest} of this version",
+        "revision {revision}, older than revision {newest} of this version {writer}",
         revision="text",
         writer="message?",
         newest="text",
@@ -300,7 +300,7 @@ MESSAGES: Final[Entries] = {
         version="count",
     ),
     "output.user-row": entry(
-        "{name} {role} last sign-in {date}{state}",
+        "{name} {role} last sign-in {date} {state}",
         name="text",
         role="text",
         date="text",
@@ -371,7 +371,7 @@ MESSAGES: Final[Entries] = {
         top="number",
     ),
     "output.writer": entry(
-        ", made by knifetip {version}",
+        "(made by knifetip {version})",
         version="text",
     ),
     "output.password": entry(

@@ -176,7 +176,7 @@ MESSAGES: Final[Entries] = {
     ),
     "travel.above": entry(
         "{tool} (station {station}) would move {excess:.2f}{unit} beyond the upper end of the "
-        "travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
+        "travel of axis {axis}. The travel is {low:g} to {high:g}{unit}. {place}",
         "For axis X, Y or C, move or rotate the drawing on the table, or choose a larger machine. "
         "For axis Z, check the heights in the machine file.",
         tool="text",
@@ -189,8 +189,8 @@ MESSAGES: Final[Entries] = {
         place="message?",
     ),
     "travel.heads-too-near": entry(
-        "{tool} (station {station}) would come as near as {distance:.2f} mm to the parked carriage "
-        "{other}{place}. Carriages must stay at least {least:g} mm apart.",
+        "{tool} (station {station}) would come as near as {distance:.2f} mm to the parked "
+        "carriage {other}. Carriages must stay at least {least:g} mm apart. {place}",
         "Move the drawing along Y, away from the parked carriage, or give the line type to a tool "
         "on the other carriage.",
         tool="text",
@@ -202,7 +202,7 @@ MESSAGES: Final[Entries] = {
     ),
     "travel.below": entry(
         "{tool} (station {station}) would move {excess:.2f}{unit} beyond the lower end of the "
-        "travel of axis {axis}{place}. The travel is {low:g} to {high:g}{unit}.",
+        "travel of axis {axis}. The travel is {low:g} to {high:g}{unit}. {place}",
         "For axis X, Y or C, move or rotate the drawing on the table, or choose a larger machine. "
         "For axis Z, check the heights in the machine file.",
         tool="text",

@@ -7,14 +7,6 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
-    "queue.after": entry(
-        " after job {job}",
-        job="text",
-    ),
-    "queue.before": entry(
-        " before job {job}",
-        job="text",
-    ),
     "queue.changed": entry(
         "The queue of {machine} has changed since it was displayed, so the job was not moved.",
         "Check the new order of the queue, and move the job again if necessary.",
@@ -49,10 +41,18 @@ MESSAGES: Final[Entries] = {
     "queue.let-go": entry(
         "The operator ended the hold of the job in the queue.",
     ),
-    "queue.moved": entry(
-        "The operator moved the job in the queue:{after}{before}.",
-        after="message?",
-        before="message?",
+    "queue.moved-after": entry(
+        "The operator moved the job to the end of the queue, after job {after}.",
+        after="text",
+    ),
+    "queue.moved-before": entry(
+        "The operator moved the job to the head of the queue, before job {before}.",
+        before="text",
+    ),
+    "queue.moved-between": entry(
+        "The operator moved the job in the queue: between job {after} and job {before}.",
+        after="text",
+        before="text",
     ),
     "queue.no-neighbour": entry(
         "Job {job} cannot be moved next to job {neighbour}, which does not wait for {machine}.",

@@ -68,10 +68,10 @@ MESSAGES: Final[Entries] = {
         "Enter the width and the height of the sheet, or close the outline of the drawing.",
     ),
     "zone.work": entry(
-        "{tool} (station {station}) would touch the keep-out zone {zone} at X {x:.1f}, "
-        "Y {y:.1f} mm{place}: the tool with its holder needs {reach:.1f} mm around its axis.",
-        "Move the clamp or stop away from the drawing and correct its zone in the machine file, or "
-        "move the origin in the machine file so that the drawing lies beside the zone.",
+        "{tool} (station {station}) would touch the keep-out zone {zone} at X {x:.1f}, Y {y:.1f} "
+        "mm: the tool with its holder needs {reach:.1f} mm around its axis. {place}",
+        "Move the clamp or stop away from the drawing and correct its zone in the machine file, "
+        "or move the origin in the machine file so that the drawing lies beside the zone.",
         tool="text",
         station="count",
         zone="text",

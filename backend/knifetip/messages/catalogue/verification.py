@@ -403,7 +403,7 @@ MESSAGES: Final[Entries] = {
         edge="edge",
     ),
     "verify.not-worked": entry(
-        "{length:.3f} mm along the edge are not {work}{where}.",
+        "{length:.3f} mm along the edge are left without {work}. {where}",
         _COMPILE_AGAIN,
         length="number",
         work="message",
@@ -617,14 +617,14 @@ MESSAGES: Final[Entries] = {
         distance="number",
     ),
     "verify.where-from-start": entry(
-        ", beginning {place:.3f} mm from the start of the edge",
+        "The missing part begins {place:.3f} mm from the start of the edge.",
         place="number",
     ),
     "verify.where-past-end": entry(
-        "; the tool must also process the board beyond the end of the edge",
+        "The tool must also process the board beyond the end of the edge.",
     ),
     "verify.where-past-start": entry(
-        "; the tool must also process the board before the start of the edge",
+        "The tool must also process the board before the start of the edge.",
     ),
     "verify.wide-slit": entry(
         "The cutter mills {length:.3f} mm of the slit {width:.2f} mm wide, because it follows the "
@@ -634,14 +634,20 @@ MESSAGES: Final[Entries] = {
         length="number",
         width="number",
     ),
-    "verify.work-creased": entry("creased"),
-    "verify.work-cut": entry("cut"),
-    "verify.work-grooved": entry("grooved"),
+    "verify.work-creased": entry(
+        "a crease",
+    ),
+    "verify.work-cut": entry(
+        "a cut",
+    ),
+    "verify.work-grooved": entry(
+        "a groove",
+    ),
     "verify.work-grooved-from-end": entry(
-        "grooved in the direction from the end to the start of the edge"
+        "a groove in the direction from the end to the start of the edge",
     ),
     "verify.work-grooved-from-start": entry(
-        "grooved in the direction from the start to the end of the edge"
+        "a groove in the direction from the start to the end of the edge",
     ),
     "verify.wrong-depth": entry(
         "The {tool:tool} is {depth:.4f} mm below the top face of the board instead of "

@@ -64,8 +64,8 @@ MESSAGES: Final[Entries] = {
     ),
     "waiting.for-sheet": entry(
         "Copy {copy} of {copies} of the job is finished. The next copy needs a new sheet.",
-        "Put a new sheet of {board}{sheet} on the table, then confirm the new sheet. The machine "
-        "then starts the next copy.",
+        "Put a new sheet of {board} on the table, then confirm the new sheet. The machine then "
+        "starts the next copy. {sheet}",
         copy="count",
         copies="count",
         board="text",
@@ -73,25 +73,21 @@ MESSAGES: Final[Entries] = {
     ),
     "waiting.for-rest": entry(
         "The job waits until the operator of {machine} confirms that the sheet of job {job}, of "
-        "which it makes the rest, still lies in its place. Required: board "
-        "{board!r}{sheet}{tools}.",
+        "which it makes the rest, still lies in its place. Required: board {board!r}. {details: }",
         "Check that the sheet has not moved and that all tools are whole, then confirm the job to "
         "start it. If the sheet has moved or is gone, cancel the job.",
         machine="text",
         job="text",
         board="text",
-        sheet="message?",
-        tools="message?",
+        details="messages",
     ),
     "waiting.for-start": entry(
-        "The job waits until the operator of {machine} confirms that the table is clear."
-        "{unfinished} Required: board {board!r}{sheet}{tools}.",
+        "The job waits until the operator of {machine} confirms that the table is clear. "
+        "Required: board {board!r}. {details: }",
         "Check the table, then confirm the job to start it.",
         machine="text",
-        unfinished="message?",
         board="text",
-        sheet="message?",
-        tools="message?",
+        details="messages",
     ),
     "waiting.for-turn": entry(
         "The job waits until {machine} has finished the jobs that come before it in the queue.",
@@ -128,10 +124,10 @@ MESSAGES: Final[Entries] = {
         changes="messages",
     ),
     "waiting.sheet-outline": entry(
-        ", cut to the outline of the drawing",
+        "The sheet must be cut to the outline of the drawing.",
     ),
     "waiting.sheet-size": entry(
-        ", cut to {width:g} × {height:g} mm",
+        "The sheet must be cut to {width:g} × {height:g} mm.",
         width="number",
         height="number",
     ),
@@ -141,20 +137,19 @@ MESSAGES: Final[Entries] = {
         station="count",
     ),
     "waiting.tools": entry(
-        ", tools: {tools:, }",
+        "Tools: {tools:, }.",
         tools="messages",
     ),
     "waiting.unfinished-sheet": entry(
-        " The unfinished sheet of job {job} may still lie on it.",
+        "The unfinished sheet of job {job} may still lie on it.",
         job="text",
     ),
     "waiting.unconfirmed-run": entry(
         "{machine} was started, but the operator has not confirmed that the table is clear. "
-        "Required: board {board!r}{sheet}{tools}.",
+        "Required: board {board!r}. {details: }",
         "Check the table. Confirm the job to let it continue, or cancel it.",
         machine="text",
         board="text",
-        sheet="message?",
-        tools="message?",
+        details="messages",
     ),
 }

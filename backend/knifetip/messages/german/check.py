@@ -11,10 +11,10 @@ TEXTS: Final[Texts] = {
         "Der begonnene Bogen von Auftrag {job} liegt unbewegt an seinem Platz.",
     ),
     "check.board": Text(
-        "Das Material auf dem Tisch ist {board}{caliper}.",
+        "Das Material auf dem Tisch ist {board}. {caliper}",
     ),
     "check.caliper": Text(
-        ", {caliper:g} mm dick",
+        "Es ist {caliper:g} mm dick.",
     ),
     "check.fed-sheet": Text(
         "ein Bogen vom Stapel liegt an seinem Platz",
@@ -32,19 +32,20 @@ TEXTS: Final[Texts] = {
         "Vorbereitet: {note}",
     ),
     "check.sheet-larger": Text(
-        "Ein Bogen, der größer ist als die Zeichnung, liegt an seinem Platz{place}.",
+        "Ein Bogen, der größer ist als die Zeichnung, liegt an seinem Platz. {place}",
     ),
     "check.sheet-outline": Text(
-        "Der Bogen, auf die Außenkontur der Zeichnung zugeschnitten, liegt an seinem Platz{place}.",
+        "Der Bogen, auf die Außenkontur der Zeichnung zugeschnitten, liegt an seinem Platz. "
+        "{place}",
     ),
     "check.sheet-place": Text(
-        ", seine linke untere Ecke bei X {x:g}, Y {y:g} mm",
+        "Seine linke untere Ecke ist bei X {x:g}, Y {y:g} mm.",
     ),
     "check.drawing-place": Text(
-        ": Die linke untere Ecke der Zeichnung liegt bei X {x:g}, Y {y:g} mm",
+        "Die linke untere Ecke der Zeichnung ist bei X {x:g}, Y {y:g} mm.",
     ),
     "check.sheet-size": Text(
-        "Ein Bogen von {width:g} × {height:g} mm liegt an seinem Platz{place}.",
+        "Ein Bogen von {width:g} × {height:g} mm liegt an seinem Platz. {place}",
     ),
     "check.station": Text(
         "In Station {station} ist {tool}, und das Werkzeug ist unbeschädigt.",

@@ -8,7 +8,7 @@ from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
     "controller.alarm": Text(
-        "{name} hat mit ALARM:{code} angehalten: {alarm}{due}.",
+        "{name} hat mit ALARM:{code} angehalten: {alarm}. {due}",
         "Den Tisch prüfen und vor dem nächsten Auftrag eine Referenzfahrt machen ($H).",
     ),
     "controller.alarm-code": Text(
@@ -20,20 +20,20 @@ TEXTS: Final[Texts] = {
         "sie entsperren.",
     ),
     "controller.alarm-state": Text(
-        "{name} hat angehalten und meldet einen Alarm{due}.",
+        "{name} hat angehalten und meldet einen Alarm. {due}",
         "Den Tisch prüfen, dann eine Referenzfahrt machen ($H) oder entsperren ($X).",
     ),
     "controller.alarm-unknown": Text(
         "ein unbekannter Alarm",
     ),
     "controller.answer-lost": Text(
-        "{name} ist seit {seconds:g} s im Zustand {state}{due}. Eine Antwort der Steuerung ist "
-        "also verloren gegangen.",
+        "{name} ist seit {seconds:g} s im Zustand {state}. Eine Antwort der Steuerung ist also "
+        "verloren gegangen. {due}",
         "Das Kabel zur Steuerung prüfen, dann den Karton auf dem Tisch prüfen.",
     ),
     "controller.answer-missing": Text(
-        "Der Empfangspuffer von {name} enthält weniger Bytes, als gesendet wurden{due}. Eine "
-        "Antwort der Steuerung oder Bytes auf dem Weg zu ihr sind also verloren gegangen.",
+        "Der Empfangspuffer von {name} enthält weniger Bytes, als gesendet wurden. Eine Antwort "
+        "der Steuerung oder Bytes auf dem Weg zu ihr sind also verloren gegangen. {due}",
         "Das Kabel zur Steuerung prüfen, dann den Karton auf dem Tisch prüfen.",
     ),
     "controller.bad-address": Text(
@@ -70,7 +70,7 @@ TEXTS: Final[Texts] = {
         "Den Tisch prüfen, bevor wieder etwas gesendet wird.",
     ),
     "controller.due": Text(
-        "; auf Programmzeile {line} ({text}) kam keine Antwort",
+        "Auf Programmzeile {line} ({text}) kam keine Antwort.",
     ),
     "controller.in-alarm": Text(
         "{name} ist durch Alarm {code} gesperrt: {alarm}.",
@@ -99,7 +99,7 @@ TEXTS: Final[Texts] = {
         "bedient.",
     ),
     "controller.lost": Text(
-        "Die Verbindung zu {name} ist verloren{due}.",
+        "Die Verbindung zu {name} ist verloren. {due}",
         "Das Kabel zur Steuerung prüfen, dann den Karton auf dem Tisch prüfen.",
     ),
     "controller.lost-in-buffer": Text(
@@ -153,7 +153,7 @@ TEXTS: Final[Texts] = {
         "Das andere Programm schließen, dann das Gateway neu starten.",
     ),
     "controller.port-missing": Text(
-        "Es gibt keine serielle Schnittstelle {port}{found}.",
+        "Es gibt keine serielle Schnittstelle {port}. {found}",
         "Die Steuerung anstecken und einschalten oder den Namen der Schnittstelle berichtigen.",
     ),
     "controller.port-not-permitted": Text(
@@ -166,7 +166,7 @@ TEXTS: Final[Texts] = {
         "Den Namen der Schnittstelle oder ihre Geschwindigkeit berichtigen.",
     ),
     "controller.ports-found": Text(
-        "; dieser Rechner hat {ports:, }",
+        "Dieser Rechner hat die Schnittstellen {ports:, }.",
     ),
     "controller.refused-safe-state": Text(
         "{refusals: }",
@@ -196,8 +196,8 @@ TEXTS: Final[Texts] = {
         "Den Tisch prüfen, dann eine Referenzfahrt machen ($H) oder entsperren ($X).",
     ),
     "controller.reset": Text(
-        "{name} wurde zurückgesetzt{due}. Die Position der Maschine ist vielleicht verloren, also "
-        "läuft der Auftrag nicht von selbst weiter.",
+        "{name} wurde zurückgesetzt. Die Position der Maschine ist vielleicht verloren, also "
+        "läuft der Auftrag nicht von selbst weiter. {due}",
         "Den Tisch prüfen und eine Referenzfahrt machen. Dann den Auftrag noch einmal einreihen "
         "oder verwerfen.",
     ),
@@ -211,7 +211,7 @@ TEXTS: Final[Texts] = {
         "{differences:hint} Das Gateway verbindet sich dann von selbst.",
     ),
     "controller.silent": Text(
-        "{name} hat seit {seconds:g} s nicht geantwortet{due}.",
+        "{name} hat seit {seconds:g} s nicht geantwortet. {due}",
         "Das Kabel zur Steuerung prüfen, dann den Karton auf dem Tisch prüfen.",
     ),
     "controller.stopped": Text(

@@ -143,19 +143,19 @@ TEXTS: Final[Texts] = {
         "dieser Regel} {answer} {questions:lautet|lauten}, und {other_type} bei {other_answer}.",
     ),
     "question.guess": Text(
-        " Am wahrscheinlichsten ist die Linienart „{type:type}“ ({percent} %): {reason}.",
+        "Am wahrscheinlichsten ist die Linienart „{type:type}“ ({percent} %): {reason}.",
     ),
     "question.line-type": Text(
         "{edges:# Kante|# Kanten} auf Layer „{layer}“ (Farbe {colour}, Strichart {linetype}) "
         "{edges:hat|haben} keine Linienart: Gesamtlänge {length:,.1f} {unit:unit}, Ausdehnung "
         "{width:,.1f} × {height:,.1f} {unit:unit}, linke untere Ecke bei X {x:,.1f}, Y {y:,.1f}. "
-        "Welche Linienart {edges:soll diese Kante|sollen diese Kanten} bekommen?{guess}",
+        "Welche Linienart {edges:soll diese Kante|sollen diese Kanten} bekommen? {guess}",
     ),
     "question.line-type-by-width": Text(
         "{edges:# Kante|# Kanten} auf Layer „{layer}“ (Farbe {colour}, Strichart {linetype}, "
         "{lines}) {edges:hat|haben} keine Linienart: Gesamtlänge {length:,.1f} {unit:unit}, "
         "Ausdehnung {width:,.1f} × {height:,.1f} {unit:unit}, linke untere Ecke bei X {x:,.1f}, Y "
-        "{y:,.1f}. Welche Linienart {edges:soll diese Kante|sollen diese Kanten} bekommen?{guess}",
+        "{y:,.1f}. Welche Linienart {edges:soll diese Kante|sollen diese Kanten} bekommen? {guess}",
     ),
     "question.line-width": Text(
         "{width:g} mm breite Linien",
@@ -164,7 +164,7 @@ TEXTS: Final[Texts] = {
         "Linien der Breite {width:g}",
     ),
     "question.shape": Text(
-        " Die Zeichnung zeigt: {reason}.",
+        "Die Zeichnung zeigt: {reason}.",
     ),
     "question.thinnest-lines": Text(
         "dünnste Linien",
@@ -174,8 +174,8 @@ TEXTS: Final[Texts] = {
         "Welche andere Linienart {edges:soll diese Kante|sollen diese Kanten} bekommen?",
     ),
     "question.unit": Text(
-        "{reason} In welcher Einheit ist die Zeichnung? Ihre möglichen Größen sind: {sizes:, "
-        "}.{evidence}",
+        "{reason} In welcher Einheit ist die Zeichnung? Ihre möglichen Größen sind: {sizes:, }. "
+        "{evidence}",
     ),
     "question.unit-contradicted": Text(
         "Die Datei nennt die Einheit {stated:unit}, aber die Größe der Zeichnung passt nicht dazu.",
@@ -185,7 +185,7 @@ TEXTS: Final[Texts] = {
         "{other:unit} sein.",
     ),
     "question.unit-evidence": Text(
-        " Der stärkste Hinweis auf {unit:unit} ist: {evidence:; }.",
+        "Der stärkste Hinweis auf {unit:unit} ist: {evidence:; }.",
     ),
     "question.unit-not-stated": Text(
         "Die Datei nennt die Einheit der Zeichnung nicht.",

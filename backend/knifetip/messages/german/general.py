@@ -12,8 +12,8 @@ TEXTS: Final[Texts] = {
         "{hint}",
     ),
     "error.at-edge": Text(
-        "{error} Das betrifft {count:Kante|# Kanten:} {edges:, }{more}. Kante {edge} gehört zum "
-        "Objekt mit dem Handle {handle} auf dem Layer „{layer}“.",
+        "{error} Das betrifft {count:Kante|# Kanten:} {edges:, }. Kante {edge} gehört zum Objekt "
+        "mit dem Handle {handle} auf dem Layer „{layer}“. {more}",
         "{error:hint}",
     ),
     "error.at-edges": Text(
@@ -21,7 +21,7 @@ TEXTS: Final[Texts] = {
         "{error:hint}",
     ),
     "error.more-edges": Text(
-        " und {count} weitere",
+        "{count:# weitere Kante ist|# weitere Kanten sind} hier nicht aufgeführt.",
     ),
     "error.in-file": Text(
         "Datei {name}: {error}",
@@ -40,6 +40,6 @@ TEXTS: Final[Texts] = {
         "{fault:hint}",
     ),
     "finding.more": Text(
-        " {count:# weiterer Befund ist|# weitere Befunde sind} hier nicht aufgeführt.",
+        "{count:# weiterer Befund ist|# weitere Befunde sind} hier nicht aufgeführt.",
     ),
 }

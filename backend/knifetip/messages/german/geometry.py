@@ -47,7 +47,7 @@ TEXTS: Final[Texts] = {
         "Die Kante neu zeichnen.",
     ),
     "edge.place": Text(
-        " an Kante {edge}",
+        "Die Bewegung gehört zu Kante {edge}.",
     ),
     "edge.too-crowded": Text(
         "Mehr als {limit:,} Paare von Endpunkten von Kanten liegen näher als {distance} mm "

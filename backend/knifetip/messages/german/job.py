@@ -123,7 +123,7 @@ TEXTS: Final[Texts] = {
         "bestätigt.",
     ),
     "job.interrupted": Text(
-        "Der Auftrag wurde bei Programmzeile {line} von {lines} unterbrochen{copy}. {cause}",
+        "Der Auftrag wurde bei Programmzeile {line} von {lines} unterbrochen. {cause} {copy}",
         "{cause:hint} Den Tisch prüfen. Hat sich der Bogen nicht bewegt, ihn fortsetzen: Nur die "
         "übrigen Bahnen werden gemacht. Sonst den Auftrag noch einmal einreihen (ein neuer Bogen "
         "wird ab der ersten Programmzeile geschnitten), ihn als fertig melden, wenn der Bogen "
@@ -131,13 +131,13 @@ TEXTS: Final[Texts] = {
     ),
     "job.interrupted-in-first-line": Text(
         "Der Auftrag wurde unterbrochen, bevor seine erste Programmzeile von {lines} ausgeführt "
-        "war{copy}. Es ist nicht bekannt, ob sich die Maschine bewegt hat. {cause}",
+        "war. Es ist nicht bekannt, ob sich die Maschine bewegt hat. {cause} {copy}",
         "{cause:hint} Den Tisch prüfen. Ist der Bogen unberührt und unbewegt, den Auftrag "
         "fortsetzen oder noch einmal einreihen. Sonst ihn verwerfen.",
     ),
     "job.interrupted-unobserved": Text(
-        "Der Auftrag wurde bei Programmzeile {line} von {lines} oder später unterbrochen{copy}: "
-        "{most}. {cause}",
+        "Der Auftrag wurde bei Programmzeile {line} von {lines} oder später unterbrochen: {most}. "
+        "{cause} {copy}",
         "{cause:hint} Den Bogen ansehen: Er zeigt, welche Bahnen gemacht sind. Zum Fortsetzen für "
         "jede Bahn, von der es nicht bekannt ist, angeben, ob sie gemacht ist.",
     ),
@@ -155,7 +155,7 @@ TEXTS: Final[Texts] = {
         "ausgeführt haben",
     ),
     "job.interrupted-at-end": Text(
-        "Der Auftrag wurde bei Programmzeile {line} von {lines} unterbrochen{copy}. {cause}",
+        "Der Auftrag wurde bei Programmzeile {line} von {lines} unterbrochen. {cause} {copy}",
         "{cause:hint} Den Tisch prüfen. Ist der Bogen vollständig, den Auftrag als fertig melden, "
         "sonst ihn verwerfen.",
     ),
@@ -186,7 +186,7 @@ TEXTS: Final[Texts] = {
     "job.no-end-awaited": Text(
         "Auftrag {job} ist {state:state}, und seine Maschine wartet nicht darauf, dass jemand das "
         "Ende eines Programms bestätigt.",
-        "Nachsehen, worauf der Auftrag wartet.",
+        "Die Seite des Auftrags zeigt, worauf er wartet.",
     ),
     "job.no-sheet-awaited": Text(
         "Auftrag {job} ist angehalten, aber er wartet nicht auf einen neuen Bogen.",
@@ -238,7 +238,7 @@ TEXTS: Final[Texts] = {
         "Den Auftrag anhalten oder abbrechen, wenn die Maschine stehen bleiben muss.",
     ),
     "job.of-copy": Text(
-        ", in Exemplar {copy} von {copies}",
+        "Das war in Exemplar {copy} von {copies}.",
     ),
     "job.ordered": Text(
         "Der Auftrag wurde angelegt.",
@@ -258,13 +258,13 @@ TEXTS: Final[Texts] = {
         "berechnen lassen.",
     ),
     "job.program-has-shortfalls": Text(
-        "Die Werkzeuge können nicht jede Linie wie gezeichnet machen: {findings: }{more}",
+        "Die Werkzeuge können nicht jede Linie wie gezeichnet machen: {findings: } {more}",
         "Diese Einschränkungen für den Auftrag annehmen oder die Zeichnung, die Linienarten der "
         "Kanten, die Werkzeuge oder das Material ändern.",
     ),
     "job.program-refused": Text(
-        "Das Programm entspricht nicht der Zeichnung, also wurde nichts geschnitten: {findings: "
-        "}{more}",
+        "Das Programm entspricht nicht der Zeichnung, also wurde nichts geschnitten: {findings: } "
+        "{more}",
         "Eine andere Maschine oder ein anderes Material wählen, die Zeichnung ändern, oder die "
         "Linienart dieser Kanten auf „Ignoriert“ setzen und sie von Hand machen.",
     ),

@@ -21,7 +21,7 @@ TEXTS: Final[Texts] = {
         "INI-Datei von LinuxCNC berichtigen.",
     ),
     "linuxcnc.cause": Text(
-        ": {texts:; }",
+        "LinuxCNC meldet: {texts:; }.",
     ),
     "linuxcnc.estop": Text(
         "LinuxCNC unter {name} ist im Not-Halt.",
@@ -68,18 +68,18 @@ TEXTS: Final[Texts] = {
         "{cause:hint}",
     ),
     "linuxcnc.program-not-opened": Text(
-        "LinuxCNC unter {name} kann die Programmdatei {path} nicht öffnen{cause}.",
+        "LinuxCNC unter {name} kann die Programmdatei {path} nicht öffnen. {cause}",
         "Läuft LinuxCNC auf einem anderen Rechner, einen gemeinsamen Ordner einrichten und seinen "
         "Pfad auf beiden Rechnern angeben: "
         "linuxcnc://HOST:PORT/?programs=ORDNER&remote=ORDNER_DORT. Der Benutzer von LinuxCNC muss "
         "ihn lesen können.",
     ),
     "linuxcnc.refused": Text(
-        "LinuxCNC unter {name} hat den Befehl „{command}“ abgelehnt{cause}.",
+        "LinuxCNC unter {name} hat den Befehl „{command}“ abgelehnt. {cause}",
         "Den Tisch und LinuxCNC prüfen, dann noch einmal versuchen.",
     ),
     "linuxcnc.rejected-in-check": Text(
-        "LinuxCNC unter {name} hat das Programm abgelehnt, bevor sich etwas bewegt hat{cause}.",
+        "LinuxCNC unter {name} hat das Programm abgelehnt, bevor sich etwas bewegt hat. {cause}",
         "Fehlt ein Werkzeug, die Werkzeugtabelle der Maschine (knifetip machine NAME "
         "--tool-table) nach LinuxCNC schreiben. Sonst den Auftrag für diese Steuerung neu "
         "berechnen.",
@@ -91,7 +91,7 @@ TEXTS: Final[Texts] = {
         "prüfen, ob LinuxCNC und linuxcncrsh laufen.",
     ),
     "linuxcnc.stopped": Text(
-        "LinuxCNC unter {name} hat nahe Programmzeile {line} einen Fehler gemeldet{cause}.",
+        "LinuxCNC unter {name} hat nahe Programmzeile {line} einen Fehler gemeldet. {cause}",
         "Vor dem nächsten Auftrag den Tisch und den Karton prüfen.",
     ),
     "linuxcnc.unreadable": Text(

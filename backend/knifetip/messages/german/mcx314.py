@@ -220,7 +220,8 @@ TEXTS: Final[Texts] = {
     "mcx314.alarm-chip": Text(
         "Der Bewegungsbaustein von {name} hat ein Segment zu spät bekommen oder abgelehnt.",
         "Den Bogen auf dem Tisch prüfen, dann entsperren und eine Referenzfahrt machen. In der "
-        "Maschinendatei einen langsameren Vorschub oder ein längeres refill wählen.",
+        "Maschinendatei einen langsameren Vorschub oder mit refill mehr Zeit für das nächste "
+        "Segment wählen.",
     ),
     "mcx314.alarm-other": Text(
         "{name} meldet den Alarm {alarm}.",

@@ -41,7 +41,7 @@ TEXTS: Final[Texts] = {
         "Kunde {customer}",
     ),
     "output.disabled": Text(
-        " (gesperrt)",
+        "(gesperrt)",
     ),
     "output.drawn": Text(
         "gezeichnet {drawn:.3f} mm = behalten {kept:.3f} + verbunden {merged:.3f} + weggelassen "
@@ -102,13 +102,13 @@ TEXTS: Final[Texts] = {
         "Maschinen {names: }",
     ),
     "output.migrated": Text(
-        "Die Tabellen wurden von Stand {before} auf Stand {after} gebracht.{copy}",
+        "Die Tabellen wurden von Stand {before} auf Stand {after} gebracht. {copy}",
     ),
     "output.migrated-new": Text(
-        "Die Tabellen wurden auf Stand {after} gebracht.{copy}",
+        "Die Tabellen wurden auf Stand {after} gebracht. {copy}",
     ),
     "output.migration-copy": Text(
-        " Eine Kopie von vorher ist {file}.",
+        "Eine Kopie von vorher ist {file}.",
     ),
     "output.more": Text(
         "und {count} weitere",
@@ -138,13 +138,13 @@ TEXTS: Final[Texts] = {
         "{file}: {size}, {count} Segmente; {evidence}",
     ),
     "output.revision-current": Text(
-        "Stand {revision}{writer}, aktuell",
+        "Stand {revision}, aktuell {writer}",
     ),
     "output.revision-newer": Text(
-        "Stand {revision}{writer}, neuer als Stand {newest} dieser Version",
+        "Stand {revision}, neuer als Stand {newest} dieser Version {writer}",
     ),
     "output.revision-older": Text(
-        "Stand {revision}{writer}, älter als Stand {newest} dieser Version",
+        "Stand {revision}, älter als Stand {newest} dieser Version {writer}",
     ),
     "output.revoked": Text(
         "gesperrt {date}",
@@ -184,7 +184,7 @@ TEXTS: Final[Texts] = {
         "Version {version} der Maschine wird benutzt, die vorher geladen wurde.",
     ),
     "output.user-row": Text(
-        "{name} {role} letzte Anmeldung {date}{state}",
+        "{name} {role} letzte Anmeldung {date} {state}",
     ),
     "output.verdict": Text(
         "{word}: Abweichung {deviation:.4f} mm (Toleranz {tolerance:g}; Bahn {path:.4f}, Runden "
@@ -225,7 +225,7 @@ TEXTS: Final[Texts] = {
         "Sperrzone {name}: X {left:g} bis {right:g}, Y {bottom:g} bis {back:g}, {top:g} mm hoch",
     ),
     "output.writer": Text(
-        ", von knifetip {version}",
+        "(von knifetip {version})",
     ),
     "output.password": Text(
         "Passwort",

@@ -138,19 +138,19 @@ TEXTS: Final[Texts] = {
     ),
     "travel.above": Text(
         "{tool} (Station {station}) würde {excess:.2f}{unit} über das obere Ende des Verfahrwegs "
-        "der Achse {axis} hinausfahren{place}. Der Verfahrweg ist {low:g} bis {high:g}{unit}.",
+        "der Achse {axis} hinausfahren. Der Verfahrweg ist {low:g} bis {high:g}{unit}. {place}",
         "Bei Achse X, Y oder C die Zeichnung auf dem Tisch versetzen oder drehen oder eine "
         "größere Maschine wählen. Bei Achse Z die Höhen in der Maschinendatei prüfen.",
     ),
     "travel.heads-too-near": Text(
-        "{tool} (Station {station}) käme dem geparkten Schlitten {other} bis auf {distance:.2f} mm "
-        "nahe{place}. Schlitten müssen mindestens {least:g} mm Abstand halten.",
+        "{tool} (Station {station}) käme dem geparkten Schlitten {other} bis auf {distance:.2f} "
+        "mm nahe. Schlitten müssen mindestens {least:g} mm Abstand halten. {place}",
         "Die Zeichnung in Y vom geparkten Schlitten wegschieben oder die Linienart einem Werkzeug "
         "auf dem anderen Schlitten geben.",
     ),
     "travel.below": Text(
         "{tool} (Station {station}) würde {excess:.2f}{unit} über das untere Ende des Verfahrwegs "
-        "der Achse {axis} hinausfahren{place}. Der Verfahrweg ist {low:g} bis {high:g}{unit}.",
+        "der Achse {axis} hinausfahren. Der Verfahrweg ist {low:g} bis {high:g}{unit}. {place}",
         "Bei Achse X, Y oder C die Zeichnung auf dem Tisch versetzen oder drehen oder eine "
         "größere Maschine wählen. Bei Achse Z die Höhen in der Maschinendatei prüfen.",
     ),

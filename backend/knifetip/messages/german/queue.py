@@ -7,12 +7,6 @@ from typing import Final
 from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
-    "queue.after": Text(
-        " nach Auftrag {job}",
-    ),
-    "queue.before": Text(
-        " vor Auftrag {job}",
-    ),
     "queue.changed": Text(
         "Die Warteschlange von {machine} hat sich geändert, seit sie angezeigt wurde. Der Auftrag "
         "wurde nicht verschoben.",
@@ -40,8 +34,17 @@ TEXTS: Final[Texts] = {
     "queue.let-go": Text(
         "Der Bediener hat die Zurückstellung des Auftrags in der Warteschlange aufgehoben.",
     ),
-    "queue.moved": Text(
-        "Der Bediener hat den Auftrag in der Warteschlange verschoben:{after}{before}.",
+    "queue.moved-after": Text(
+        "Der Bediener hat den Auftrag an das Ende der Warteschlange verschoben, hinter Auftrag "
+        "{after}.",
+    ),
+    "queue.moved-before": Text(
+        "Der Bediener hat den Auftrag an die Spitze der Warteschlange verschoben, vor Auftrag "
+        "{before}.",
+    ),
+    "queue.moved-between": Text(
+        "Der Bediener hat den Auftrag in der Warteschlange verschoben: zwischen Auftrag {after} "
+        "und Auftrag {before}.",
     ),
     "queue.no-neighbour": Text(
         "Auftrag {job} kann nicht neben Auftrag {neighbour} verschoben werden, der nicht auf "

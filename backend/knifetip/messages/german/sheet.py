@@ -47,7 +47,7 @@ TEXTS: Final[Texts] = {
     ),
     "zone.work": Text(
         "{tool} (Station {station}) würde die Sperrzone {zone} bei X {x:.1f}, Y {y:.1f} mm "
-        "berühren{place}: Das Werkzeug mit seinem Halter braucht {reach:.1f} mm um seine Achse.",
+        "berühren: Das Werkzeug mit seinem Halter braucht {reach:.1f} mm um seine Achse. {place}",
         "Die Klemme oder den Anschlag von der Zeichnung wegsetzen und die Zone in der "
         "Maschinendatei berichtigen, oder den Nullpunkt in der Maschinendatei so verschieben, "
         "dass die Zeichnung neben der Zone liegt.",

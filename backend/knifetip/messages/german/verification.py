@@ -308,7 +308,7 @@ TEXTS: Final[Texts] = {
         "Die Zeichnung, das Werkzeug oder das Material ändern und den Auftrag neu berechnen.",
     ),
     "verify.not-worked": Text(
-        "{length:.3f} mm entlang der Kante werden nicht {work}{where}.",
+        "Auf {length:.3f} mm entlang der Kante fehlt {work}. {where}",
         "Den Auftrag neu berechnen. Bleibt der Befund, ihn mit der Programmdatei als internen "
         "Fehler melden.",
     ),
@@ -464,13 +464,13 @@ TEXTS: Final[Texts] = {
         "mindestens dem Radius des Fräsers runden.",
     ),
     "verify.where-from-start": Text(
-        ", beginnend {place:.3f} mm ab Anfang der Kante",
+        "Das fehlende Stück beginnt {place:.3f} mm ab Anfang der Kante.",
     ),
     "verify.where-past-end": Text(
-        "; das Werkzeug muss den Karton auch hinter dem Ende der Kante bearbeiten",
+        "Das Werkzeug muss den Karton auch hinter dem Ende der Kante bearbeiten.",
     ),
     "verify.where-past-start": Text(
-        "; das Werkzeug muss den Karton auch vor dem Anfang der Kante bearbeiten",
+        "Das Werkzeug muss den Karton auch vor dem Anfang der Kante bearbeiten.",
     ),
     "verify.wide-slit": Text(
         "Der Fräser macht {length:.3f} mm des Schlitzes {width:.2f} mm breit, weil seine Mitte "
@@ -479,19 +479,19 @@ TEXTS: Final[Texts] = {
         "als Kontur in seiner gewünschten Breite zeichnen.",
     ),
     "verify.work-creased": Text(
-        "gerillt",
+        "die Rille",
     ),
     "verify.work-cut": Text(
-        "geschnitten",
+        "der Schnitt",
     ),
     "verify.work-grooved": Text(
-        "genutet",
+        "die Nut",
     ),
     "verify.work-grooved-from-end": Text(
-        "in der Richtung vom Ende zum Anfang der Kante genutet",
+        "die Nut in der Richtung vom Ende zum Anfang der Kante",
     ),
     "verify.work-grooved-from-start": Text(
-        "in der Richtung vom Anfang zum Ende der Kante genutet",
+        "die Nut in der Richtung vom Anfang zum Ende der Kante",
     ),
     "verify.wrong-depth": Text(
         "Das Werkzeug ({tool:tool}) ist {depth:.4f} mm statt {planned:.4f} mm unter der Oberseite "

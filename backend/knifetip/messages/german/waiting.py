@@ -52,19 +52,19 @@ TEXTS: Final[Texts] = {
     "waiting.for-sheet": Text(
         "Exemplar {copy} von {copies} des Auftrags ist fertig. Das nächste Exemplar braucht einen "
         "neuen Bogen.",
-        "Einen neuen Bogen {board}{sheet} auf den Tisch legen, dann den neuen Bogen bestätigen. "
-        "Die Maschine beginnt danach mit dem nächsten Exemplar.",
+        "Einen neuen Bogen {board} auf den Tisch legen, dann den neuen Bogen bestätigen. Die "
+        "Maschine beginnt danach mit dem nächsten Exemplar. {sheet}",
     ),
     "waiting.for-rest": Text(
         "Der Auftrag wartet, bis der Bediener von {machine} bestätigt, dass der Bogen von Auftrag "
-        "{job}, dessen Rest er macht, noch an seinem Platz liegt. Benötigt: Material "
-        "„{board}“{sheet}{tools}.",
+        "{job}, dessen Rest er macht, noch an seinem Platz liegt. Benötigt: Material „{board}“. "
+        "{details: }",
         "Prüfen, ob der Bogen unbewegt und alle Werkzeuge heil sind, dann den Auftrag bestätigen, "
         "um ihn zu starten. Ist der Bogen bewegt oder weg, den Auftrag abbrechen.",
     ),
     "waiting.for-start": Text(
-        "Der Auftrag wartet, bis der Bediener von {machine} bestätigt, dass der Tisch frei "
-        "ist.{unfinished} Benötigt: Material „{board}“{sheet}{tools}.",
+        "Der Auftrag wartet, bis der Bediener von {machine} bestätigt, dass der Tisch frei ist. "
+        "Benötigt: Material „{board}“. {details: }",
         "Den Tisch prüfen, dann den Auftrag bestätigen, um ihn zu starten.",
     ),
     "waiting.for-turn": Text(
@@ -94,23 +94,23 @@ TEXTS: Final[Texts] = {
         "jetzige Material gemacht und geprüft.",
     ),
     "waiting.sheet-outline": Text(
-        ", auf die Außenkontur der Zeichnung zugeschnitten",
+        "Der Bogen muss auf die Außenkontur der Zeichnung zugeschnitten sein.",
     ),
     "waiting.sheet-size": Text(
-        ", auf {width:g} × {height:g} mm zugeschnitten",
+        "Der Bogen muss auf {width:g} × {height:g} mm zugeschnitten sein.",
     ),
     "waiting.tool": Text(
         "{name} (Station {station})",
     ),
     "waiting.tools": Text(
-        ", Werkzeuge: {tools:, }",
+        "Werkzeuge: {tools:, }.",
     ),
     "waiting.unfinished-sheet": Text(
-        " Der unfertige Bogen von Auftrag {job} liegt vielleicht noch darauf.",
+        "Der unfertige Bogen von Auftrag {job} liegt vielleicht noch darauf.",
     ),
     "waiting.unconfirmed-run": Text(
         "{machine} wurde gestartet, aber der Bediener hat nicht bestätigt, dass der Tisch frei "
-        "ist. Benötigt: Material „{board}“{sheet}{tools}.",
+        "ist. Benötigt: Material „{board}“. {details: }",
         "Den Tisch prüfen. Den Auftrag bestätigen, damit er weiterläuft, oder ihn abbrechen.",
     ),
 }

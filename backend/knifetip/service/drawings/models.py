@@ -343,7 +343,7 @@ class DrawingOut(OrderDetailsOut):
         description="Names of the customer's earlier drawings whose units decided `unit_given`, "
         "the newest first; empty if a user gave it, or if it is null",
     )
-    evidence: str = Field(description="How the unit was determined, as a text in English")
+    evidence: str = Field(description="How the unit was determined: the text of `evidence_message`")
     evidence_message: MessageOut | None = Field(
         default=None,
         description="`evidence` as a message; null if an older version read the drawing",

@@ -1,4 +1,4 @@
-"""Messages in responses: code, arguments and English text, and the schema of all codes.
+"""Messages in responses: code, arguments and text, and the schema of all codes.
 
 Clients may print the text, or render code and arguments with a catalogue of their own.
 """
@@ -43,7 +43,7 @@ _TYPES: Final[Mapping[Kind, dict[str, Any]]] = {
 
 
 class MessageOut(BaseModel):
-    """A message: its code and arguments, and its text and hint in English."""
+    """A message: its code and arguments, and its text and hint in the language of the request."""
 
     model_config = ConfigDict(json_schema_extra={_MARK: True})
     #: Names of the fields that contain the text.
@@ -56,8 +56,12 @@ class MessageOut(BaseModel):
         description="Arguments by name, to be inserted into the text; their types for each code "
         "are in the schema Message"
     )
-    text: str = Field(description="Text of the message in English")
-    hint: str = Field(description="What the user can do, in English; empty if there is no hint")
+    text: str = Field(
+        description="Text of the message, in the language of `Accept-Language` or in English"
+    )
+    hint: str = Field(
+        description="What the user can do, in the same language; empty if there is no hint"
+    )
 
     @model_validator(mode="before")
     @classmethod

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import http
+import json
 from collections.abc import Mapping, Sequence
 from typing import Any, Final, NamedTuple
 
 from fastapi import Response
-from starlette.datastructures import Headers
 from starlette.types import Receive, Scope, Send
 
 from knifetip import tracing
-from knifetip.messages import Message, printable, with_text
+from knifetip.messages import Message, printable
 from knifetip.messages.english import ENGLISH
-from knifetip.messages.languages import accepted_languages, choose_language
+from knifetip.service.http.answer_language import requested_language, translate
 from knifetip.service.http.models import Problem
 
 PROBLEM = "application/problem+json"
@@ -93,20 +93,14 @@ class _Problem(Response):
         super().__init__(content, problem.status, headers=dict(headers or {}), media_type=PROBLEM)
         self.headers.add_vary_header("Accept-Language")
         self._message = message
-        self._problem = problem
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         tracing.current().set(error=self._message.code)
-        accepted = Headers(scope=scope).get("accept-language", "")
-        language = choose_language(accepted_languages(accepted))
+        language = requested_language(scope)
         self.headers["Content-Language"] = language
         if language != ENGLISH.tag:
-            self.body = self.render(self._in_language(language).model_dump_json())
+            self.body = self.render(
+                json.dumps(translate(json.loads(bytes(self.body)), language), ensure_ascii=False)
+            )
             self.headers["Content-Length"] = str(len(self.body))
         await super().__call__(scope, receive, send)
-
-    def _in_language(self, language: str) -> Problem:
-        """Return the problem with its text and hint in a language."""
-        found = with_text(self._message, language)
-        texts = dict.fromkeys(Problem.text_fields, found["text"])
-        return self._problem.model_copy(update={**texts, "hint": found["hint"]})

@@ -23,6 +23,7 @@ from starlette.types import Message, Receive, Scope, Send
 
 from knifetip.errors import LibraryError
 from knifetip.service.database.acting import DONE, FAILED, REFUSED, Acting, acting_as
+from knifetip.service.http.answer_language import in_requested_language
 from knifetip.service.http.conditional import conditional
 from knifetip.service.http.parameters import IDEMPOTENCY_KEY
 from knifetip.service.http.principal import (
@@ -104,10 +105,12 @@ class ScopedRoute(APIRoute):
             acting.audited = False
             if 304 in self.responses:
                 send = conditional(scope, send)
+            send = in_requested_language(scope, send)
             with acting_as(acting):
                 _demand(principal, needed, scope)
                 await super().handle(scope, receive, send)
             return
+        send = in_requested_language(scope, send)
         outcome = REFUSED if missing_scope(principal, needed) else FAILED
         audited = outcome == REFUSED or not getattr(self.endpoint, _UNAUDITED, False)
         # A stranger, who may sign out, must not fill the disk with entries.

@@ -65,17 +65,15 @@ def _waiting(store: Store, row: Job, queue: Queue | None, station: StationView |
     if row.confirmation == Confirmation.AWAITED:
         machine, board = library.titles(row)
         code = "waiting.for-start" if _is_copy_unsent(row) else "waiting.unconfirmed-run"
-        required: dict[str, str | Message | None] = {
-            "machine": machine,
-            "board": board,
-            "sheet": _sheet_message(row),
-            "tools": _tools_message(row),
-        }
+        details = [_sheet_message(row), _tools_message(row)]
+        given: dict[str, str] = {}
         if row.rest is not None and _is_copy_unsent(row):
-            return Waiting("confirmation", Message("waiting.for-rest", job=row.resumes, **required))
-        if _is_copy_unsent(row):
-            required["unfinished"] = _unfinished_sheet_message(store.gateways.unfinished_sheet(row))
-        return Waiting("confirmation", Message(code, **required))
+            code, given = "waiting.for-rest", {"job": row.resumes}
+        elif _is_copy_unsent(row):
+            details.append(_unfinished_sheet_message(store.gateways.unfinished_sheet(row)))
+        found = [detail for detail in details if detail is not None]
+        message = Message(code, machine=machine, board=board, details=found, **given)
+        return Waiting("confirmation", message)
     if row.confirmation == Confirmation.SHEET:
         message = Message(
             "waiting.for-sheet",

@@ -32,7 +32,7 @@ class CheckOut(BaseModel):
         description="Id for `checked` of the confirmation: board, sheet, unfinished-sheet, "
         "station-1 and so on, table-clear or hands-clear"
     )
-    text: str = Field(description="What is checked, in English")
+    text: str = Field(description="What is checked: the text of `message`")
     message: MessageOut = Field(description="The text as a message with its code and arguments")
     station: int | None = Field(
         description="Number of the station whose tool is checked; null for any other check"

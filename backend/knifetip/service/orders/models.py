@@ -158,9 +158,9 @@ class JobOut(OrderDetailsOut, JobOptions, ProgramFacts):
         description="Why the job was refused or interrupted, or what it waits for; null if there "
         "is nothing to report"
     )
-    reason: str = Field(description="Text of `message` in English; empty if `message` is null")
+    reason: str = Field(description="Text of `message`; empty if `message` is null")
     hint: str = Field(
-        description="Hint of `message` in English; empty if there is none. That of an interrupted "
+        description="Hint of `message`; empty if there is none. That of an interrupted "
         "job begins with the best way: to continue the sheet, with the number of tracks left"
     )
     source: list[str] = Field(
@@ -334,4 +334,4 @@ class JobEvent(BaseModel):
     message: MessageOut | None = Field(
         description="Description of the change; null if there is nothing to add to the state"
     )
-    why: str = Field(description="Text of `message` in English; empty if `message` is null")
+    why: str = Field(description="Text of `message`; empty if `message` is null")

@@ -154,12 +154,7 @@ class QueueStore:
         count = sum(job.priority == priority for job in others[:index])
         rank = self._rank_among(session, row.machine, peers, count)
         self._set(session, row.id, priority=priority, rank=rank)
-        event = Message(
-            "queue.moved",
-            after=None if before is None else Message("queue.after", job=before.id),
-            before=None if after is None else Message("queue.before", job=after.id),
-        )
-        self._write(session, row, actor, event)
+        self._write(session, row, actor, _move_event(before, after))
 
     def _rank_among(
         self, session: Session, machine: str, peers: Sequence[Job], count: int
@@ -355,6 +350,15 @@ def _index_of(others: Sequence[Job], row: Job, place: Place) -> int:
     if place.next is not None and ids[index + 1] != place.next:
         raise StaleVersion("queue.changed", machine=row.machine)
     return index
+
+
+def _move_event(before: Job | None, after: Job | None) -> Message:
+    """Return the event about a job that was moved between its new neighbours in the queue."""
+    if before is None:
+        return Message("queue.moved-before", before="" if after is None else after.id)
+    if after is None:
+        return Message("queue.moved-after", after=before.id)
+    return Message("queue.moved-between", after=before.id, before=after.id)
 
 
 def _priority_event(row: Job, priority: int) -> Message:

@@ -187,8 +187,8 @@ def test_a_claimed_job_waits_for_the_operator_and_states_the_reason(
     )
     assert job["reason"] == (
         "The job waits until the operator of Demo table 1600 × 1200 "
-        "confirms that the table is clear. Required: board 'Corrugated, E-flute 1.6 mm', "
-        "tools: Oscillating knife (station 1)."
+        "confirms that the table is clear. Required: board 'Corrugated, E-flute 1.6 mm'. "
+        "Tools: Oscillating knife (station 1)."
     )
     assert client.get(f"/api/machines/{MACHINE}").json()["job"] is None
     assert client.get(f"/api/machines/{MACHINE}").json()["gateway"] == "connected"
@@ -223,9 +223,9 @@ def test_a_confirmation_without_one_of_the_checks_is_refused_and_names_it(
 ) -> None:
     checks = checks_of(client, waiting["job"])
     assert checks == {
-        "board": "The board on the table is Corrugated, E-flute 1.6 mm, 1.6 mm thick.",
-        "sheet": "A sheet that is larger than the drawing lies in its place: the lower left corner "
-        "of the drawing lies at X 20, Y 20 mm.",
+        "board": "The board on the table is Corrugated, E-flute 1.6 mm. It is 1.6 mm thick.",
+        "sheet": "A sheet that is larger than the drawing lies in its place. The lower left corner "
+        "of the drawing is at X 20, Y 20 mm.",
         "station-1": "Station 1 holds Oscillating knife, and the tool is not damaged.",
         "table-clear": "Nothing lies on the table except the sheet.",
         "hands-clear": "Hands and people are clear of the machine.",

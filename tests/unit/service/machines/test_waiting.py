@@ -78,7 +78,7 @@ def test_a_job_that_waits_for_the_operator_lists_board_tools_and_stations(store:
     assert shown(store, job) == (
         "confirmation",
         f"The job waits until the operator of {TITLE} confirms that "
-        "the table is clear. Required: board 'Corrugated, E-flute 1.6 mm', tools: "
+        "the table is clear. Required: board 'Corrugated, E-flute 1.6 mm'. Tools: "
         "Oscillating knife (station 1), Crease wheel (station 2).",
         "Check the table, then confirm the job to start it.",
     )
@@ -95,9 +95,9 @@ def test_a_job_that_waits_for_the_operator_lists_board_tools_and_stations(store:
     [
         (
             Sheet(width=400.0, height=300.5, margin=10.0),
-            "E-flute 1.6 mm', cut to 400 × 300.5 mm, tools",
+            "E-flute 1.6 mm'. The sheet must be cut to 400 × 300.5 mm. Tools",
         ),
-        (Sheet(), "E-flute 1.6 mm', cut to the outline of the drawing, tools"),
+        (Sheet(), "E-flute 1.6 mm'. The sheet must be cut to the outline of the drawing. Tools"),
     ],
 )
 def test_the_operator_learns_which_sheet_to_load(store: Store, sheet: Sheet, expected: str) -> None:
@@ -169,7 +169,7 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
 def test_a_board_and_a_machine_that_the_library_has_no_more_are_named(store: Store) -> None:
     job = queued(store, machine="gone", board="old-board")
     store.gateways.claim("gone", "gateway", manual=True)
-    assert "of gone confirms that the table is clear. Required: board 'old-board', tools:" in str(
+    assert "of gone confirms that the table is clear. Required: board 'old-board'. Tools:" in str(
         waits(store, job).message
     )
 

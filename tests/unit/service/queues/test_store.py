@@ -117,7 +117,7 @@ def test_a_job_gets_the_priority_that_its_new_place_requires(store: Store) -> No
     assert listed(store) == [normal.id, low.id, urgent.id]
     assert events(store, urgent.id) == [
         ("queue.priority-changed", "operator Mia"),
-        ("queue.moved", "operator Mia"),
+        ("queue.moved-after", "operator Mia"),
     ]
 
 
@@ -126,7 +126,7 @@ def test_a_repeated_move_has_no_effect(store: Store) -> None:
     for _ in range(2):
         store.queues.move(third.id, Place(first.id, second.id), MIA)
     assert listed(store) == [first.id, third.id, second.id]
-    assert events(store, third.id) == [("queue.moved", "operator Mia")]
+    assert events(store, third.id) == [("queue.moved-between", "operator Mia")]
 
 
 @pytest.mark.parametrize(

@@ -449,7 +449,7 @@ class StationCheck(ABC):
         bare |= (self.high - self.low < 1e-9)[edge] & (line < 0)
         missed = np.where(wide > 0.0, wide, size[edge])
         np.add.at(self.figures.uncut, self.edges.row[edge[bare]], missed[bare])
-        phrase = self._work_phrase(forward)
+        work = self._missing_work(forward)
         for row in np.flatnonzero(bare)[:MAX_FINDINGS]:
             e = int(edge[row])
             place = begin[row] - self.before[e]
@@ -460,13 +460,13 @@ class StationCheck(ABC):
                 drawn = self.size[e] - self.spare[e, 1]
                 if drawn - begin[row] <= missed[row] + self.slack:
                     location = Message("verify.where-past-end")
-            message = Message("verify.not-worked", length=missed[row], work=phrase, where=location)
+            message = Message("verify.not-worked", length=missed[row], work=work, where=location)
             self.add_finding("uncut", e, message, missed[row], line=int(line[row]))
 
-    def _work_phrase(self, forward: bool | None) -> Message:
-        """Return the phrase for the operation in messages, such as "cut", "creased" or "grooved".
+    def _missing_work(self, forward: bool | None) -> Message:
+        """Return what an edge lacks: "a cut", "a crease" or "a groove".
 
-        Only the phrase for a groove depends on ``forward``: it names the start of the edge (True),
+        Only the text for a groove depends on ``forward``: it names the start of the edge (True),
         the end of the edge (False), or neither (None) as the point at which the tool starts.
         """
         if self.operation == OperationKind.CREASE:
