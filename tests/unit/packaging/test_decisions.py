@@ -29,6 +29,19 @@ def test_the_index_has_each_decision_once_with_its_title() -> None:
     assert len(rows) == len(headings)
 
 
+def test_the_index_states_whether_each_decision_holds_or_which_one_replaces_it() -> None:
+    rows = re.findall(
+        r"^\| \[(\d+)\. .+?\]\([^)]+\) \| (.+) \|$", (DECISIONS / "README.md").read_text(), re.M
+    )
+    assert len(rows) == len(PAGES)
+    replaced = {number: status for number, status in rows if status != "yes"}
+    for number, status in replaced.items():
+        found = re.fullmatch(r"(?:no|in part), see \[(\d+)\]\((\d{4})-[a-z0-9-]+\.md\)", status)
+        assert found is not None, f"{number}: {status}"
+        assert int(found[1]) == int(found[2]) > int(number)
+        assert (DECISIONS / status.partition("](")[2].rstrip(")")).is_file()
+
+
 def test_the_changelog_links_to_decisions_by_their_numbers() -> None:
     text = (ROOT / "CHANGELOG.md").read_text()
     links = re.findall(r"\[ADR ([^\]]+)\]\(([^)]+)\)", text)
