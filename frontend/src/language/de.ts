@@ -235,7 +235,7 @@ export const de = {
   "edgeQuestion.edges": "{rows, plural, one {# Kante} other {# Kanten}}",
   "edgeQuestion.nothingInTheFileSuggests":
     "Nichts in der Datei weist auf eine Linienart dieser Kanten hin. Linienart wählen.",
-  "edgeQuestion.mostLikely": "wahrscheinlich ({percent, number} %)",
+  "edgeQuestion.mostLikely": "am wahrscheinlichsten ({percent, number} %)",
   // panels/drawing/FollowingEdges.tsx
   "followingEdges.alsoDecided": "Mit dieser Antwort auch entschieden:",
   "followingEdges.typeByAnswer": "{type}, wenn die Antwort {answer} ist",
@@ -475,7 +475,7 @@ export const de = {
   "unitPanel.aLongerBarShowsStronger":
     "Ein längerer Balken steht für stärkere Hinweise auf diese Einheit",
   "unitPanel.thisUnitIsUsed": "Diese Einheit wird verwendet",
-  "unitPanel.mostLikely": "wahrscheinlich",
+  "unitPanel.mostLikely": "am wahrscheinlichsten",
   "unitPanel.hideTheEvidenceForOther": "Hinweise auf andere Einheiten ausblenden",
   "unitPanel.showTheEvidenceForOther": "Hinweise auf andere Einheiten zeigen",
   // panels/drawing/UnitQuestion.tsx
@@ -732,7 +732,7 @@ export const de = {
   "verdictCard.ofTheCutLinesCannot":
     "{unreachedLength} der Schnittlinien sind für das Werkzeug nicht erreichbar. Sie liegen bis zu {unreachedDistance} neben dem Schnitt.",
   "verdictCard.inSlitsBecomeAsWide":
-    "{slitLength} in {slitPlaces, plural, one {# Schlitz} other {# Schlitzen}} werden so breit wie das Werkzeug.",
+    "{slitPlaces, plural, one {# Schlitz wird} other {# Schlitze werden}} auf {slitLength} so breit wie das Werkzeug geschnitten.",
   "verdictCard.inPlacesCannotBeReached":
     "{unreached} an {unreachedPlaces, plural, one {# Stelle} other {# Stellen}} sind für das Werkzeug nicht erreichbar und bleiben ungeschnitten.",
   "verdictCard.liftingTheToolOnlyAs":
@@ -1154,7 +1154,7 @@ export const de = {
   "toolCheckPanel.thenLowersTheToolAlmost":
     "Senkt dann das Werkzeug fast bis auf den Karton, bei ausgeschalteter Spindel.",
   "toolCheckPanel.lift": "Heben",
-  "toolCheckPanel.straightUpAllOutputsGo": "Gerade nach oben; alle Ausgänge gehen aus.",
+  "toolCheckPanel.straightUpAllOutputsGo": "Hebt das Werkzeug gerade nach oben und schaltet alle Ausgänge aus.",
   "toolCheckPanel.tool": "Werkzeug",
   "toolCheckPanel.wear": "Verschleiß des Werkzeugs",
   "toolCheckPanel.offset": "Versatz der Station",
@@ -1175,7 +1175,7 @@ export const de = {
   "wornTools.orStateWhyTheOther": "Oder angeben, warum das andere Werkzeug bleibt",
   "wornTools.orStateWhyTheTool": "Oder angeben, warum das Werkzeug bleibt",
   // panels/station/toolText.ts
-  "toolText.tipOffsetBesideHeadAxis": "Spitzenversatz neben der Kopfachse",
+  "toolText.tipOffsetBesideHeadAxis": "seitlicher Versatz der Spitze zur Kopfachse",
   "toolText.bladeAngle": "Klingenwinkel",
   "toolText.bladeWidth": "Klingenbreite",
   "toolText.tipOffsetBehindHeadAxis": "Spitzenversatz hinter der Kopfachse",

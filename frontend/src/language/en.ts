@@ -713,7 +713,7 @@ export const en = {
   "verdictCard.ofTheCutLinesCannot":
     "{unreachedLength} of the cut lines cannot be reached by the tool. They lie up to {unreachedDistance} from the cut.",
   "verdictCard.inSlitsBecomeAsWide":
-    "{slitLength} in {slitPlaces, plural, one {# slit} other {# slits}} become as wide as the tool.",
+    "{slitPlaces, plural, one {# slit is} other {# slits are}} cut as wide as the tool, over {slitLength}.",
   "verdictCard.inPlacesCannotBeReached":
     "{unreached} in {unreachedPlaces, plural, one {# place} other {# places}} cannot be reached by the tool and stay uncut.",
   "verdictCard.liftingTheToolOnlyAs":
@@ -1107,7 +1107,7 @@ export const en = {
   "toolCheckPanel.thenLowersTheToolAlmost":
     "Then lowers the tool almost to the board, with its spindle off.",
   "toolCheckPanel.lift": "Lift",
-  "toolCheckPanel.straightUpAllOutputsGo": "Straight up; all outputs go off.",
+  "toolCheckPanel.straightUpAllOutputsGo": "Lifts the tool straight up and switches all outputs off.",
   "toolCheckPanel.tool": "Tool",
   "toolCheckPanel.wear": "Wear of the tool",
   "toolCheckPanel.offset": "Offset of the station",
@@ -1128,7 +1128,7 @@ export const en = {
   "wornTools.orStateWhyTheOther": "Or state why the other tool stays in use",
   "wornTools.orStateWhyTheTool": "Or state why the tool stays in use",
   // panels/station/toolText.ts
-  "toolText.tipOffsetBesideHeadAxis": "tip offset beside head axis",
+  "toolText.tipOffsetBesideHeadAxis": "sideways offset of the tip from the head axis",
   "toolText.bladeAngle": "blade angle",
   "toolText.bladeWidth": "blade width",
   "toolText.tipOffsetBehindHeadAxis": "tip offset behind head axis",
