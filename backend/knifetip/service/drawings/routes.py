@@ -33,20 +33,22 @@ from knifetip.service.drawings.documents import (
 )
 from knifetip.service.drawings.interpretations import interpretation_of
 from knifetip.service.drawings.models import (
-    BlanksOut,
-    CleaningOut,
     DrawingOut,
     DrawingPatch,
     DrawingsQuery,
     DrawingSummary,
     EdgesOut,
     EdgesPatch,
-    ImportReportOut,
-    OutcomeWord,
     PageOut,
     Unit,
 )
 from knifetip.service.drawings.overrides import merge_overrides
+from knifetip.service.drawings.report_models import (
+    BlanksOut,
+    CleaningOut,
+    ImportReportOut,
+    OutcomeWord,
+)
 from knifetip.service.drawings.requests import (
     Change,
     Upload,

@@ -13,6 +13,7 @@ from pydantic import BaseModel
 
 from knifetip.service.database.tables import Drawing
 from knifetip.service.drawings import models as schemas
+from knifetip.service.drawings import report_models as reports
 from knifetip.service.orders.verdict_models import VerdictOut
 from tests.support.serving.server import (
     LocalClient,
@@ -29,10 +30,10 @@ pytestmark = pytest.mark.xdist_group("server")
 PATHS: dict[str, type[BaseModel]] = {
     "": schemas.DrawingOut,
     "/edges": schemas.EdgesOut,
-    "/import-report": schemas.ImportReportOut,
-    "/import-report?outcome=dropped": schemas.ImportReportOut,
-    "/cleaning": schemas.CleaningOut,
-    "/blanks": schemas.BlanksOut,
+    "/import-report": reports.ImportReportOut,
+    "/import-report?outcome=dropped": reports.ImportReportOut,
+    "/cleaning": reports.CleaningOut,
+    "/blanks": reports.BlanksOut,
 }
 _NOTE = text.entity("TEXT", (8, "NOTES"), (10, 12), (20, 34), (40, 5), (1, "Größe"))
 _CREASE = {"overrides": [{"type": "crease", "edges": [1]}]}

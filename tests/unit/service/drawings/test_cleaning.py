@@ -9,7 +9,7 @@ import httpx
 import pytest
 
 from knifetip.model.cleaned import CleaningReason
-from knifetip.service.drawings.models import CleaningRow
+from knifetip.service.drawings.report_models import CleaningRow
 from tests.support.serving.server import square, upload_drawing
 from tests.support.writers import dxf_text as text
 
