@@ -21,8 +21,9 @@ from knifetip.drawing_builder.path_table import (
 )
 from knifetip.errors import DrawingTooLarge, GeometryError
 from knifetip.formats.limits import Limits
+from knifetip.geometry.biarcs import EvaluateEach
 from knifetip.geometry.columns import F64, I64, Bool
-from knifetip.geometry.curve import EvaluateEach, fit_many
+from knifetip.geometry.curve import fit_many
 from knifetip.messages import Message
 
 #: Fraction of the tolerance within which an arc counts as circular and a curve as straight.

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from knifetip.errors import GeometryError
+from knifetip.geometry.biarcs import Pieces
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.curve import (
     MAX_PIECES,
     Fit,
-    Pieces,
     Segments,
     fit_spans,
     fitted,

@@ -12,11 +12,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from knifetip.errors import GeometryError
+from knifetip.geometry.biarcs import Pieces
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.curve import (
     MAX_PIECES,
     Fit,
-    Pieces,
     Segments,
     fit_spans,
     fitted,

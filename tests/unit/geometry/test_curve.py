@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose, assert_array_equal
 
 from knifetip.errors import GeometryError
-from knifetip.geometry import arc, curve
+from knifetip.geometry import arc, biarcs, curve
 from knifetip.geometry.columns import F64, I64
 from knifetip.geometry.ellipse import Ellipse, fit_ellipses
 from knifetip.geometry.spline import Spline, Splines, fit_splines
@@ -461,7 +461,7 @@ def test_the_pieces_of_a_spline_are_counted_before_it_is_fitted() -> None:
         evaluated += len(t)
         return splines.point(k, t)
 
-    spans = curve.Pieces(breaks[:-1], breaks[1:], number[1:])
+    spans = biarcs.Pieces(breaks[:-1], breaks[1:], number[1:])
     found = curve.fit_spans(counted, splines.tangent, spans, 1, 0.01, 10 * curve.MAX_PIECES)
     assert found.failed[0].message.code == "curve.too-many-pieces"
     assert evaluated == 33 * (count - 3)
