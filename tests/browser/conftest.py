@@ -122,8 +122,8 @@ def page(browser: Browser, server: Running) -> Iterator[Page]:
     """Open the page; fail if it writes an error to the console during the test."""
     context = browser.new_context(viewport={"width": 1440, "height": 900})
     opened_page = context.new_page()
-    opened_page.set_default_timeout(30_000)
-    expect.set_options(timeout=30_000)
+    opened_page.set_default_timeout(90_000)
+    expect.set_options(timeout=90_000)
     errors: list[str] = []
 
     def record_error(message: ConsoleMessage) -> None:

@@ -17,7 +17,7 @@ from tests.browser.shop import PASSWORD, Shop, add_users, open_shop, signed_in
 from tests.support.hostile_names import HOSTILE_NAMES, acting
 from tests.support.serving.server import square
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
 
 
 @pytest.fixture(scope="module")

@@ -17,7 +17,7 @@ from knifetip.dxf.samples import samples
 from tests.browser.accessibility import record_view
 from tests.support.writers import dxf_text as text
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
 
 #: A file without a unit, with one layer that is in no profile and one that is in every profile.
 ODD = """0

@@ -12,7 +12,7 @@ from playwright.sync_api import Page, expect
 from tests.support.serving.server import upload_drawing
 from tests.support.writers import dxf_text as text
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
 
 
 def select_left_edge(page: Page) -> None:

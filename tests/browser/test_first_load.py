@@ -13,7 +13,7 @@ from tests.browser.conftest import Running
 pytestmark = [
     pytest.mark.browser,
     pytest.mark.xdist_group("browser"),
-    pytest.mark.timeout(120),
+    pytest.mark.timeout(600),
 ]
 
 #: Most bytes of the files of the start page, compressed.

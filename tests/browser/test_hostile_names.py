@@ -13,7 +13,7 @@ from tests.browser.conftest import Running
 from tests.support.hostile_names import HOSTILE_NAMES, acting
 from tests.support.serving.server import square
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
 
 #: Layers may not contain line breaks, which end them in a DXF file.
 LAYERS = [name for name in HOSTILE_NAMES.values() if name.isprintable()]

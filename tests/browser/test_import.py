@@ -15,7 +15,7 @@ from tests.browser.accessibility import record_view
 from tests.support.writers import dxf_text as text
 from tests.support.writers.pdf_text import pages
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
 
 #: A part of 4 × 3 in an unknown unit, with three lines on a layer whose name has no meaning.
 CORNERS = ((0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0), (0.0, 0.0))

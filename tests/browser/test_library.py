@@ -14,7 +14,7 @@ from playwright.sync_api import Locator, Page, expect
 from knifetip.dxf.samples import samples
 from tests.browser.conftest import Running
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(120)]
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from playwright.sync_api import Error as PlaywrightError
 from tests.browser.accessibility import assert_accessible
 from tests.browser.shop import Shop, add_users, open_shop, signed_in
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
 
 MACHINE = "demo-table"
 
@@ -29,7 +29,7 @@ def shop(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shop
 def tablet(browser: Browser, shop: Shop) -> Iterator[Page]:
     context = browser.new_context(viewport={"width": 820, "height": 1180}, has_touch=True)
     page = context.new_page()
-    page.set_default_timeout(30_000)
+    page.set_default_timeout(90_000)
     page.goto(str(shop.client.base_url))
     yield page
     context.close()

@@ -16,7 +16,7 @@ from tests.browser.own_machine import OwnMachine
 pytestmark = [
     pytest.mark.browser,
     pytest.mark.xdist_group("browser"),
-    pytest.mark.timeout(120),
+    pytest.mark.timeout(600),
 ]
 
 

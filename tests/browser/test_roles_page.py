@@ -17,7 +17,7 @@ from tests.browser.shop import Shop, add_users, open_shop, signed_in
 from tests.support.serving.server import square, upload_drawing
 from tests.support.writers import dxf_text as text
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
 
 MACHINE: Final = "cutting-room"
 BOARD: Final = "own-board"

@@ -15,7 +15,7 @@ from tests.support.serving.webhook_receiver import Receiver, run_receiver
 pytestmark = [
     pytest.mark.browser,
     pytest.mark.xdist_group("browser"),
-    pytest.mark.timeout(120),
+    pytest.mark.timeout(600),
 ]
 
 HOSTILE = "<img src=x onerror=alert(1)>\x1b[31m\u202e".encode()

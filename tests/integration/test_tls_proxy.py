@@ -88,7 +88,7 @@ def proxy(folder: Path, server: str) -> Iterator[int]:
     file.write_text(configuration(folder, port, server))
     process = subprocess.Popen([NGINX, "-c", str(file), "-e", "stderr"], stderr=subprocess.DEVNULL)
     try:
-        deadline = time.monotonic() + 30.0
+        deadline = time.monotonic() + 120.0
         while True:
             try:
                 socket.create_connection(("127.0.0.1", port), 1.0).close()

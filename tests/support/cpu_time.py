@@ -63,7 +63,8 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
 def pytest_runtest_makereport(item: pytest.Item) -> Iterator[None]:
     """Add the CPU time since the last report to the report of a setup, call or teardown."""
     now = cpu_time()
-    item.user_properties[:] = [("cpu", now - item.stash[_BEGIN])]
+    # Processes of Chromium that end without their parent's attention take their time with them.
+    item.user_properties[:] = [("cpu", max(0.0, now - item.stash[_BEGIN]))]
     item.stash[_BEGIN] = now
     return (yield)
 

@@ -111,7 +111,7 @@ def confirm_job(client: httpx.Client, job: str, **fields: object) -> httpx.Respo
 
 
 def wait_for_state(
-    client: httpx.Client, job: str, *states: str, seconds: float = 60.0, confirm: bool = False
+    client: httpx.Client, job: str, *states: str, seconds: float = 150.0, confirm: bool = False
 ) -> dict[str, Any]:
     """Wait until a job is in one of some states; return the JSON of the job.
 

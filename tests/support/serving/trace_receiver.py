@@ -57,7 +57,7 @@ class TraceReceiver:
         self, name: str, condition: Callable[[ReceivedSpan], bool] = lambda _span: True
     ) -> ReceivedSpan:
         """Wait until a span of a name meets a condition, and return it."""
-        end = time.monotonic() + 30.0
+        end = time.monotonic() + 120.0
         while time.monotonic() < end:
             for span in self.named(name):
                 if condition(span):

@@ -55,7 +55,7 @@ class Receiver:
     answer: Callable[[Call], tuple[int, dict[str, str]]] = lambda _call: (204, {})
     body: bytes = b""  #: of each answer that is not 204
 
-    def wait(self, condition: Callable[[list[Call]], bool], seconds: float = 30.0) -> list[Call]:
+    def wait(self, condition: Callable[[list[Call]], bool], seconds: float = 120.0) -> list[Call]:
         """Wait until the calls meet a condition, and return them."""
         end = time.monotonic() + seconds
         while not condition(self.calls):

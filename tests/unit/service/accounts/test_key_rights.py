@@ -297,7 +297,7 @@ def id_of(client: httpx.Client) -> str:
 
 
 def wait_until(is_true: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + 30.0
+    deadline = time.monotonic() + 120.0
     while not is_true():
         assert time.monotonic() < deadline
         time.sleep(0.02)
