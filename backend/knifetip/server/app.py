@@ -78,7 +78,7 @@ from knifetip.service.refusals.control_characters import refuse_control_characte
 from knifetip.service.refusals.error_status import answer_status
 from knifetip.service.refusals.failures import DATABASE_ERRORS, failure_of
 from knifetip.service.refusals.invalid_requests import invalid_request, with_line
-from knifetip.service.refusals.known_fields import KnownFields, names_near, refuse_unknown
+from knifetip.service.refusals.known_fields import names_near, refuse_unknown
 from knifetip.service.settings import Settings
 from knifetip.service.store import Store
 from knifetip.service.tools import routes as tools
@@ -202,7 +202,6 @@ def create_app(settings: Settings | None = None, rules: AccessRules | None = Non
     # Raises if a route declares no scope.
     description = Description(app, tuple(scoped_operations(app.routes)))
     app.add_route("/api/openapi.json", description.answer, include_in_schema=False)
-    app.state.known_fields = KnownFields(description.alias())
     app.state.accounts = access
     site = Site(chosen.page)
     app.add_route("/api/docs", site.description_page, include_in_schema=False)

@@ -76,7 +76,8 @@ def document_errors(described: dict[str, Any]) -> None:
             for status, codes in sorted(errors.items()):
                 operation["responses"][str(status)] = _response(status, codes)
                 for code in codes:
-                    examples.setdefault(_key(status, code), _example(status, code))
+                    if (key := _key(status, code)) not in examples:
+                        examples[key] = _example(status, code)
 
 
 def declared_errors() -> Mapping[str, Mapping[int, Sequence[str]]]:

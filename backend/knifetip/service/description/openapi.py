@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Sequence
 from typing import Any, Final
 
@@ -52,7 +53,10 @@ class Description:
 
         Keys are described as optional to a caller that needs none.
         """
-        described = self.versioned() if is_versioned(request.scope) else self.alias()
+        # Making it takes a second, in which other requests are answered.
+        described = await asyncio.to_thread(
+            self.versioned if is_versioned(request.scope) else self.alias
+        )
         if principal_of(request).kind is PrincipalKind.LOCAL:
             described = with_optional_keys(described)
         return JSONResponse(described)

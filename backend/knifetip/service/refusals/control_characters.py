@@ -17,7 +17,7 @@ from starlette.datastructures import UploadFile
 from knifetip.fields import Place, control_characters
 from knifetip.messages.characters import TextKind, control_character
 from knifetip.service.http.routing import endpoint_of
-from knifetip.service.refusals.known_fields import FORM, KnownFields, media_of
+from knifetip.service.refusals.known_fields import FORM, media_of, operation_of
 from knifetip.service.refusals.text_faults import KINDS, control_fault
 
 #: Headers whose values are stored or looked up.
@@ -75,8 +75,7 @@ def _characters_in_parameters(request: Request) -> Iterator[tuple[Place, str]]:
 
 
 async def _characters_in_body(request: Request) -> list[tuple[Place, str]]:
-    known: KnownFields = request.app.state.known_fields
-    operation, media = known.operation_of(request), media_of(request)
+    operation, media = operation_of(request), media_of(request)
     if operation is not None and operation.form is not None and media == FORM:
         found: list[tuple[Place, str]] = []
         # FastAPI has parsed the form; this returns the same one.

@@ -1,26 +1,36 @@
 """Refuse query parameters and body fields that a route does not have.
 
-The names that a route has are those in the OpenAPI description, so they cannot differ from what is
-documented.  ``refuse_unknown`` is a dependency of every route; it also refuses empty times and
+The names that a route has are those that FastAPI describes in OpenAPI, so they cannot differ from
+what is documented.  A route is described at its first request, without its answers: describing the
+whole API takes a second, for which the start of the server would have to wait.
+
+``refuse_unknown`` is a dependency of every route; it also refuses empty times and
 choices in forms.  Unknown fields of JSON bodies are
 refused by the models (``http.models.JsonBody``); this module names the nearest known field.
 """
 
 from __future__ import annotations
 
+import copy
 import json
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any, Final
 
 from fastapi import Request
 from fastapi.exceptions import RequestValidationError
+from fastapi.openapi.utils import get_openapi
+from fastapi.routing import APIRoute
 
 from knifetip.errors import UnsupportedMedia
 
 #: Media type of forms.
 FORM: Final = "multipart/form-data"
 _JSON: Final = "application/json"
+
+
+#: Operations that have been requested, by endpoint; None for one that is not described.
+_known: Final[dict[Callable[..., Any], OperationFields | None]] = {}
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +42,8 @@ class OperationFields:
     #: Schemas of the parts of a multipart form by name; None if the body is no form.
     form: Mapping[str, Mapping[str, Any]] | None
     media: tuple[str, ...] = ()  #: media types of the body
+    #: Schemas to which the bodies refer, by name.
+    schemas: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
 
     def reads(self, media: str) -> bool:
         """Return whether the body may have a media type; routes of texts accept any."""
@@ -48,54 +60,63 @@ class OperationFields:
         return bool(dot and key) and f"{prefix}.KEY" in self.query
 
     def needs_text(self, name: str) -> bool:
-        """Return whether a part of the form cannot be empty, because it is a time or a choice.
+        """Return whether a part of the form cannot be empty: a time, a choice or a file.
 
         FastAPI reads such a part as one that is missing.
         """
         part = (self.form or {}).get(name, {})
-        return "format" in part or "enum" in part
+        return not part.keys().isdisjoint(("format", "enum", "contentMediaType"))
 
     @property
     def has_body(self) -> bool:
         """Whether the operation has a body."""
         return bool(self.bodies)
 
-
-class KnownFields:
-    """Names of the parameters and fields of all operations, from the OpenAPI description."""
-
-    def __init__(self, described: Mapping[str, Any]) -> None:
-        self._schemas = described["components"]["schemas"]
-        self._operations = {
-            operation["operationId"]: _operation(operation, self._schemas)
-            for path in described["paths"].values()
-            for operation in path.values()
-        }
-
-    def operation_of(self, request: Request) -> OperationFields | None:
-        """Return the operation of a request, None if its route is not described."""
-        route = request.scope.get("route")
-        return self._operations.get(getattr(route, "name", "").strip("_"))
-
-    def near(self, request: Request, place: Sequence[int | str]) -> Sequence[str]:
+    def near(
+        self, place: Sequence[int | str], described: Callable[[], Mapping[str, Any]]
+    ) -> Sequence[str]:
         """Return the names that a parameter or field at a place of a request may have.
 
         Parameters
         ----------
-        request
-            The request.
         place
             Location of the parameter or field, such as ``("body", "sheet", "wdith")``.
+        described
+            Function that returns the OpenAPI description of the whole API.
         """
-        operation = self.operation_of(request)
-        if operation is None:
-            return ()
         if place[:1] == ("query",):
-            return operation.query
-        parts: list[Any] = [_resolve_reference(body, self._schemas) for body in operation.bodies]
+            return self.query
+        schemas = self.schemas
+        # A route that describes its body by itself names schemas of the whole description.
+        if any(_reference(body) not in ("", *schemas) for body in self.bodies):
+            schemas = described()["components"]["schemas"]
+        parts: list[Any] = [_resolve_reference(body, schemas) for body in self.bodies]
         for step in place[1:-1]:
-            parts = [inner for part in parts for inner in _inner(part, step, self._schemas)]
+            parts = [inner for part in parts for inner in _inner(part, step, schemas)]
         return [name for part in parts for name in part.get("properties", {})]
+
+
+def operation_of(request: Request) -> OperationFields | None:
+    """Return the operation of a request, None if its route is not described."""
+    route = request.scope.get("route")
+    if not isinstance(route, APIRoute):
+        return None
+    if route.endpoint not in _known:
+        _known[route.endpoint] = describe_fields(route)
+    return _known[route.endpoint]
+
+
+def describe_fields(route: APIRoute) -> OperationFields | None:
+    """Return the parameters and fields of a route, None if it is not described."""
+    request_only = copy.copy(route)
+    request_only.response_field = request_only.stream_item_field = None
+    request_only.response_fields = {}
+    described = get_openapi(title="", version="", routes=[request_only])
+    schemas = described.get("components", {}).get("schemas", {})
+    for path in described["paths"].values():
+        for operation in path.values():
+            return _operation(operation, schemas)
+    return None
 
 
 def _operation(operation: Mapping[str, Any], schemas: Mapping[str, Any]) -> OperationFields:
@@ -107,12 +128,19 @@ def _operation(operation: Mapping[str, Any], schemas: Mapping[str, Any]) -> Oper
         tuple(bodies),
         None if form is None else _resolve_reference(form["schema"], schemas).get("properties", {}),
         tuple(content),
+        schemas,
     )
 
 
 def _resolve_reference(schema: Mapping[str, Any], schemas: Mapping[str, Any]) -> Mapping[str, Any]:
-    name = schema.get("$ref", "").rpartition("/")[2]
+    name = _reference(schema)
     return schemas[name] if name else schema
+
+
+def _reference(schema: Mapping[str, Any]) -> str:
+    """Return the name of the schema to which a schema refers, "" if it is written out."""
+    name: str = schema.get("$ref", "").rpartition("/")[2]
+    return name
 
 
 def _inner(
@@ -134,8 +162,7 @@ async def refuse_unknown(request: Request) -> None:
     RequestValidationError
         The query, the form or the body of an operation without a body has an unknown name.
     """
-    known: KnownFields = request.app.state.known_fields
-    operation = known.operation_of(request)
+    operation = operation_of(request)
     if operation is None:
         return
     media = media_of(request)
@@ -178,8 +205,8 @@ def wrong_media(media: str, supported: Sequence[str]) -> UnsupportedMedia:
 
 def names_near(request: Request, place: Sequence[int | str]) -> Sequence[str]:
     """Return the names that a parameter or field at a place of a request may have."""
-    known: KnownFields = request.app.state.known_fields
-    return known.near(request, place)
+    operation = operation_of(request)
+    return () if operation is None else operation.near(place, request.app.openapi)
 
 
 def _has_content(request: Request) -> bool:

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import httpx
 import pytest
+from fastapi.routing import APIRoute, iter_route_contexts
 
+from knifetip.server.app import create_app
+from knifetip.service.refusals.known_fields import describe_fields
 from tests.support.serving.server import square
 
 pytestmark = pytest.mark.xdist_group("server")
+
+PLACE = ("body", "x")
 
 
 def faults(answer: httpx.Response) -> list[dict[str, Any]]:
@@ -19,6 +25,33 @@ def faults(answer: httpx.Response) -> list[dict[str, Any]]:
         {"code": fault["code"], **fault["arguments"]}
         for fault in answer.json()["arguments"]["faults"]
     ]
+
+
+def test_the_names_of_each_route_are_those_of_the_description_of_the_api() -> None:
+    app = create_app()
+    described = {
+        operation["operationId"]: operation
+        for path in app.openapi()["paths"].values()
+        for operation in path.values()
+    }
+    schemas = app.openapi()["components"]["schemas"]
+    compared = 0
+    for context in iter_route_contexts(app.routes):
+        route = context.original_route
+        if not isinstance(route, APIRoute) or not route.include_in_schema:
+            continue
+        known = describe_fields(route)
+        assert known is not None
+        operation = described[route.name.strip("_")]
+        parameters = operation.get("parameters", [])
+        assert list(known.query) == [one["name"] for one in parameters if one["in"] == "query"]
+        content = operation.get("requestBody", {}).get("content", {})
+        assert known.media == tuple(content)
+        bodies = tuple(one["schema"] for one in content.values() if "schema" in one)
+        whole = replace(known, schemas=schemas, bodies=bodies)
+        assert list(known.near(PLACE, app.openapi)) == list(whole.near(PLACE, app.openapi))
+        compared += 1
+    assert compared > 100
 
 
 def test_every_route_refuses_an_unknown_query_parameter(client: httpx.Client) -> None:
