@@ -57,6 +57,7 @@ export const SCOPES_FOR = {
   "GET /api/v1/machines/{name}/tools/events": ["viewer"],
   "GET /api/v1/machines/{name}/versions": ["viewer"],
   "GET /api/v1/me": ["viewer", "gateway", "webhooks"],
+  "GET /api/v1/orders": ["viewer"],
   "GET /api/v1/profiles": ["viewer"],
   "GET /api/v1/profiles/{name}": ["viewer"],
   "GET /api/v1/profiles/{name}.toml": ["viewer"],

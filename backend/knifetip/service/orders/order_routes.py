@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated, Any, Final
 
-from fastapi import Depends, Request, Response
+from fastapi import Depends, Query, Request, Response
 from fastapi.concurrency import run_in_threadpool
 from fastapi.exceptions import RequestValidationError
 from pydantic import ValidationError
@@ -14,6 +14,8 @@ from starlette.datastructures import UploadFile
 from knifetip.service.components import Service, ServiceDep
 from knifetip.service.database.tables import Drawing
 from knifetip.service.drawings.requests import summary_out
+from knifetip.service.http.conditional import NOT_MODIFIED
+from knifetip.service.http.pages import set_next_page
 from knifetip.service.http.parameters import IdempotencyKey
 from knifetip.service.http.principal import Principal, PrincipalDep, demand
 from knifetip.service.http.routing import ScopedRouter, requires
@@ -21,8 +23,9 @@ from knifetip.service.http.scopes import AccessScope
 from knifetip.service.limits.work_queue import Client, queued
 from knifetip.service.orders.batches import execute_orders
 from knifetip.service.orders.creation import create_stored
-from knifetip.service.orders.job_answers import job_out
+from knifetip.service.orders.job_answers import job_out, jobs_out
 from knifetip.service.orders.models import JobOut
+from knifetip.service.orders.order_list import OrderRow, OrdersQuery, find_orders
 from knifetip.service.orders.orders_with_files import OrderIn, OrderOut, OrderResult, OrdersIn
 from knifetip.service.orders.sent_orders import SentOrder, create_sent_job, job_order, store_drawing
 from knifetip.service.refusals.control_characters import items_with_own_results
@@ -95,6 +98,32 @@ def _parse_order(text: bytes, place: tuple[str, ...]) -> OrderIn:
         raise RequestValidationError(
             [{**fault, "loc": (*place, *fault["loc"])} for fault in faults]
         ) from None
+
+
+@router.get("", responses=NOT_MODIFIED)
+@requires(AccessScope.VIEWER)
+def list_orders(
+    service: ServiceDep,
+    request: Request,
+    response: Response,
+    wanted: Annotated[OrdersQuery, Query()],
+) -> list[OrderRow]:
+    """List the uploaded drawings that meet all conditions, each with its newest job.
+
+    The header ``Link`` contains the URL of the next page.
+    """
+    rows = find_orders(service.store.database, wanted)
+    shown = iter(jobs_out(service.store, [job for _, job in rows if job is not None]))
+    end = (wanted.cursor or 0) + len(rows)
+    set_next_page(request, response, end if len(rows) == wanted.limit else None, wanted.limit)
+    return [
+        OrderRow(
+            drawing=summary_out(drawing),
+            file=drawing.sha256,
+            job=None if job is None else next(shown),
+        )
+        for drawing, job in rows
+    ]
 
 
 @router.post("", status_code=201, openapi_extra=_BODY)
