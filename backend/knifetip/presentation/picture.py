@@ -17,11 +17,11 @@ _MOST: Final = 3000
 #: Colours that are legible on light and on dark backgrounds, as in the drawings of the page.
 _COLOURS: Final = {
     LineType.CUT: "#d9534f",
-    LineType.CREASE: "#3f8fd2",
-    LineType.V_GROOVE: "#2fa36b",
+    LineType.CREASE: "#2fa36b",
+    LineType.V_GROOVE: "#8f6ae6",
     LineType.PERFORATION: "#c28a1d",
-    LineType.HALF_CUT: "#a566c9",
-    LineType.COMBI: "#c28a1d",
+    LineType.HALF_CUT: "#d9772b",
+    LineType.COMBI: "#93a01f",
     LineType.UNCLASSIFIED: "#8a919c",
 }
 

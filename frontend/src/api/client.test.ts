@@ -115,7 +115,7 @@ describe("a list", () => {
 
   test("without a Link header is complete", async () => {
     answers("[]", { status: 200 });
-    expect(await service.drawings()).toEqual({ rows: [], next: null });
+    expect(await service.orders({})).toEqual({ rows: [], next: null });
   });
 
   test.each([

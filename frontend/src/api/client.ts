@@ -39,6 +39,8 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
 } & Pick<Job, "corners" | "sheet" | "lift" | keyof typeof OPTIONS | keyof typeof EDGE_OPTIONS> &
   OrderDetails;
 export type JobState = Job["state"];
+/** A drawing with its newest job. */
+export type OrderRow = Schemas["OrderRow"];
 export type ImportReportRow = Schemas["ImportReportRow"];
 export type LibraryEntry = Schemas["EntryOut"];
 export type LibraryVersion = Schemas["VersionOut"];
@@ -116,6 +118,12 @@ export interface LastJobWanted {
   readonly customer?: string;
   readonly machine?: string;
 }
+
+/** Conditions on drawings and their newest jobs, and the order of the list. */
+export type OrdersFilter = Omit<
+  NonNullable<paths["/api/v1/orders"]["get"]["parameters"]["query"]>,
+  "cursor" | "limit"
+>;
 
 /** Conditions on ended jobs; a condition that is missing or empty is met by all. */
 export interface HistoryFilter {
@@ -213,8 +221,6 @@ const putDefinition = (
   );
 
 export const service = {
-  drawings: (signal?: AbortSignal, cursor: number | null = null): Promise<Page<DrawingSummary>> =>
-    pageOf(api.GET("/api/v1/drawings", { params: { query: { cursor } }, ...uncached(signal) })),
   drawing: (id: string, signal?: AbortSignal): Promise<Drawing> =>
     dataOf(api.GET("/api/v1/drawings/{id}", { params: byId(id), ...uncached(signal) })),
   edges: fetchEdges,
@@ -265,6 +271,25 @@ export const service = {
 
   jobs: (signal?: AbortSignal, cursor: number | null = null): Promise<Page<Job>> =>
     pageOf(api.GET("/api/v1/jobs", { params: { query: { cursor } }, ...uncached(signal) })),
+  /** Drawings with their newest jobs. */
+  orders: (
+    wanted: OrdersFilter,
+    signal?: AbortSignal,
+    cursor: number | null = null,
+  ): Promise<Page<OrderRow>> =>
+    pageOf(
+      api.GET("/api/v1/orders", { params: { query: { ...wanted, cursor } }, ...uncached(signal) }),
+    ),
+  /** The jobs of a drawing, newest first: at most 30. */
+  jobsOf: (drawing: string, signal?: AbortSignal): Promise<Job[]> =>
+    dataOf(
+      api.GET("/api/v1/jobs", { params: { query: { drawing, limit: 30 } }, ...uncached(signal) }),
+    ),
+  deleteDrawing: async (id: string): Promise<void> => {
+    await api.DELETE("/api/v1/drawings/{id}", { params: byId(id) });
+  },
+  /** Address of the picture of a drawing. */
+  pictureUrl: (id: string): string => `/api/v1/drawings/${encodeURIComponent(id)}/picture`,
   /** The newest job that meets all conditions; null if there is none. */
   lastJob: async (wanted: LastJobWanted, signal?: AbortSignal): Promise<Job | null> => {
     const query = { ...wanted, limit: 1 };

@@ -1,39 +1,40 @@
-/** The page: drawings, with side panels and the canvas between them, or the station of a machine. */
+/** The places of the page, each with its address. */
 
-import { useEffect, useRef } from "react";
-import { Route, Switch, useRoute } from "wouter";
+import { type ReactNode, useEffect } from "react";
+import { Redirect, Route, Switch } from "wouter";
 import { translate } from "../language/translate";
-import { OperatorDialog } from "../panels/accounts/OperatorForm";
-import { DrawingsPanel } from "../panels/drawing/DrawingsPanel";
-import { PreparationBanner } from "../panels/drawing/PreparationBanner";
-import { MachinePanel } from "../panels/job/MachinePanel";
-import { QueuePanel } from "../panels/job/QueuePanel";
-import { NotificationList } from "../panels/shared/NotificationList";
-import { ProgressOverlay } from "../panels/shared/ProgressOverlay";
-import { ShortcutsDialog } from "../panels/shared/ShortcutsDialog";
 import { useMe } from "../state/accounts/accounts";
 import { syncDrawing } from "../state/drawing/drawingSync";
-import { subscribeToEvents, useDrawing } from "../state/queries";
-import { DRAWINGS, HISTORY, LIBRARY, STATION, syncWithAddress, WEBHOOKS } from "../state/routes";
+import { proposedMachine } from "../state/job/machines";
+import { subscribeToEvents, useMachines } from "../state/queries";
+import {
+  DRAWINGS,
+  HISTORY,
+  LIBRARY,
+  MACHINES,
+  SETTINGS,
+  STATION,
+  STATIONS,
+  syncWithAddress,
+  WEBHOOKS,
+  WORK,
+} from "../state/routes";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";
-import { DrawingError } from "./DrawingError";
-import { DropZone } from "./DropZone";
 import { NotFound } from "./NotFound";
 import { Part } from "./Part";
-import { listenToKeys, type PictureCommands } from "./shortcuts";
-import { TopBar } from "./TopBar";
+import { Shell } from "./Shell";
 import {
-  DrawingPanels,
+  DrawingPage,
   HistoryPage,
-  JobPanels,
   LibraryPage,
-  Picture,
+  MachinesPage,
   prefetch,
+  SettingsPage,
   StationPage,
   WebhooksPage,
 } from "./views";
-import { Welcome } from "./Welcome";
+import { WorkPage } from "./WorkPage";
 
 export function App() {
   useEffect(() => {
@@ -47,109 +48,54 @@ export function App() {
   useEffect(() => {
     if (paired) prefetch("station");
   }, [paired]);
-  return (
-    <Switch>
-      <Route path={LIBRARY}>
-        <Part key="library" as="page">
-          <LibraryPage />
-        </Part>
-      </Route>
-      <Route path={WEBHOOKS}>
-        <Part key="webhooks" as="page">
-          <WebhooksPage />
-        </Part>
-      </Route>
-      <Route path={STATION}>
-        {({ machine }) => (
-          <Part key={machine} as="page">
-            <StationPage machine={machine} />
-          </Part>
-        )}
-      </Route>
-      <Route path={DRAWINGS}>
-        <DrawingPage />
-      </Route>
-      <Route>
-        <main>
-          <NotFound text={translate("app.thereIsNoSuchPage")} />
-        </main>
-      </Route>
-    </Switch>
-  );
-}
-
-/** The page on which drawings are prepared and jobs are sent. */
-function DrawingPage() {
-  const picture = useRef<PictureCommands | null>(null);
-  const drawing = useUiStore((ui) => ui.drawing);
-  const [history] = useRoute(HISTORY);
   const uploading = useUiStore((ui) => ui.upload !== null);
-  const leftOpen = useUiStore((ui) => ui.leftOpen);
-  const rightOpen = useUiStore((ui) => ui.rightOpen);
-  const { error } = useDrawing();
-
-  useEffect(() => listenToKeys(() => picture.current), []);
   // The drawing is shown when it has been read.
   useEffect(() => {
     if (uploading) prefetch("drawing");
   }, [uploading]);
-
-  const ready = useRef((keys: PictureCommands | null) => {
-    picture.current = keys;
-  });
-
   return (
-    <div className={css.page} data-history={history}>
-      <TopBar />
-      {/* First for the keyboard: the next action is here. */}
-      <aside
-        className={`${css.side} ${css.right}`}
-        hidden={!rightOpen || history}
-        aria-label={translate("app.jobQueueAndMachine")}
-      >
-        {drawing !== null && (
-          <Part as="side">
-            <JobPanels />
-          </Part>
-        )}
-        <QueuePanel />
-        <MachinePanel />
-      </aside>
-      <aside
-        className={`${css.side} ${css.left}`}
-        hidden={!leftOpen || history}
-        aria-label={translate("app.drawingsLineTypesAndImport")}
-        onPointerEnter={() => prefetch("drawing")}
-      >
-        {drawing === null ? (
-          <DrawingsPanel />
-        ) : (
-          <Part as="side">
-            <DrawingPanels />
-          </Part>
-        )}
-      </aside>
-      <main className={css.stage}>
-        {history ? (
-          <Part key="history" as="middle">
-            <HistoryPage />
-          </Part>
-        ) : drawing === null ? (
-          <Welcome />
-        ) : error !== null ? (
-          <DrawingError error={error} />
-        ) : (
-          <Part key="drawing" as="middle">
-            <Picture onReady={ready.current} />
-          </Part>
-        )}
-      </main>
-      <PreparationBanner />
-      <ProgressOverlay />
-      <NotificationList />
-      <ShortcutsDialog />
-      <OperatorDialog />
-      <DropZone />
-    </div>
+    <Shell>
+      <Switch>
+        <Route path={WORK}>
+          <WorkPage />
+        </Route>
+        <Route path={DRAWINGS}>{fetched("drawing", <DrawingPage />)}</Route>
+        <Route path={MACHINES}>{fetched("machines", <MachinesPage />)}</Route>
+        <Route path={STATIONS}>
+          <ToStation />
+        </Route>
+        <Route path={STATION}>
+          {({ machine }) => fetched(machine, <StationPage machine={machine} />)}
+        </Route>
+        <Route path={LIBRARY}>{fetched("library", <LibraryPage />)}</Route>
+        <Route path={HISTORY}>{fetched("history", <HistoryPage />)}</Route>
+        <Route path={SETTINGS}>{fetched("settings", <SettingsPage />)}</Route>
+        <Route path={WEBHOOKS}>{fetched("webhooks", <WebhooksPage />)}</Route>
+        <Route>
+          <main className={css.whole}>
+            <NotFound text={translate("app.thereIsNoSuchPage")} />
+          </main>
+        </Route>
+      </Switch>
+    </Shell>
   );
+}
+
+/** A page that is fetched when it is first shown. */
+const fetched = (key: string, page: ReactNode) => <Part key={key}>{page}</Part>;
+
+/** The station of the machine on which jobs are made. */
+function ToStation() {
+  const { data: machines } = useMachines();
+  const chosen = useUiStore((ui) => ui.machine);
+  const machine = chosen ?? proposedMachine(machines ?? []);
+  if (machine === null)
+    return (
+      <main className={css.whole}>
+        <h1 className={css.hint} role="status">
+          {machines === undefined ? translate("part.loading") : translate("app.thereIsNoMachine")}
+        </h1>
+      </main>
+    );
+  return <Redirect to={`/station/${encodeURIComponent(machine)}`} replace />;
 }

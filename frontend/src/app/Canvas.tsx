@@ -1,12 +1,13 @@
 /** The canvas: draws what the store holds, and passes on what the pointer does. */
 
 import { useEffect, useRef, useState } from "react";
+import { useScheme } from "../panels/shared/scheme";
 import { useUiStore } from "../state/store";
 import type { Insets } from "../viewer/camera";
 import type { ViewerEvents } from "../viewer/contract";
 import { NoWebGL, Viewer } from "../viewer/viewer";
 import css from "./app.module.css";
-import { VIEWER_COLOURS } from "./colours";
+import { viewerColours } from "./colours";
 import type { PictureCommands } from "./shortcuts";
 import { useViewerContents } from "./useViewerContents";
 import { WebGlError } from "./WebGlError";
@@ -28,13 +29,15 @@ export function Canvas({ label, events, insets, onReady, onViewer }: Props) {
   const [viewer, setViewer] = useState<Viewer | null>(null);
   const [failure, setFailure] = useState<string | null>(null);
   const pin = useUiStore((ui) => ui.pin);
+  const scheme = useScheme();
 
   useEffect(() => {
     if (host.current === null || canvas.current === null) return;
     const { events, insets, onViewer } = first.current;
     let created: Viewer;
     try {
-      created = new Viewer(host.current, canvas.current, VIEWER_COLOURS, events, insets);
+      const colours = viewerColours(scheme);
+      created = new Viewer(host.current, canvas.current, colours, events, insets);
     } catch (cause) {
       if (!(cause instanceof NoWebGL)) throw cause;
       setFailure(cause.message);
@@ -47,7 +50,7 @@ export function Canvas({ label, events, insets, onReady, onViewer }: Props) {
       setViewer(null);
       onViewer?.(null, null);
     };
-  }, []);
+  }, [scheme]);
 
   useViewerContents(viewer, onReady);
 
@@ -63,7 +66,8 @@ export function Canvas({ label, events, insets, onReady, onViewer }: Props) {
       role="img"
       aria-label={label}
     >
-      <canvas ref={canvas} data-testid="canvas" />
+      {/* A canvas keeps its WebGL context: another scheme has a canvas of its own. */}
+      <canvas key={scheme} ref={canvas} data-testid="canvas" />
     </div>
   );
 }

@@ -5,7 +5,6 @@ import { ServiceError } from "../api/client";
 import { translate } from "../language/translate";
 import { errorText, messageHint } from "../messages/translateMessage";
 import { TO_ALL_DRAWINGS } from "../panels/shared/labels";
-import { showDrawing } from "../state/routes";
 import css from "./app.module.css";
 
 export function DrawingError({ error }: { error: Error }) {
@@ -16,7 +15,7 @@ export function DrawingError({ error }: { error: Error }) {
         <p>
           {errorText(error)} {error instanceof ServiceError && messageHint(error.problem)}
         </p>
-        <Button variant="default" onClick={() => showDrawing(null)}>
+        <Button component="a" variant="default" href="#/">
           {TO_ALL_DRAWINGS}
         </Button>
       </div>

@@ -1,57 +1,33 @@
-/** A part of the page that is fetched when it is first shown: see `views`. */
+/** A page that is fetched when it is first shown: see `views`. */
 
-import { Button, Skeleton } from "@mantine/core";
+import { Button } from "@mantine/core";
 import { Component, type ReactNode, Suspense } from "react";
 import { translate } from "../language/translate";
 import css from "./app.module.css";
 import { PartNotFetched } from "./views";
 
 interface PartProps {
-  /**
-   * What it is: a whole page with its own main landmark, the middle of a page, or a side panel,
-   * which leaves it to the middle to report that the part cannot be fetched.
-   */
-  readonly as: "page" | "middle" | "side";
   readonly children: ReactNode;
 }
 
 /** Shows its children as soon as they have been fetched, and until then that they are loading. */
-export function Part({ as, children }: PartProps) {
-  if (as === "side")
-    return (
-      <FetchFailure instead={null}>
-        <Suspense fallback={<LoadingPanel />}>{children}</Suspense>
-      </FetchFailure>
-    );
-  const Frame = as === "page" ? "main" : "div";
+export function Part({ children }: PartProps) {
   const loading = (
-    <Frame className={css.loading}>
+    <main className={css.loading}>
       <div role="status">
         <h1>{translate("part.loading")}</h1>
       </div>
-    </Frame>
+    </main>
   );
   const failed = (
-    <Frame className={css.notFetched} data-testid="not-fetched">
+    <main className={css.notFetched} data-testid="not-fetched">
       <NotFetched />
-    </Frame>
+    </main>
   );
   return (
     <FetchFailure instead={failed}>
       <Suspense fallback={loading}>{children}</Suspense>
     </FetchFailure>
-  );
-}
-
-/** About as high as the panels that follow, so that what is below moves little. */
-function LoadingPanel() {
-  return (
-    <div className={css.loadingPanel} aria-hidden>
-      <Skeleton height={20} width="60%" />
-      <Skeleton height={36} />
-      <Skeleton height={36} />
-      <Skeleton height={120} />
-    </div>
   );
 }
 

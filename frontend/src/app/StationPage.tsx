@@ -5,9 +5,8 @@ import "../messages/load";
 import { useEffect, useRef, useState } from "react";
 import { translate } from "../language/translate";
 import { translateRich } from "../language/translateRich";
-import { AskOperator, OperatorDialog } from "../panels/accounts/OperatorForm";
+import { AskOperator } from "../panels/accounts/OperatorForm";
 import { Permitted } from "../panels/accounts/Permitted";
-import { NotificationList } from "../panels/shared/NotificationList";
 import panels from "../panels/shared/panels.module.css";
 import { StationAlarm } from "../panels/station/StationAlarm";
 import { StationControls } from "../panels/station/StationControls";
@@ -151,8 +150,6 @@ export function StationPage({ machine: name }: Props) {
         </Tabs>
       </div>
       <StationOutcome state={job === undefined ? "" : `${job.id} ${job.state}`} />
-      <NotificationList />
-      <OperatorDialog />
       <StationControls
         machine={name}
         station={station}

@@ -4,49 +4,57 @@ import { LINE_TYPES, type LineType } from "../geometry/records";
 import type { Palette } from "../scene/dieline";
 import type { Scale } from "../scene/figureColours";
 import { rgba } from "../scene/lines";
-import { CANVAS, LINE_STYLES, MARKS, SCALE, SWEPT, TRAVEL, UNCUT } from "../state/drawing/palette";
+import { COLOURS, LINE_STYLES, SCALE, type Scheme } from "../state/drawing/palette";
 import type { ViewerColours } from "../viewer/contract";
 
-const lineLook = (type: LineType) =>
-  [type, { colour: rgba(LINE_STYLES[type].colour), dash: LINE_STYLES[type].dash }] as const;
+/** Colours of the canvas in a colour scheme. */
+export function viewerColours(scheme: Scheme): ViewerColours {
+  const colours = COLOURS[scheme];
+  const lineLook = (type: LineType) =>
+    [type, { colour: rgba(colours[type]), dash: LINE_STYLES[type].dash }] as const;
+  return {
+    palette: Object.fromEntries(LINE_TYPES.map(lineLook)) as Palette,
+    swept: {
+      cutter: rgba(colours.cutter, 0.2),
+      groove: rgba(colours.groove, 0.28),
+      groovesRim: rgba(colours.groove, 0.8),
+      crease: rgba(colours.pressed, 0.3),
+      contact: rgba(colours.pressed, 0.95),
+    },
+    marks: {
+      plunge: rgba(colours.plunge),
+      lift: rgba(colours.lift),
+      swivel: rgba(colours.swivel),
+    },
+    uncut: rgba(colours.uncut, 0.5),
+    uncutRim: rgba(colours.uncut),
+    corner: rgba(colours.blade),
+    pin: rgba(colours.pin),
+    head: rgba(colours.head),
+    lead: rgba(colours.lead),
+    tip: rgba(colours.tip, 0.9),
+    rapid: rgba(colours.rapid, 0.8),
+    done: rgba(colours.done),
+    backdrop: colours.backdrop,
+    table: colours.table,
+    ground: rgba(colours.table),
+    tableEdge: rgba(colours.tableEdge),
+    sheetEdge: rgba(colours.sheetEdge),
+    zone: rgba(colours.zone, 0.9),
+    gridMinor: rgba(colours.grid, 0.045),
+    gridMajor: rgba(colours.grid, 0.07),
+    axisX: rgba(colours.axisX, 0.75),
+    axisY: rgba(colours.axisY, 0.75),
+    hover: rgba(colours.hover),
+    chosen: rgba(colours.chosen, 0.55),
+    mark: rgba(colours.hover),
+    blade: rgba(colours.blade),
+  };
+}
 
-export const VIEWER_COLOURS: ViewerColours = {
-  palette: Object.fromEntries(LINE_TYPES.map(lineLook)) as Palette,
-  swept: {
-    cutter: rgba(SWEPT.cutter, 0.2),
-    groove: rgba(SWEPT.groove, 0.28),
-    groovesRim: rgba(SWEPT.groove, 0.8),
-    crease: rgba(SWEPT.crease, 0.3),
-    contact: rgba(SWEPT.crease, 0.95),
-  },
-  marks: { plunge: rgba(MARKS.plunge), lift: rgba(MARKS.lift), swivel: rgba(MARKS.swivel) },
-  uncut: rgba(UNCUT, 0.5),
-  uncutRim: rgba(UNCUT),
-  corner: rgba(CANVAS.blade),
-  pin: rgba(CANVAS.pin),
-  head: rgba(TRAVEL.head),
-  lead: rgba(TRAVEL.lead),
-  tip: rgba(TRAVEL.tip, 0.9),
-  rapid: rgba(TRAVEL.rapid, 0.8),
-  done: rgba(TRAVEL.done),
-  backdrop: CANVAS.backdrop,
-  table: CANVAS.table,
-  ground: rgba(CANVAS.table),
-  tableEdge: rgba(CANVAS.tableEdge),
-  sheetEdge: rgba(CANVAS.sheetEdge),
-  zone: rgba(CANVAS.zone, 0.9),
-  gridMinor: rgba(CANVAS.gridMinor, 0.045),
-  gridMajor: rgba(CANVAS.gridMajor, 0.07),
-  axisX: rgba("#ff6b61", 0.75),
-  axisY: rgba("#3ddc97", 0.75),
-  hover: rgba(CANVAS.hover),
-  chosen: rgba(CANVAS.chosen, 0.55),
-  mark: rgba(CANVAS.mark),
-  blade: rgba(CANVAS.blade),
-};
-
-export const MAP_SCALE: Scale = {
-  stops: SCALE.stops.map((stop) => rgba(stop)),
-  beyond: rgba(SCALE.beyond),
-  unworked: rgba(SCALE.unworked),
-};
+/** Scale of the figures in a colour scheme. */
+export const mapScale = (scheme: Scheme): Scale => ({
+  stops: SCALE[scheme].stops.map((stop) => rgba(stop)),
+  beyond: rgba(SCALE[scheme].beyond),
+  unworked: rgba(SCALE[scheme].unworked),
+});

@@ -16,7 +16,9 @@ export function movedTo<T>(key: string, controls: readonly T[], from: T): T | nu
   if (place < 0) return null;
   const next: Readonly<Record<string, number>> = {
     ArrowRight: place === last ? 0 : place + 1,
+    ArrowDown: place === last ? 0 : place + 1,
     ArrowLeft: place === 0 ? last : place - 1,
+    ArrowUp: place === 0 ? last : place - 1,
     Home: 0,
     End: last,
   };

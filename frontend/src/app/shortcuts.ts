@@ -53,8 +53,7 @@ export function listenToKeys(picture: () => PictureCommands | null): () => void 
     else if (key === "ArrowRight") picture()?.pan(-STEP, 0);
     else if (key === "ArrowUp") picture()?.pan(0, STEP);
     else if (key === "ArrowDown") picture()?.pan(0, -STEP);
-    else if (key === "[") page.set({ leftOpen: !page.leftOpen });
-    else if (key === "]") page.set({ rightOpen: !page.rightOpen });
+    else if (key === "]") page.set({ panelOpen: !page.panelOpen });
     else if (key === "?") page.set({ helpOpen: !page.helpOpen });
     else if (key === "Escape" && page.editedProfile !== null)
       page.set({ editedProfile: null, retypePreviews: [] });

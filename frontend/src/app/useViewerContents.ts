@@ -7,6 +7,7 @@ import { type Sweep, sweepOf } from "../geometry/sweep";
 import { timeOf, totalSeconds } from "../geometry/timeline";
 import { type TipOffset, tipOffset } from "../geometry/tip";
 import { workedSpans } from "../geometry/workedSpans";
+import { useScheme } from "../panels/shared/scheme";
 import { figureColours, stretchColours } from "../scene/figureColours";
 import type { Tools } from "../scene/swept";
 import { isDropped } from "../state/drawing/importReport";
@@ -29,7 +30,7 @@ import {
 import { runAboveBoard } from "../state/station/station";
 import { useUiStore } from "../state/store";
 import type { Viewer } from "../viewer/viewer";
-import { MAP_SCALE } from "./colours";
+import { mapScale } from "./colours";
 import type { PictureCommands } from "./shortcuts";
 
 type MaybeViewer = Viewer | null;
@@ -79,16 +80,18 @@ function useFigureColours(edges: Edges | null) {
   const { data: verdict } = useVerdict();
   const { data: columns } = useVerdictColumns();
   const colourMode = useUiStore((ui) => ui.colourMode);
+  const scheme = useScheme();
   const samples = columns?.samples;
   return useMemo(() => {
     const map = edges === null ? null : verdictMapOf(colourMode, verdict, edges.bulge.length);
     if (edges === null || map === null) return { colours: null, along: null };
+    const scale = mapScale(scheme);
     const hasStretches = samples !== undefined && colourMode === "deviation";
     return {
-      colours: figureColours(edges, map, MAP_SCALE),
-      along: hasStretches ? stretchColours(edges, map, samples, MAP_SCALE) : null,
+      colours: figureColours(edges, map, scale),
+      along: hasStretches ? stretchColours(edges, map, samples, scale) : null,
     };
-  }, [edges, samples, colourMode, verdict]);
+  }, [edges, samples, colourMode, verdict, scheme]);
 }
 
 function useShownEdges(viewer: MaybeViewer, edges: Edges | null, tools: Tools): void {

@@ -1,15 +1,17 @@
 /**
- * Parts of the page that the start page does without: each is fetched when it is first shown.
+ * Pages that the start page does without: each is fetched when it is first shown.
  *
- * `prefetch` fetches a part before that, once it is likely to be wanted.
+ * `prefetch` fetches a page before that, once it is likely to be wanted.
  */
 
 import { type ComponentType, lazy } from "react";
 
 const FETCH = {
-  drawing: () => import("./OpenDrawing"),
+  drawing: () => import("./DrawingPage"),
+  machines: () => import("./MachinesPage"),
   station: () => import("./StationPage"),
   library: () => import("./LibraryPage"),
+  settings: () => import("./SettingsPage"),
   webhooks: () => import("./WebhooksPage"),
   history: () => import("../panels/history/HistoryPage"),
 } as const;
@@ -30,15 +32,15 @@ const part = <Module, Props>(
     ),
   );
 
-export const DrawingPanels = part(FETCH.drawing, (module) => module.DrawingPanels);
-export const JobPanels = part(FETCH.drawing, (module) => module.JobPanels);
-export const Picture = part(FETCH.drawing, (module) => module.Picture);
+export const DrawingPage = part(FETCH.drawing, (module) => module.DrawingPage);
+export const MachinesPage = part(FETCH.machines, (module) => module.MachinesPage);
 export const StationPage = part(FETCH.station, (module) => module.StationPage);
 export const LibraryPage = part(FETCH.library, (module) => module.LibraryPage);
+export const SettingsPage = part(FETCH.settings, (module) => module.SettingsPage);
 export const WebhooksPage = part(FETCH.webhooks, (module) => module.WebhooksPage);
 export const HistoryPage = part(FETCH.history, (module) => module.HistoryPage);
 
-/** Fetch a part of the page; a failure is shown when the part is wanted. */
+/** Fetch a page; a failure is shown when the page is wanted. */
 export function prefetch(view: keyof typeof FETCH): void {
   FETCH[view]().catch(() => undefined);
 }

@@ -37,7 +37,7 @@ const ALLOWED: readonly RegExp[] = [
   /^https:\/\/erp\.example/,
   // Data of SVG paths and pictures, selectors, colours.
   /^[MLACZHVaclhvz\d\s.,-]+$/,
-  /^(data:|hsl\(|linear-gradient|input, textarea|button, a\[href\])/,
+  /^(data:|hsl\(|linear-gradient|color-mix|input, textarea|button, a\[href\])/,
 ];
 
 /** Modules whose strings are shaders, and descriptions of defects for developers. */

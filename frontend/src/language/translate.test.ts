@@ -96,6 +96,7 @@ const SAME: readonly string[] = [
   "Normal",
   "Perforation",
   "Start",
+  "Station",
   "Station {station}",
   "Status {status}",
   "Test",

@@ -60,7 +60,7 @@ export function uploadFiles(files: readonly File[]): Promise<void> {
       }
     } finally {
       useUiStore.getState().set({ upload: null });
-      await queryClient.invalidateQueries({ queryKey: queries.drawings().queryKey });
+      await queryClient.invalidateQueries({ queryKey: ["orders"] });
     }
   });
 }
@@ -77,8 +77,18 @@ export function choosePage({ id, name }: Pick<Drawing, "id" | "name">, page: num
       showDrawing(drawing.id);
     } finally {
       useUiStore.getState().set({ upload: null });
-      await queryClient.invalidateQueries({ queryKey: queries.drawings().queryKey });
+      await queryClient.invalidateQueries({ queryKey: ["orders"] });
     }
+  });
+}
+
+/** Delete a drawing of which no job was made. */
+export function deleteDrawing(id: string): Promise<void> {
+  return enqueue(async () => {
+    await service.deleteDrawing(id);
+    const page = useUiStore.getState();
+    if (page.drawing === id) page.open(null);
+    await queryClient.invalidateQueries({ queryKey: ["orders"] });
   });
 }
 
@@ -259,10 +269,13 @@ export function compile(machine: string, board: string): Promise<void> {
       const order = { drawing, revision, machine, board, copies, ...chosenOptions, ...details };
       const job = await service.compile(order);
       upsertJob(job);
-      useUiStore.getState().openJob(job.id);
+      useUiStore.getState().open(drawing, job.id, "check");
     } catch (cause) {
       if (cause instanceof ServiceError)
-        useUiStore.getState().set({ compileQuestions: cause.problem.questions });
+        useUiStore.getState().set({
+          compileQuestions: cause.problem.questions,
+          ...(cause.problem.questions.length > 0 ? { step: "lines" as const } : {}),
+        });
       throw cause;
     }
   });

@@ -16,6 +16,8 @@ import {
   type ImportReportRow,
   type Job,
   type LastJobWanted,
+  type OrderRow,
+  type OrdersFilter,
   type Shelf,
   type Station,
   service,
@@ -64,13 +66,6 @@ const getNextPageParam = ({ next }: Page<unknown>) => next;
 
 /** Key and fetch function of each query. */
 export const queries = {
-  drawings: () =>
-    infiniteQueryOptions({
-      queryKey: ["drawings"],
-      queryFn: ({ signal, pageParam }) => service.drawings(signal, pageParam),
-      initialPageParam: null as number | null,
-      getNextPageParam,
-    }),
   drawing: (id: string) =>
     queryOptions({
       queryKey: ["drawing", id],
@@ -104,6 +99,18 @@ export const queries = {
     queryOptions({
       queryKey: ["learned", id],
       queryFn: ({ signal }) => service.learned(id, signal),
+    }),
+  orders: (wanted: OrdersFilter) =>
+    infiniteQueryOptions({
+      queryKey: ["orders", wanted],
+      queryFn: ({ signal, pageParam }) => service.orders(wanted, signal, pageParam),
+      initialPageParam: null as number | null,
+      getNextPageParam,
+    }),
+  jobsOf: (drawing: string) =>
+    queryOptions({
+      queryKey: ["jobsOf", drawing],
+      queryFn: ({ signal }) => service.jobsOf(drawing, signal),
     }),
   jobs: () =>
     infiniteQueryOptions({
@@ -264,8 +271,14 @@ export const queries = {
 const flattenPages = <T>({ pages }: { pages: Page<T>[] }): T[] => pages.flatMap(({ rows }) => rows);
 
 /** Lists, page by page: `fetchNextPage` loads more if `hasNextPage`. */
-export const useDrawings = () =>
-  useInfiniteQuery({ ...queries.drawings(), select: flattenPages<DrawingSummary> });
+/** Drawings with their newest jobs, page by page. */
+export const useOrders = (wanted: OrdersFilter) =>
+  useInfiniteQuery({
+    ...queries.orders(wanted),
+    select: flattenPages<OrderRow>,
+    placeholderData: keepPreviousData,
+  });
+export const useJobsOf = (drawing: string) => useQuery(queries.jobsOf(drawing));
 export const usePages = (id: string) => useQuery(queries.pages(id));
 export const useJobs = () => useInfiniteQuery({ ...queries.jobs(), select: flattenPages<Job> });
 export const useQueue = (machine: string) => useQuery(queries.queue(machine));
@@ -397,6 +410,11 @@ export function upsertJob(job: Job): void {
   const known = queryClient.getQueryData(queries.job(job.id).queryKey);
   if (known !== undefined && known.updated > job.updated) return;
   queryClient.setQueryData(queries.job(job.id).queryKey, job);
+  // The table of work shows the newest job of each drawing.
+  if (known?.state !== job.state || known?.waiting_for !== job.waiting_for) {
+    void refresh({ queryKey: ["orders"] });
+    void refresh({ queryKey: queries.jobsOf(job.drawing).queryKey });
+  }
   if (hasChanged(known, job)) {
     void refresh({ queryKey: ["queue"] });
     if (known?.state !== job.state && (isFinal(job) || job.state === "interrupted")) {
@@ -481,7 +499,7 @@ export function subscribeToEvents(
         void refreshChoices();
       } else {
         // A drawing was added, changed or deleted.
-        void refresh({ queryKey: queries.drawings().queryKey });
+        void refresh({ queryKey: ["orders"] });
         if (name === "drawing" && isDrawing(data)) {
           dropInactive(data.id);
           onDrawing(data);

@@ -2,12 +2,13 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { drawingOf, drawingPath, returnToDrawing, showDrawing, syncWithAddress } from "./routes";
 import { type OpenDrawing, useUiStore } from "./store";
 
-const NOTHING: OpenDrawing = { drawing: null, job: null };
+const NOTHING: OpenDrawing = { drawing: null, step: null, job: null };
 
 test.each<[string, Partial<OpenDrawing>]>([
-  ["#/", {}],
   ["#/drawings/d1", { drawing: "d1" }],
+  ["#/drawings/d1/lines", { drawing: "d1", step: "lines" }],
   ["#/drawings/d1/jobs/j1", { drawing: "d1", job: "j1" }],
+  ["#/drawings/d1/check/jobs/j1", { drawing: "d1", step: "check", job: "j1" }],
   ["#/drawings/a%20b", { drawing: "a b" }],
 ])("%s and back", (hash, opened) => {
   expect(drawingOf(hash)).toEqual({ ...NOTHING, ...opened });
@@ -15,6 +16,14 @@ test.each<[string, Partial<OpenDrawing>]>([
 });
 
 test.each([
+  "",
+  "#",
+  "#/",
+  "#/machines",
+  "#/settings",
+  "#/nowhere",
+  "#/drawings/",
+  "#/drawings/d1/paint",
   "#/station/my%20table",
   "#/library",
   "#/library/tools/knife",
@@ -24,12 +33,9 @@ test.each([
   expect(drawingOf(hash)).toBeNull();
 });
 
-test.each(["", "#", "#/nowhere", "#/drawings/", "#/drawings/%E0%A4%A", "#/station/"])(
-  "%s opens nothing",
-  (hash) => {
-    expect(drawingOf(hash)).toEqual(NOTHING);
-  },
-);
+test("an address that is not encoded correctly opens nothing", () => {
+  expect(drawingOf("#/drawings/%E0%A4%A")).toEqual(NOTHING);
+});
 
 let stop = () => {};
 const place = { hash: "", href: "" };
@@ -71,8 +77,8 @@ test("an address opens its drawing, and adds nothing to the browser history", ()
   for (const [hash, path] of [
     ["#/drawings/d1", "/drawings/d1"],
     ["#/webhooks", "/drawings/d1"],
-    ["#/drawings/d2/jobs/j2", "/drawings/d2/jobs/j2"],
-    ["#/", "/"],
+    ["#/drawings/d2/check/jobs/j2", "/drawings/d2/check/jobs/j2"],
+    ["#/", "/drawings/d2/check/jobs/j2"],
   ] as const) {
     goTo(hash);
     expect(opened()).toBe(path);
@@ -81,22 +87,30 @@ test("an address opens its drawing, and adds nothing to the browser history", ()
   expect(pushState).not.toHaveBeenCalled();
 });
 
-test("a drawing that the page opens becomes the address, and its job replaces it", () => {
-  goTo("#/");
+test("a drawing and its steps are entries of the browser history, a job replaces one", () => {
+  goTo("#/drawings/d0");
   showDrawing("d1");
   expect(place.hash).toBe("#/drawings/d1");
   expect(pushState).toHaveBeenCalledTimes(1);
+  // The step that the page chooses is no entry of its own.
+  useUiStore.getState().set({ step: "sheet" });
+  expect(place.hash).toBe("#/drawings/d1/sheet");
   useUiStore.getState().openJob("j2");
-  expect(place.hash).toBe("#/drawings/d1/jobs/j2");
-  expect([pushState.mock.calls.length, replaceState.mock.calls.length]).toEqual([1, 1]);
+  expect(place.hash).toBe("#/drawings/d1/sheet/jobs/j2");
+  expect([pushState.mock.calls.length, replaceState.mock.calls.length]).toEqual([1, 2]);
+  useUiStore.getState().set({ step: "check" });
+  expect(place.hash).toBe("#/drawings/d1/check/jobs/j2");
+  expect(pushState).toHaveBeenCalledTimes(2);
+  goTo("#/drawings/d1/sheet/jobs/j2");
+  expect(useUiStore.getState().step).toBe("sheet");
 });
 
 test("a drawing that is shown ends another view, also when it was open behind it", () => {
-  goTo("#/drawings/d1/jobs/j1");
+  goTo("#/drawings/d1/check/jobs/j1");
   goTo("#/history");
   returnToDrawing();
-  expect(place.hash).toBe("#/drawings/d1/jobs/j1");
-  goTo("#/history");
+  expect(place.hash).toBe("#/drawings/d1/check/jobs/j1");
+  goTo("#/");
   showDrawing("d1");
   expect(place.hash).toBe("#/drawings/d1");
 });

@@ -1,41 +1,49 @@
 /**
  * Views in the hash of the address, shown by the router.
  *
- *     #/                              no drawing
- *     #/drawings/ID                   a drawing
- *     #/drawings/ID/jobs/ID           a drawing and a job of it
- *     #/station/MACHINE               the page of the person at a machine
- *     #/library                       machines, boards and tools
- *     #/library/SHELF/NAME            one of them, such as #/library/machines/demo-table
- *     #/history                       ended jobs, statistics and tools
- *     #/webhooks                      endpoints of other systems
+ *     #/                                   drawings and their orders
+ *     #/drawings/ID                        a drawing, at the first step that needs the user
+ *     #/drawings/ID/STEP                   a step of a drawing: lines, sheet, process or check
+ *     #/drawings/ID/STEP/jobs/ID           the same, with a job of the drawing
+ *     #/machines                           machines with their queues
+ *     #/station/MACHINE                    the page of the person at a machine
+ *     #/library                            machines, boards and tools
+ *     #/library/SHELF/NAME                 one of them, such as #/library/machines/demo-table
+ *     #/history                            ended jobs, statistics and tools
+ *     #/settings                           language, colour scheme, accounts, webhooks
+ *     #/webhooks                           endpoints of other systems
  *
- * The open drawing and job are state, because they stay open behind the other views.
+ * The open drawing, step and job are state, because they stay open behind the other views.
  */
 
 import { navigate } from "wouter/use-hash-location";
-import { type OpenDrawing, useUiStore } from "./store";
+import { type OpenDrawing, type Step, useUiStore } from "./store";
 
+export const WORK = "/";
+export const MACHINES = "/machines";
+export const STATIONS = "/station";
 export const STATION = "/station/:machine";
 export const LIBRARY = "/library/:shelf?/:name?";
 export const HISTORY = "/history";
+export const SETTINGS = "/settings";
 export const WEBHOOKS = "/webhooks";
 
-/** Addresses of the page of drawings and of the history. */
-export const DRAWINGS = /^\/(?:history|drawings\/[^/]+(?:\/jobs\/[^/]+)?)?$/;
+/** Addresses of drawings. */
+export const DRAWINGS =
+  /^\/drawings\/([^/]+)(?:\/(lines|sheet|process|check))?(?:\/jobs\/([^/]+))?$/;
 
-const OTHER_VIEW = /^#\/(?:library(?:\/[^/]+\/[^/]+)?|history|webhooks|station\/[^/]+)$/;
-const DRAWING = /^#\/drawings\/([^/]+)(?:\/jobs\/([^/]+))?$/;
+const NOTHING: OpenDrawing = { drawing: null, step: null, job: null };
 
-/** What an address opens; null if it names a view behind which the drawing stays open. */
+/** What an address opens; null if it names another view, behind which the drawing stays open. */
 export function drawingOf(hash: string): OpenDrawing | null {
-  if (OTHER_VIEW.test(hash)) return null;
-  const [, drawing, job] = DRAWING.exec(hash) ?? [];
+  const found = DRAWINGS.exec(hash.slice(1));
+  if (found === null) return null;
+  const [, drawing, step, job] = found;
   try {
-    return { drawing: decoded(drawing), job: decoded(job) };
+    return { drawing: decoded(drawing), step: (step as Step) ?? null, job: decoded(job) };
   } catch {
     // Invalid percent-encoding in a typed address.
-    return { drawing: null, job: null };
+    return NOTHING;
   }
 }
 
@@ -51,12 +59,17 @@ export function decodedPart(part = ""): string {
   }
 }
 
-/** Path of a drawing and a job of it; "/" without a drawing. */
-export function drawingPath({ drawing, job }: OpenDrawing): string {
-  if (drawing === null) return "/";
-  const path = `/drawings/${encodeURIComponent(drawing)}`;
-  return job === null ? path : `${path}/jobs/${encodeURIComponent(job)}`;
+/** Path of a drawing with its step and a job of it; that of all drawings without a drawing. */
+export function drawingPath({ drawing, step, job }: OpenDrawing): string {
+  if (drawing === null) return WORK;
+  const steps = step === null ? "" : `/${step}`;
+  const jobs = job === null ? "" : `/jobs/${encodeURIComponent(job)}`;
+  return `/drawings/${encodeURIComponent(drawing)}${steps}${jobs}`;
 }
+
+/** Address of the station page of a machine. */
+export const stationAddress = (machine: string): string =>
+  `#/station/${encodeURIComponent(machine)}`;
 
 /** Show the open drawing instead of another view. */
 export function returnToDrawing(): void {
@@ -64,17 +77,25 @@ export function returnToDrawing(): void {
   if (location.hash !== `#${path}`) navigate(path);
 }
 
-/** Open a drawing and a job of it and show them; null shows all drawings. */
-export function showDrawing(drawing: string | null, job: string | null = null): void {
-  useUiStore.getState().open(drawing, job);
+/** Open a drawing and a job of it and show them, at the first step that needs the user. */
+export function showDrawing(
+  drawing: string | null,
+  job: string | null = null,
+  step: Step | null = null,
+): void {
+  useUiStore.getState().open(drawing, job, step);
   returnToDrawing();
 }
 
 /** Open the drawing that the address names. */
 export function openAddress(): void {
   const named = drawingOf(location.hash);
-  if (named !== null) useUiStore.getState().open(named.drawing, named.job);
+  if (named !== null) useUiStore.getState().open(named.drawing, named.job, named.step);
 }
+
+/** Whether another drawing, or another step that the user has seen, is open now. */
+const isElsewhere = (page: OpenDrawing, before: OpenDrawing): boolean =>
+  page.drawing !== before.drawing || (page.step !== before.step && before.step !== null);
 
 /** Keep the address and the open drawing equal until the returned function is called. */
 export function syncWithAddress(): () => void {
@@ -84,8 +105,8 @@ export function syncWithAddress(): () => void {
     const path = drawingPath(page);
     if (path === drawingPath(before) || location.hash === `#${path}`) return;
     if (drawingOf(location.hash) === null) return;
-    // Opening a drawing adds an entry to the browser history; a job replaces it.
-    navigate(path, { replace: page.drawing === before.drawing });
+    // A drawing and a step add an entry to the browser history; a job replaces it.
+    navigate(path, { replace: !isElsewhere(page, before) });
   });
   return () => {
     stop();

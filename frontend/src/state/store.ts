@@ -48,9 +48,15 @@ export interface Upload {
   readonly fraction: number;
 }
 
-/** The open drawing and a job of it; they stay open behind other views. */
+/** Steps from a drawing to a job. */
+export const STEPS = ["lines", "sheet", "process", "check"] as const;
+export type Step = (typeof STEPS)[number];
+
+/** The open drawing, its step and a job of it; they stay open behind other views. */
 export interface OpenDrawing {
   readonly drawing: string | null;
+  /** null until it is known which step needs the user first */
+  readonly step: Step | null;
   readonly job: string | null;
 }
 
@@ -72,8 +78,7 @@ export interface UiState extends OpenDrawing {
   readonly busy: boolean;
   readonly upload: Upload | null;
   readonly connection: ConnectionState;
-  readonly leftOpen: boolean;
-  readonly rightOpen: boolean;
+  readonly panelOpen: boolean;
   readonly helpOpen: boolean;
   /** Program time (s) at which the preview shows the head; null while it follows the machine. */
   readonly previewTime: number | null;
@@ -101,7 +106,7 @@ export interface UiState extends OpenDrawing {
   /** Name of the profile in the editor. */
   readonly editedProfile: string | null;
 
-  open(drawing: string | null, job?: string | null): void;
+  open(drawing: string | null, job?: string | null, step?: Step | null): void;
   openJob(job: string | null): void;
   selectEdges(rows: Iterable<number>, add?: boolean): void;
   setHover(hover: Hover | null): void;
@@ -128,8 +133,8 @@ type UiValues = Pick<
   | "busy"
   | "upload"
   | "connection"
-  | "leftOpen"
-  | "rightOpen"
+  | "step"
+  | "panelOpen"
   | "helpOpen"
   | "previewTime"
   | "machine"
@@ -181,10 +186,13 @@ const withDrawing = (
   page: UiState,
   drawing: string | null,
   job: string | null,
+  step: Step | null,
 ): Partial<UiState> => {
-  if (page.drawing === drawing) return page.job === job ? {} : { job, previewTime: null };
+  if (page.drawing === drawing)
+    return page.job === job ? { step } : { step, job, previewTime: null };
   return {
     drawing,
+    step,
     job,
     selection: NO_ROWS,
     pin: null,
@@ -206,6 +214,7 @@ const withDrawing = (
 
 export const useUiStore = create<UiState>()((set) => ({
   drawing: null,
+  step: null,
   job: null,
   selection: NO_ROWS,
   hover: null,
@@ -228,8 +237,7 @@ export const useUiStore = create<UiState>()((set) => ({
   busy: false,
   upload: null,
   connection: "connecting",
-  leftOpen: true,
-  rightOpen: true,
+  panelOpen: true,
   helpOpen: false,
   previewTime: null,
   machine: null,
@@ -246,7 +254,7 @@ export const useUiStore = create<UiState>()((set) => ({
   retypePreviews: [],
   editedProfile: null,
 
-  open: (drawing, job = null) => set((page) => withDrawing(page, drawing, job)),
+  open: (drawing, job = null, step = null) => set((page) => withDrawing(page, drawing, job, step)),
   openJob: (job) => set({ job, previewTime: null }),
   selectEdges: (rows, add = false) =>
     set(({ selection }) => {

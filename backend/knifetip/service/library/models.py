@@ -73,6 +73,9 @@ class BoardOut(BaseModel):
     groove_pass: float = Field(
         description="Largest depth of one pass of a V-groove (mm); 0: one pass"
     )
+    groove_overcut: float = Field(
+        description="Largest length that the blade may cut beyond the ends of a V-groove (mm)"
+    )
     groove_curve: float = Field(
         description="Largest distance between an arc and its chords in a V-groove (mm); 0: curved "
         "grooves are refused"

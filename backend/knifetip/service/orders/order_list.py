@@ -25,7 +25,7 @@ Sort = Literal["newest", "name", "customer", "due"]
 _JOB: Final = aliased(Job)
 _SERIAL: Final = Drawing.serial.desc()
 #: Rows without a value come last.
-_ORDER: Final[dict[Sort, tuple[sa.ColumnElement[Any], ...]]] = {
+_ORDER: Final[dict[Sort, tuple[Any, ...]]] = {
     "newest": (_SERIAL,),
     "name": (sa.func.lower(Drawing.name), _SERIAL),
     "customer": (Drawing.customer == "", sa.func.lower(Drawing.customer), _SERIAL),

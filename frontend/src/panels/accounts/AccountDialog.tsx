@@ -9,6 +9,7 @@ import {
   Indicator,
   Modal,
   MultiSelect,
+  Paper,
   PasswordInput,
   Select,
   Tabs,
@@ -87,6 +88,20 @@ export function AccountButton() {
         <Account me={me} />
       </Modal>
     </>
+  );
+}
+
+/** The same as a section of a page. */
+export function AccountSection() {
+  const me = useMe();
+  if (me === undefined || (me.kind === "local" && me.has_admin)) return null;
+  return (
+    <Paper component="section" radius={12} px={18} py={14} bg="var(--panel)">
+      <Text fw={600} mb={6}>
+        {translate("accountDialog.account2")}
+      </Text>
+      <Account me={me} />
+    </Paper>
   );
 }
 

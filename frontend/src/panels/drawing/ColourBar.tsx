@@ -6,6 +6,7 @@ import { SCALE } from "../../state/drawing/palette";
 import { COLOUR_MODE_TITLES, verdictMapOf } from "../../state/drawing/verdictMap";
 import { useEdges, useVerdict } from "../../state/queries";
 import { COLOUR_MODES, useUiStore } from "../../state/store";
+import { useScheme } from "../shared/scheme";
 import css from "./overlay.module.css";
 
 export function ColourBar() {
@@ -43,6 +44,7 @@ export function ColourBar() {
 }
 
 function Scale({ title, limit }: { title: string; limit: number }) {
+  const scale = SCALE[useScheme()];
   const half = Number((limit / 2).toPrecision(6));
   return (
     <div
@@ -52,13 +54,13 @@ function Scale({ title, limit }: { title: string; limit: number }) {
       data-testid="colour-scale"
     >
       <span className={css.scaleKey}>
-        <span style={{ background: SCALE.unworked }} />
+        <span style={{ background: scale.unworked }} />
         {translate("colourBar.neitherCutNorCreased")}
       </span>
       <span className={css.scaleBar}>
         <span
           className={css.scaleRamp}
-          style={{ background: `linear-gradient(90deg, ${SCALE.stops.join(", ")})` }}
+          style={{ background: `linear-gradient(90deg, ${scale.stops.join(", ")})` }}
         />
         <span className={css.scaleFigures}>
           <span>0</span>
@@ -67,7 +69,7 @@ function Scale({ title, limit }: { title: string; limit: number }) {
         </span>
       </span>
       <span className={css.scaleKey}>
-        <span style={{ background: SCALE.beyond }} />
+        <span style={{ background: scale.beyond }} />
         {translate("colourBar.moreThanMm", { limit })}
       </span>
     </div>

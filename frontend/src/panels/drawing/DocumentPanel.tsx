@@ -1,7 +1,7 @@
 /** The open drawing: name, size, import summary and line-type profile. */
 
-import { ActionIcon, Box, Select, Title, Tooltip } from "@mantine/core";
-import { IconAdjustments, IconArrowLeft } from "@tabler/icons-react";
+import { ActionIcon, Box, Select, Tooltip } from "@mantine/core";
+import { IconAdjustments } from "@tabler/icons-react";
 import type { Drawing, Profile } from "../../api/client";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
@@ -12,13 +12,12 @@ import { importWarnings, summarizeReport } from "../../state/drawing/importRepor
 import { formatInches } from "../../state/drawing/sizes";
 import { formatSize, formatUnitless } from "../../state/format";
 import { useDrawing, useProfiles } from "../../state/queries";
-import { showDrawing } from "../../state/routes";
 import { useUiStore } from "../../state/store";
 import { Refusal } from "../accounts/Permitted";
 import { CustomerField } from "../order/CustomerField";
-import { TO_ALL_DRAWINGS } from "../shared/labels";
 import css from "../shared/panels.module.css";
 import { LinkButton } from "../shared/parts";
+import { Section } from "../shared/Section";
 import { REPORT } from "./ImportPanel";
 import { ShareControl } from "./ShareControl";
 
@@ -29,33 +28,8 @@ export function DocumentPanel() {
   const { data: profiles } = useProfiles();
   if (drawing === undefined) return null;
   return (
-    <section className={css.section} style={{ padding: "12px 16px 16px" }}>
-      <div style={{ display: "flex", alignItems: "center", gap: 8, marginLeft: -6 }}>
-        <Tooltip label={TO_ALL_DRAWINGS}>
-          <ActionIcon
-            variant="subtle"
-            color="gray"
-            aria-label={TO_ALL_DRAWINGS}
-            data-testid="close-drawing"
-            onClick={() => showDrawing(null)}
-          >
-            <IconArrowLeft size={17} />
-          </ActionIcon>
-        </Tooltip>
-        <Title
-          order={1}
-          flex={1}
-          fz={15}
-          fw={600}
-          title={drawing.name}
-          miw={0}
-          lineClamp={2}
-          style={{ overflowWrap: "anywhere" }}
-        >
-          {drawing.name}
-        </Title>
-      </div>
-      <Box component="dl" className={css.facts} data-end mt={10} fz={12}>
+    <Section title={translate("documentPanel.file")}>
+      <Box component="dl" className={css.facts} data-end fz={12}>
         <dt>{translate("documentPanel.drawingSize")}</dt>
         <dd data-testid="drawing-size">
           {drawing.unit === null
@@ -105,7 +79,7 @@ export function DocumentPanel() {
       {profiles && <ProfileChoice drawing={drawing} profiles={profiles} />}
       <CustomerField drawing={drawing} />
       <ShareControl drawing={drawing} />
-    </section>
+    </Section>
   );
 }
 

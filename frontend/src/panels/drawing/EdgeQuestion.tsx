@@ -1,6 +1,6 @@
 /** Question for the line type of some edges; the most likely answer first. */
 
-import { Flex, Text } from "@mantine/core";
+import { Flex, Kbd, Text } from "@mantine/core";
 import { useMemo } from "react";
 import type { Question } from "../../api/client";
 import { translate } from "../../language/translate";
@@ -105,6 +105,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
               type="button"
               className={css.choice}
               disabled={busy || refusal !== null}
+              aria-keyshortcuts={LINE_STYLES[type].key}
               title={refusal ?? undefined}
               data-answer={type}
               data-testid={`answer-${type}`}
@@ -116,6 +117,9 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
             >
               <Swatch type={type} />
               {LINE_STYLES[type].title}
+              <Kbd size="xs" ml={likely ? 0 : "auto"} aria-hidden>
+                {LINE_STYLES[type].key}
+              </Kbd>
               {likely && (
                 <Figure ml="auto">{translate("edgeQuestion.mostLikely", { percent })}</Figure>
               )}

@@ -1,7 +1,5 @@
-/** The edge under the cursor, its figures, and the moves that pass there. */
+/** The edge under the cursor in three rows; a click shows the rest in the inspector. */
 
-import { Fragment } from "react";
-import type { Verdict } from "../../api/client";
 import {
   type Edges,
   lineTypeOf,
@@ -11,47 +9,31 @@ import {
 } from "../../geometry/records";
 import { formatFixed } from "../../language/numbers";
 import { translate } from "../../language/translate";
-import { messageText } from "../../messages/translateMessage";
 import { ruleText } from "../../state/drawing/inspect";
 import { LINE_STYLES, TRAVEL } from "../../state/drawing/palette";
 import { layerOf } from "../../state/drawing/rows";
 import { useFormatLength } from "../../state/drawing/useFormatLength";
-import { formatDeviation, formatHundredths } from "../../state/format";
-import { EDGE_FIGURE_LINES } from "../../state/job/figures";
+import { formatDeviation } from "../../state/format";
 import { useEdges, useJob, useMachines, useToolpath, useVerdict } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Figure } from "../shared/parts";
 import { Swatch } from "../shared/Swatch";
 import overlayCss from "./overlay.module.css";
 
-const WIDTH = 320;
-const HEAD = 100;
-const LINE = 20;
-const FIGURES = 4;
-/** Shorter lengths are not listed (mm). */
-const MIN_LISTED = 0.005;
-/** Moves listed at most; the rest is counted. */
-const MOVES = 4;
+const WIDTH = 300;
+const HEIGHT = 96;
 
 export function EdgeTooltip({ width, height }: { width: number; height: number }) {
   const hover = useUiStore((ui) => ui.hover);
   const { data: edges } = useEdges();
   const { data: toolpath } = useToolpath();
-  const { data: verdict } = useVerdict();
   if (hover === null) return null;
   const { x, y } = hover;
   const row = edges !== undefined && (hover.row ?? -1) < edges.bulge.length ? hover.row : null;
   const moves = hover.moves.filter((move) => move < (toolpath?.motion.length ?? 0));
   if (row === null && moves.length === 0) return null;
-  const more =
-    verdict === undefined || row === null
-      ? 0
-      : deviationParts(verdict, row).length + optionalFigures(verdict, row).length;
-  const lines = (verdict === undefined ? 0 : FIGURES + more) + Math.min(moves.length, MOVES + 1);
-  const estimatedHeight = HEAD + lines * LINE;
   const horizontal = x + WIDTH + 24 > width ? { right: width - x + 14 } : { left: x + 16 };
-  const vertical =
-    y + estimatedHeight + 24 > height ? { bottom: height - y + 12 } : { top: y + 16 };
+  const vertical = y + HEIGHT + 24 > height ? { bottom: height - y + 12 } : { top: y + 16 };
   return (
     <div
       className={`${overlayCss.float} ${overlayCss.tooltip}`}
@@ -59,16 +41,21 @@ export function EdgeTooltip({ width, height }: { width: number; height: number }
       role="tooltip"
       data-testid="edge-tooltip"
     >
-      {row !== null && edges !== undefined && <Edge row={row} edges={edges} />}
-      {moves.length > 0 && toolpath !== undefined && <Moves rows={moves} toolpath={toolpath} />}
+      {row !== null && edges !== undefined ? (
+        <Edge row={row} edges={edges} />
+      ) : (
+        toolpath !== undefined && <Moves rows={moves} toolpath={toolpath} />
+      )}
     </div>
   );
 }
 
+/** Line type and length, layer, and the deviation of the program or the reason for the type. */
 function Edge({ row, edges }: { row: number; edges: Edges }) {
   const { data: verdict } = useVerdict();
   const length = useFormatLength();
   const type = lineTypeOf(edges.lineType[row]);
+  const isJudged = verdict !== undefined && verdict.edge_deviation.length === edges.bulge.length;
   return (
     <>
       <div className={overlayCss.tooltipHead}>
@@ -81,100 +68,22 @@ function Edge({ row, edges }: { row: number; edges: Edges }) {
       <dl>
         <dt>{translate("edgeTooltip.layerInFile")}</dt>
         <dd>{layerOf(edges, row)}</dd>
-        <dt>{translate("edgeTooltip.objectInFile")}</dt>
-        <dd>
-          {edges.handles[row]} {translate("edgeTooltip.edgeNumber", { row })}
-        </dd>
-        <dt>{translate("edgeTooltip.reasonForLineType")}</dt>
-        <dd>{ruleText(edges.rules[edges.rule[row] ?? -1] ?? "")}</dd>
-        {verdict !== undefined && verdict.edge_deviation.length === edges.bulge.length && (
+        {isJudged ? (
           <>
             <dt>{translate("edgeTooltip.deviationFromDrawing")}</dt>
             <dd>{formatDeviation(verdict.edge_deviation[row] ?? Number.NaN)}</dd>
-            <Values figures={deviationParts(verdict, row)} />
-            <dt>{translate("edgeTooltip.overcutLength")}</dt>
-            <dd>{formatHundredths(verdict.edge_overcut[row] ?? Number.NaN)}</dd>
-            <dt>{translate("edgeTooltip.uncutLength")}</dt>
-            <dd>{formatHundredths(verdict.edge_uncut[row] ?? Number.NaN)}</dd>
-            <dt>{translate("edgeTooltip.gapAtEachEndOf")}</dt>
-            <dd>{formatHundredths(verdict.edge_setback[row] ?? Number.NaN)}</dd>
-            <Values figures={optionalFigures(verdict, row)} />
+          </>
+        ) : (
+          <>
+            <dt>{translate("edgeTooltip.reasonForLineType")}</dt>
+            <dd className={overlayCss.oneLine}>
+              {ruleText(edges.rules[edges.rule[row] ?? -1] ?? "")}
+            </dd>
           </>
         )}
       </dl>
     </>
   );
-}
-
-interface Value {
-  readonly title: string;
-  readonly value: string;
-}
-
-function Values({ figures }: { figures: readonly Value[] }) {
-  return figures.map(({ title, value }) => (
-    <Fragment key={title}>
-      <dt>{title}</dt>
-      <dd>{value}</dd>
-    </Fragment>
-  ));
-}
-
-/** The parts of the deviation of an edge; none if all of it is the deviation of the tool path. */
-function deviationParts(verdict: Verdict, row: number): Value[] {
-  const figure = (column: readonly number[]) => column[row] ?? 0;
-  const rounding = figure(verdict.edge_blending);
-  const fit = figure(verdict.edge_fit_error);
-  if (rounding === 0 && fit === 0) return [];
-  return [
-    {
-      title: translate("edgeTooltip.toolPathOffTheEdge"),
-      value: formatDeviation(figure(verdict.edge_path_deviation)),
-    },
-    {
-      title: translate("edgeTooltip.cornerRoundingByController"),
-      value: formatDeviation(rounding),
-    },
-    { title: translate("edgeTooltip.edgeOffTheCurveIn"), value: formatDeviation(fit) },
-  ];
-}
-
-/** Figures that only some edges have: groove section, board faces, unreachable length. */
-function optionalFigures(verdict: Verdict, row: number): Value[] {
-  const figure = (column: readonly number[]) => column[row] ?? 0;
-  const listed: Value[] = [];
-  const width = figure(verdict.edge_width);
-  if (width > 0) {
-    listed.push(
-      {
-        title: translate("edgeTooltip.grooveWidth"),
-        value: translate("edgeTooltip.atTheTopFace", { width: formatHundredths(width) }),
-      },
-      {
-        title: translate("edgeTooltip.boardThicknessUnderGroove"),
-        value: formatHundredths(figure(verdict.edge_web)),
-      },
-      {
-        title: translate("edgeTooltip.positionErrorOfGrooveSides"),
-        value: formatDeviation(figure(verdict.edge_flank)),
-      },
-    );
-  }
-  const left = figure(verdict.edge_unreached);
-  if (left >= MIN_LISTED)
-    listed.push({
-      title: translate("edgeTooltip.unreachableLength"),
-      value: translate("edgeTooltip.upToFromTheCut", {
-        length: formatHundredths(left),
-        distance: formatHundredths(figure(verdict.edge_unreached_distance)),
-      }),
-    });
-  for (const { name, title } of EDGE_FIGURE_LINES) {
-    const value = figure(verdict[name]);
-    if (value >= MIN_LISTED)
-      listed.push({ title: messageText(title), value: formatHundredths(value) });
-  }
-  return listed;
 }
 
 const MOTION_TITLES: Readonly<Record<Motion, string>> = {
@@ -186,6 +95,9 @@ const MOTION_TITLES: Readonly<Record<Motion, string>> = {
   "lead-out": translate("edgeTooltip.leadOut"),
   lift: translate("edgeTooltip.liftOutOfBoard"),
 };
+
+/** Moves listed at most; the rest is counted. */
+const MOVES = 2;
 
 /** The moves under the cursor: tool, kind of move, height and program line. */
 function Moves({ rows, toolpath }: { rows: readonly number[]; toolpath: Toolpath }) {

@@ -1,6 +1,7 @@
 /** The selected edges: line type, deciding rule, confidence and other possible types. */
 
 import { Box, Group, Progress, Text } from "@mantine/core";
+import type { ReactNode } from "react";
 import type { LineType } from "../../geometry/records";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
@@ -20,6 +21,7 @@ import panels from "../shared/panels.module.css";
 import { Figure, LinkButton, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
 import { Swatch } from "../shared/Swatch";
+import { EdgeFigures } from "./EdgeFigures";
 import { previewHandlers } from "./previewHandlers";
 
 export function InspectorPanel() {
@@ -63,7 +65,9 @@ export function InspectorPanel() {
         )}
         <Refusal reason={refusal} />
         <EdgeOptions edges={edges} rows={rows} />
-        <Facts summary={summary} handle={rows.length === 1 ? (edges.handles[row] ?? "") : null} />
+        <Facts summary={summary} handle={rows.length === 1 ? (edges.handles[row] ?? "") : null}>
+          {rows.length === 1 && <EdgeFigures row={row} edges={edges.bulge.length} />}
+        </Facts>
         {alike.length > rows.length && (
           <LinkButton type="button" onClick={() => selectEdges(alike)}>
             {translate("inspectorPanel.selectAllEdgesWithThis", { alike: alike.length })}
@@ -140,9 +144,10 @@ interface FactsProps {
   summary: EdgeSummary;
   /** null: more than one edge */
   handle: string | null;
+  children: ReactNode;
 }
 
-function Facts({ summary, handle }: FactsProps) {
+function Facts({ summary, handle, children }: FactsProps) {
   const lineWidth = useFormatLineWidth();
   return (
     <Box component="dl" className={panels.facts} data-end mt={10} fz={12}>
@@ -180,6 +185,7 @@ function Facts({ summary, handle }: FactsProps) {
           <dd>{summary.outcome}</dd>
         </>
       )}
+      {children}
     </Box>
   );
 }

@@ -1,54 +1,45 @@
-/** Open questions, each answered with one click; a program needs the answers to all. */
+/** Open questions, one at a time and zoomed to; a program needs the answers to all. */
 
-import { Stack } from "@mantine/core";
-import { IconHelpHexagonFilled } from "@tabler/icons-react";
-import { useRef, useState } from "react";
-import type { Question } from "../../api/client";
+import { ActionIcon, Group, Stack } from "@mantine/core";
+import { IconChevronLeft, IconChevronRight, IconHelpHexagonFilled } from "@tabler/icons-react";
+import { type ReactNode, useEffect, useRef, useState } from "react";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
 import { retypeEach } from "../../state/actions";
 import { LINE_STYLES } from "../../state/drawing/palette";
-import { questionKey, suggestions } from "../../state/drawing/questions";
-import { useDrawing, useJob } from "../../state/queries";
+import { suggestions } from "../../state/drawing/questions";
+import { useOpenQuestions } from "../../state/drawing/useSteps";
+import { useDrawing } from "../../state/queries";
 import { type RetypePreview, useUiStore } from "../../state/store";
 import { Refusal } from "../accounts/Permitted";
 import css from "../shared/panels.module.css";
 import { Figure } from "../shared/parts";
 import { Section } from "../shared/Section";
-import { ShowMore } from "../shared/ShowMore";
 import { Swatch } from "../shared/Swatch";
 import { EdgeQuestion } from "./EdgeQuestion";
 import { previewHandlers } from "./previewHandlers";
 import { QuestionTable } from "./QuestionTable";
 import { UnitQuestion } from "./UnitQuestion";
 
-/** Questions listed at once. */
-const STEP = 4;
 /** With more questions, a button answers all at once. */
 const FEW = 3;
-/** With more questions about line types, they are the rows of a table. */
+/** With more questions about line types, they are also the rows of a table. */
 const CARDS = 5;
 
 export function QuestionsPanel() {
   const { data: drawing } = useDrawing();
-  const { data: job } = useJob();
-  const compileQuestions = useUiStore((ui) => ui.compileQuestions);
+  const questions = useOpenQuestions();
   const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
-  const [limit, setLimit] = useState(STEP);
+  const [wanted, setWanted] = useState(0);
   const list = useRef<HTMLDivElement>(null);
-  if (drawing === undefined) return null;
-  const questions = new Map<string, Question>();
-  for (const question of [...drawing.questions, ...compileQuestions, ...(job?.questions ?? [])]) {
-    questions.set(questionKey(question), question);
-  }
-  if (questions.size === 0) return null;
-  const all = [...questions];
-  const lineTypeQuestions = all
-    .map(([, question]) => question)
+  const at = Math.min(wanted, questions.length - 1);
+  const [key, question] = questions[at] ?? ["", undefined];
+  useZoomTo(key, question?.edges ?? []);
+  if (drawing === undefined || question === undefined) return null;
+  const lineTypeQuestions = questions
+    .map(([, one]) => one)
     .filter(({ kind }) => kind === "line-type");
   const suggested = suggestions(lineTypeQuestions);
-  const asTable = lineTypeQuestions.length > CARDS;
-  const listed = asTable ? all.filter(([, { kind }]) => kind !== "line-type") : all;
   const undecided = lineTypeQuestions.flatMap(({ edges }) => edges);
   // The next question is enabled one frame later.
   const focusNextAnswer = () =>
@@ -58,25 +49,39 @@ export function QuestionsPanel() {
       title={
         <>
           <IconHelpHexagonFilled size={15} color={LINE_STYLES.unclassified.colour} aria-hidden />
-          {translate("questionsPanel.openQuestions", { questions: questions.size })}
+          {translate("questionsPanel.openQuestions", { questions: questions.length })}
         </>
       }
     >
       <Stack ref={list} gap={8} data-testid="questions">
-        {listed
-          .slice(0, limit)
-          .map(([key, question]) =>
-            question.kind === "unit" ? (
-              <UnitQuestion key={key} question={question} drawing={drawing} />
-            ) : (
-              <EdgeQuestion key={key} question={question} onAnswered={focusNextAnswer} />
-            ),
-          )}
-        {asTable && <QuestionTable questions={lineTypeQuestions} />}
-        <Refusal reason={refusal} />
-        {listed.length > limit && (
-          <ShowMore left={listed.length - limit} act={() => setLimit(limit + STEP)} />
+        {questions.length > 1 && (
+          <Group gap={4} justify="space-between">
+            <Turn
+              label={translate("questionsPanel.previous")}
+              off={at === 0}
+              act={() => setWanted(at - 1)}
+            >
+              <IconChevronLeft size={17} />
+            </Turn>
+            <Figure aria-live="polite">
+              {translate("questionsPanel.questionOf", { at: at + 1, all: questions.length })}
+            </Figure>
+            <Turn
+              label={translate("questionsPanel.next")}
+              off={at === questions.length - 1}
+              act={() => setWanted(at + 1)}
+              testId="next-question"
+            >
+              <IconChevronRight size={17} />
+            </Turn>
+          </Group>
         )}
+        {question.kind === "unit" ? (
+          <UnitQuestion key={key} question={question} drawing={drawing} />
+        ) : (
+          <EdgeQuestion key={key} question={question} onAnswered={focusNextAnswer} />
+        )}
+        <Refusal reason={refusal} />
         {suggested.length > 1 && (
           <SetMany
             retypings={suggested}
@@ -97,8 +102,51 @@ export function QuestionsPanel() {
             {translate("questionsPanel.setAllUndecidedEdgesTo")}
           </SetMany>
         )}
+        {lineTypeQuestions.length > CARDS && (
+          <details data-testid="all-questions">
+            <summary className={css.summary}>{translate("questionsPanel.allInATable")}</summary>
+            <QuestionTable questions={lineTypeQuestions} />
+          </details>
+        )}
       </Stack>
     </Section>
+  );
+}
+
+/** Select the edges of a question and zoom to them when it is asked. */
+function useZoomTo(key: string, rows: readonly number[]): void {
+  const { data: drawing } = useDrawing();
+  const known = drawing !== undefined;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: once per question
+  useEffect(() => {
+    if (!known || key === "" || rows.length === 0) return;
+    // The picture is fitted to the drawing first.
+    const timer = setTimeout(() => useUiStore.getState().zoomToEdges(rows), 350);
+    return () => clearTimeout(timer);
+  }, [key, known]);
+}
+
+interface TurnProps {
+  readonly label: string;
+  readonly off: boolean;
+  readonly act: () => void;
+  readonly testId?: string;
+  readonly children: ReactNode;
+}
+
+function Turn({ label, off, act, testId, children }: TurnProps) {
+  return (
+    <ActionIcon
+      variant="default"
+      size={32}
+      aria-label={label}
+      title={label}
+      disabled={off}
+      onClick={act}
+      data-testid={testId}
+    >
+      {children}
+    </ActionIcon>
   );
 }
 

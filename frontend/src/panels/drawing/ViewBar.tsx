@@ -1,7 +1,7 @@
 /** Buttons that show and hide the layers of the canvas. */
 
 import { translate } from "../../language/translate";
-import { MARKS, SWEPT, TRAVEL, UNCUT } from "../../state/drawing/palette";
+import { LINE_STYLES, MARKS, SWEPT, TRAVEL, translucent, UNCUT } from "../../state/drawing/palette";
 import { useToolpath, useVerdictColumns } from "../../state/queries";
 import { type Layer, useUiStore } from "../../state/store";
 import css from "./overlay.module.css";
@@ -20,7 +20,7 @@ const LAYERS: readonly {
     layer: "nominal",
     title: translate("viewBar.drawing"),
     shows: translate("viewBar.theEdgesOfTheDrawing"),
-    colour: "#ff6b61",
+    colour: LINE_STYLES.cut.colour,
   },
   {
     layer: "head",
@@ -38,14 +38,14 @@ const LAYERS: readonly {
     layer: "rapids",
     title: translate("viewBar.movesAboveBoard"),
     shows: translate("viewBar.theMovesOfTheMachine"),
-    colour: "#8b97a6",
+    colour: TRAVEL.rapid,
     dashed: true,
   },
   {
     layer: "swept",
     title: translate("viewBar.toolWidth"),
     shows: translate("viewBar.theAreaThatTheTools"),
-    colour: `${SWEPT.groove}99`,
+    colour: translucent(SWEPT.groove, 60),
     thick: true,
   },
   {
@@ -59,7 +59,7 @@ const LAYERS: readonly {
     layer: "uncut",
     title: translate("viewBar.unreachableAreas"),
     shows: translate("viewBar.areasThatTheToolCannot"),
-    colour: `${UNCUT}aa`,
+    colour: translucent(UNCUT, 67),
     thick: true,
   },
 ];

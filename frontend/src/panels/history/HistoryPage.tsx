@@ -1,17 +1,8 @@
 /** Ended jobs, statistics of the machines, and the life of their tools. */
 
-import { returnToDrawing, showDrawing } from "../../state/routes";
+import { showDrawing } from "../../state/routes";
 import "../../messages/load";
-import {
-  Button,
-  Flex,
-  SegmentedControl,
-  Select,
-  SimpleGrid,
-  Text,
-  TextInput,
-  Title,
-} from "@mantine/core";
+import { Flex, SegmentedControl, Select, SimpleGrid, Text, TextInput, Title } from "@mantine/core";
 import { IconSearch } from "@tabler/icons-react";
 import { useState } from "react";
 import type { EndedState, HistoryFilter, Job } from "../../api/client";
@@ -66,7 +57,7 @@ export function HistoryPage() {
   const [machine, setMachine] = useState("");
   const { data: machines } = useMachines();
   return (
-    <div className={panels.page} data-touch data-testid="history">
+    <main className={panels.page} data-touch data-testid="history">
       <header className={panels.head}>
         <Title order={1} fz={22}>
           {translate("historyPage.history")}
@@ -86,14 +77,11 @@ export function HistoryPage() {
           onChange={(value) => setMachine(value ?? "")}
           data={(machines ?? []).map(({ name, title }) => ({ value: name, label: title || name }))}
         />
-        <Button variant="default" onClick={returnToDrawing} data-testid="close-history">
-          {translate("historyPage.backToTheDrawing")}
-        </Button>
       </header>
       {view === "jobs" && <EndedJobs machine={machine} />}
       {view === "statistics" && <StatisticsView machine={machine} />}
       {view === "tools" && <ToolsView machine={machine} />}
-    </div>
+    </main>
   );
 }
 
@@ -178,7 +166,7 @@ function EndedJob({ job }: { job: Job }) {
       <button
         type="button"
         className={css.job}
-        onClick={() => showDrawing(job.drawing, job.id)}
+        onClick={() => showDrawing(job.drawing, job.id, "check")}
         data-testid="history-row"
       >
         <DrawingPicture

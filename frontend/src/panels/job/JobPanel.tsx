@@ -8,7 +8,6 @@ import {
   IconPlayerPauseFilled,
   IconPlayerStopFilled,
   IconRefresh,
-  IconSend2,
   IconTrash,
 } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
@@ -63,21 +62,22 @@ export function JobPanel() {
     );
   if (job === undefined) return null;
   return (
-    <Section
-      title={translate("jobPanel.openJob")}
-      aside={<StateBadge job={job} testId="job-state" />}
-    >
-      <Stack gap={12}>
-        <JobBoard job={job} />
-        <OrderCard job={job} />
+    <section className={css.section} aria-label={translate("jobPanel.openJob")}>
+      <Stack gap={12} p={16}>
+        <Group justify="space-between" gap={8}>
+          <JobBoard job={job} />
+          <StateBadge job={job} testId="job-state" />
+        </Group>
         {isCompiling(job) && <Compiling job={job} />}
         {waitsAtMachine(job) && <WaitsAtMachine job={job} />}
         {job.state === "queued" && !needsOperator(job) && <Waiting job={job} />}
         {isOnTable(job) && <Running job={job} />}
         <Outcome job={job} />
+        <VerdictCard job={job} />
         <Controls job={job} />
         {canContinue(job) && <Rest key={job.id} job={job} />}
-        <VerdictCard job={job} />
+        <OrderCard job={job} />
+        {/* Buttons that hand a job over (ticket, export) are rows here. */}
         {hasProgram(job) && (
           <Button
             component="a"
@@ -95,7 +95,7 @@ export function JobPanel() {
           </Button>
         )}
       </Stack>
-    </Section>
+    </section>
   );
 }
 
@@ -236,19 +236,15 @@ function Outcome({ job }: { job: Job }) {
   );
 }
 
+/** Sending is the main action of the step. */
+type PanelCommand = Exclude<OfficeCommand, "release">;
+
 const LOOKS: Readonly<
   Record<
-    OfficeCommand,
+    PanelCommand,
     { title: string; icon: ReactNode; colour: string; variant: string; testId: string }
   >
 > = {
-  release: {
-    title: translate("jobPanel.sendJobToMachine"),
-    icon: <IconSend2 size={17} />,
-    colour: "blue",
-    variant: "filled",
-    testId: "send",
-  },
   recompile: {
     title: translate("jobPanel.compileJobAgain"),
     icon: <IconRefresh size={16} />,
@@ -315,13 +311,13 @@ function Controls({ job }: { job: Job }) {
     // A queued job is the operator's.
     OF_DESIGNERS.includes(word) && isBeforeQueue(job) ? reasons.designer : reasons.operator;
   const busy = useUiStore((ui) => ui.busy);
-  const [asking, setAsking] = useState<OfficeCommand | null>(null);
-  const words = commandsOf(job);
+  const [asking, setAsking] = useState<PanelCommand | null>(null);
+  const words = commandsOf(job).filter((word): word is PanelCommand => word !== "release");
   // The job may change while the dialog is open: close it when the command is no longer possible.
   const open = asking !== null && words.includes(asking) ? confirmationBefore(job, asking) : null;
   if (words.length === 0) return null;
   const refused = words.find((word) => reasonAgainst(word) !== null);
-  const send = (word: OfficeCommand) => {
+  const send = (word: PanelCommand) => {
     if (confirmationBefore(job, word) === null) void command(job.id, word);
     else setAsking(word);
   };

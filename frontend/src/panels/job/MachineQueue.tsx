@@ -37,7 +37,6 @@ import {
 } from "../../state/job/queue";
 import { useBoardTitle, useMachines, useQueue } from "../../state/queries";
 import { showDrawing } from "../../state/routes";
-import { useUiStore } from "../../state/store";
 import { OrderLine } from "../order/OrderDetails";
 import { DrawingPicture } from "../shared/DrawingPicture";
 import panels from "../shared/panels.module.css";
@@ -58,7 +57,6 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
   const [dragged, setDragged] = useState<string | null>(null);
   const [target, setTarget] = useState<Target | null>(null);
   const reason = useRefusal("POST /api/v1/jobs/{id}/move");
-  const current = useUiStore((ui) => ui.job);
   const entries = queue?.entries ?? [];
   const ids = waitingIds(entries);
 
@@ -142,7 +140,7 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
                   toTop={() => moveTo(job.id, 0)}
                 />
               )}
-              {waitsAtMachine(job) && job.id !== current && (
+              {waitsAtMachine(job) && (
                 <Box px={8} pb={8}>
                   <WaitsAtMachine job={job} />
                 </Box>
@@ -157,15 +155,13 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
 
 function Row({ entry }: { entry: QueueEntry }) {
   const { job, place } = entry;
-  const current = useUiStore((ui) => ui.job === job.id);
   const board = useBoardTitle(job.board);
   return (
     <button
       type="button"
       className={panels.pick}
       style={{ flexWrap: "wrap" }}
-      aria-current={current}
-      onClick={() => showDrawing(job.drawing, job.id)}
+      onClick={() => showDrawing(job.drawing, job.id, "check")}
       data-testid="queue-row"
     >
       <Text span w={20} ta="center" c="ink.2" fw={650}>

@@ -14,7 +14,7 @@ import type { Finding, Job, VerdictSummary } from "../../api/client";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
-import { UNCUT } from "../../state/drawing/palette";
+import { translucent, UNCUT } from "../../state/drawing/palette";
 import {
   formatArea,
   formatBytes,
@@ -30,6 +30,8 @@ import { Permitted } from "../accounts/Permitted";
 import css from "../shared/panels.module.css";
 import { Figures, Note } from "../shared/parts";
 import { AcceptForm } from "./AcceptForm";
+import { ShowCompensation } from "./ShowCompensation";
+import { VerdictPlaces } from "./VerdictPlaces";
 
 const SHOWN = 100;
 /** Half the side of the zoom box: at least (mm), and relative to the size of the area. */
@@ -49,6 +51,8 @@ export function VerdictCard({ job }: { job: Job }) {
   const { verdict } = job;
   if (verdict === null) return null;
   const findings = fullVerdict?.findings ?? [];
+  const problems = findings.filter(({ severity }) => severity !== "note");
+  const notes = findings.filter(({ severity }) => severity === "note");
   return (
     <article
       className={css.callout}
@@ -58,7 +62,7 @@ export function VerdictCard({ job }: { job: Job }) {
       data-testid="verdict"
       aria-label={translate("verdictCard.resultOfTheProgramCheck")}
     >
-      <Group gap={10} wrap="nowrap">
+      <Group gap={10} wrap="nowrap" align="flex-start">
         <Box component="span" display="flex" c="var(--tone)">
           {verdict.accepted ? (
             <IconRosetteDiscountCheckFilled size={22} aria-hidden />
@@ -68,88 +72,100 @@ export function VerdictCard({ job }: { job: Job }) {
             <IconAlertTriangleFilled size={22} aria-hidden />
           )}
         </Box>
-        <Text span c="ink.0" fz={15} fw={650}>
+        <Text span c="ink.0" fz={14} fw={600} lh={1.4} data-testid="verdict-sentence">
           {title(verdict, findings)}
         </Text>
       </Group>
-      <Deviation verdict={verdict} />
-      <dl className={css.pairs}>
-        <div>
-          <dt>{translate("verdictCard.longestOvercut")}</dt>
-          <dd>{formatLength(verdict.overcut)}</dd>
-        </div>
-        <div>
-          <dt>{translate("verdictCard.longestLengthLeftUncut")}</dt>
-          <dd>{formatLength(verdict.uncut)}</dd>
-        </div>
-        <div>
-          <dt>{translate("verdictCard.totalLengthLeftOutAs")}</dt>
-          <dd>{formatLength(verdict.setback_total)}</dd>
-        </div>
-        <div>
-          <dt>{translate("verdictCard.machineTime")}</dt>
-          <dd>{formatDuration(verdict.seconds)}</dd>
-        </div>
-        {PROGRAM_FIGURE_LINES.map(({ name, title, unit }) => {
-          const value = verdict[name] ?? 0;
-          return value === 0 ? null : (
-            <div key={name} data-testid={`figure-${name}`}>
-              <dt>{messageText(title)}</dt>
-              <dd>{FORMATS[unit](value)}</dd>
-            </div>
-          );
-        })}
-        {PROGRAM_FACT_LINES.map(({ name, unit }) =>
-          job[name] === 0 ? null : (
-            <div key={name} data-testid={`fact-${name}`}>
-              <dt>{translate(`fact.${name}`)}</dt>
-              <dd>{FORMATS[unit](job[name])}</dd>
-            </div>
-          ),
-        )}
-      </dl>
-      <Stack gap={6} mt={12} fz={12.5}>
+      <Stack gap={4} mt={8} mx={-6} fz={12.5}>
+        <VerdictPlaces verdict={verdict} />
         <Unreached verdict={verdict} />
         <UnreachedEdges verdict={verdict} />
         <WideSlits verdict={verdict} />
         <Saved verdict={verdict} />
       </Stack>
-      {findings.length > 0 && (
-        <Box
-          mah={260}
-          fz={12}
-          mt={12}
-          mx={-6}
-          mb={-6}
-          style={{ overflow: "auto" }}
-          data-testid="findings"
-        >
-          {findings.slice(0, SHOWN).map((finding, at) => (
-            // biome-ignore lint/suspicious/noArrayIndexKey: two findings may read alike
-            <Row key={at} finding={finding} />
-          ))}
-          {findings.length > SHOWN && (
-            <Note px={8}>
-              {translate("verdictCard.andMoreFindings", { findings: findings.length - SHOWN })}
-            </Note>
-          )}
-        </Box>
-      )}
+      <ShowCompensation />
+      {problems.length > 0 && <Findings findings={problems} />}
       {job.actions.includes("accept") && (
         <Permitted request="POST /api/v1/jobs/{id}/exceptions">
           <AcceptForm job={job} findings={findings} />
         </Permitted>
       )}
+      <dl className={css.pairs}>
+        <div>
+          <dt>{translate("verdictCard.machineTime")}</dt>
+          <dd>{formatDuration(verdict.seconds)}</dd>
+        </div>
+      </dl>
+      <details data-testid="verdict-details">
+        <summary className={css.summary}>{translate("verdictCard.details")}</summary>
+        <Deviation verdict={verdict} />
+        <dl className={css.pairs}>
+          <div>
+            <dt>{translate("verdictCard.longestOvercut")}</dt>
+            <dd>{formatLength(verdict.overcut)}</dd>
+          </div>
+          <div>
+            <dt>{translate("verdictCard.longestLengthLeftUncut")}</dt>
+            <dd>{formatLength(verdict.uncut)}</dd>
+          </div>
+          <div>
+            <dt>{translate("verdictCard.totalLengthLeftOutAs")}</dt>
+            <dd>{formatLength(verdict.setback_total)}</dd>
+          </div>
+          {PROGRAM_FIGURE_LINES.map(({ name, title, unit }) => {
+            const value = verdict[name] ?? 0;
+            return value === 0 ? null : (
+              <div key={name} data-testid={`figure-${name}`}>
+                <dt>{messageText(title)}</dt>
+                <dd>{FORMATS[unit](value)}</dd>
+              </div>
+            );
+          })}
+          {PROGRAM_FACT_LINES.map(({ name, unit }) =>
+            job[name] === 0 ? null : (
+              <div key={name} data-testid={`fact-${name}`}>
+                <dt>{translate(`fact.${name}`)}</dt>
+                <dd>{FORMATS[unit](job[name])}</dd>
+              </div>
+            ),
+          )}
+        </dl>
+        {notes.length > 0 && <Findings findings={notes} />}
+      </details>
     </article>
   );
 }
 
-/** Heading of the card: whether the program matches the drawing, and otherwise why not. */
+/** A list of findings; a click zooms to the edges of one. */
+function Findings({ findings }: { findings: readonly Finding[] }) {
+  return (
+    <Box mah={260} fz={12} mt={8} mx={-6} style={{ overflow: "auto" }} data-testid="findings">
+      {findings.slice(0, SHOWN).map((finding, at) => (
+        // biome-ignore lint/suspicious/noArrayIndexKey: two findings may read alike
+        <Row key={at} finding={finding} />
+      ))}
+      {findings.length > SHOWN && (
+        <Note px={8}>
+          {translate("verdictCard.andMoreFindings", { findings: findings.length - SHOWN })}
+        </Note>
+      )}
+    </Box>
+  );
+}
+
+/** Heading of the card: how exactly the program makes the drawing, and otherwise why not. */
 function title(verdict: VerdictSummary, findings: readonly Finding[]): string {
+  const figures = {
+    deviation: formatDeviation(verdict.deviation),
+    seconds: formatDuration(verdict.seconds),
+  };
   if (verdict.accepted)
     return verdict.exceptions === 0
-      ? translate("verdictCard.programMatchesTheDrawing")
-      : translate("verdictCard.programMatchesTheDrawingExcept", { exceptions: verdict.exceptions });
+      ? translate("verdictCard.cutsYourDrawing", figures)
+      : translate("verdictCard.cutsYourDrawingExcept", {
+          ...figures,
+          exceptions: verdict.exceptions,
+        });
   return isFaulty(verdict, findings)
     ? translate("verdictCard.programHasErrorsAndCannot")
     : translate("verdictCard.toolCannotMakeEveryLine");
@@ -246,7 +262,7 @@ function Unreached({ verdict }: { verdict: VerdictSummary }) {
         flex="none"
         bdrs={3}
         bd="1.5px solid currentcolor"
-        style={{ color: UNCUT, background: `${UNCUT}66` }}
+        style={{ color: UNCUT, background: translucent(UNCUT, 40) }}
       />
       <span>
         {translate("verdictCard.inPlacesCannotBeReached", {

@@ -1,7 +1,6 @@
 /** The board of the next job of a drawing, which is never taken over from another drawing. */
 
 import { Button, Select } from "@mantine/core";
-import { useEffect } from "react";
 import type { Drawing } from "../../api/client";
 import { translate } from "../../language/translate";
 import { useBoards, useBoardTitle, useLastJob } from "../../state/queries";
@@ -12,20 +11,14 @@ export function BoardSelect({ drawing }: { drawing: Drawing }) {
   const board = useUiStore((ui) => ui.board);
   const job = useUiStore((ui) => ui.job);
   const set = useUiStore((ui) => ui.set);
-  const { data: last } = useLastJob({ drawing: drawing.id }, board === null && job === null);
-  const remembered = boards?.some(({ name }) => name === last?.board) ? last?.board : undefined;
-
-  // The board of the last job of this drawing, if this page has not chosen another one since.
-  useEffect(() => {
-    if (board === null && remembered !== undefined) set({ board: remembered });
-  }, [board, remembered, set]);
+  const { data: last } = useLastJob({ drawing: drawing.id }, job === null);
 
   return (
     <div style={{ display: "grid", gap: 4 }}>
       <Select
         label={translate("boardSelect.board")}
         description={
-          job === null && board !== null && board === remembered
+          job === null && board !== null && board === last?.board
             ? translate("boardSelect.asInTheLastJob")
             : undefined
         }

@@ -17,7 +17,7 @@ const KEYS: readonly (readonly [string, string])[] = [
   [translate("shortcutsDialog.ctrlShiftZ"), translate("shortcutsDialog.redoTheUndoneChange")],
   [translate("shortcutsDialog.esc"), translate("shortcutsDialog.clearTheSelectionOfEdges")],
   [translate("shortcutsDialog.ctrlA"), translate("shortcutsDialog.selectAllEdges")],
-  ["[  ]", translate("shortcutsDialog.showOrHideTheLeft")],
+  ["]", translate("shortcutsDialog.showOrHideTheLeft")],
   ["N  H  T  R", translate("shortcutsDialog.showOrHideDrawingHead")],
   ["S  P", translate("shortcutsDialog.showOrHideToolWidth")],
   ["C", translate("shortcutsDialog.changeWhatTheColoursShow")],

@@ -36,7 +36,7 @@ export async function applyDrawing(drawing: Drawing): Promise<void> {
     queries.importReports(drawing.id),
     queries.learned(drawing.id).queryKey,
     queries.customerAnswers(drawing.id).queryKey,
-    queries.drawings().queryKey,
+    ["orders"],
   ];
   // Cancel requests in flight: their answers may be of the previous revision.
   await Promise.all(stale.map((queryKey) => queryClient.cancelQueries({ queryKey })));

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { SCALE } from "./palette";
+import { COLOURS, SCALE, type Scheme } from "./palette";
 
 /** Björn Ottosson's OKLab, in which equal distances look equal. */
 function oklab(hex: string): [number, number, number] {
@@ -23,8 +23,9 @@ const apart = (a: string, b: string): number => {
   return Math.hypot(from[0] - to[0], from[1] - to[1], from[2] - to[2]);
 };
 
-describe("the scale of the figures", () => {
-  const steps = SCALE.stops.slice(1).map((stop, at) => apart(SCALE.stops[at] ?? "", stop));
+describe.each(["dark", "light"] as const)("the scale of the figures, %s", (scheme) => {
+  const { stops, beyond, unworked } = SCALE[scheme];
+  const steps = stops.slice(1).map((stop, at) => apart(stops[at] ?? "", stop));
   const mean = steps.reduce((sum, step) => sum + step, 0) / steps.length;
 
   test("white is light and has no hue", () => {
@@ -37,14 +38,48 @@ describe("the scale of the figures", () => {
   });
 
   test("grows lighter all the way", () => {
-    const light = SCALE.stops.map((stop) => oklab(stop)[0]);
+    const light = stops.map((stop) => oklab(stop)[0]);
     expect(light).toEqual([...light].sort((a, b) => a - b));
   });
 
   test("has distinct colours for above the limit and not machined", () => {
-    for (const stop of SCALE.stops) {
-      expect(apart(stop, SCALE.beyond)).toBeGreaterThan(2.5 * mean);
-      expect(apart(stop, SCALE.unworked)).toBeGreaterThan(1.5 * mean);
+    for (const stop of stops) {
+      expect(apart(stop, beyond)).toBeGreaterThan(2.5 * mean);
+      expect(apart(stop, unworked)).toBeGreaterThan(1.5 * mean);
     }
   });
+});
+
+/** Relative luminance of WCAG 2. */
+function luminance(hex: string): number {
+  const [r = 0, g = 0, b = 0] = [1, 3, 5].map((at) => {
+    const part = Number.parseInt(hex.slice(at, at + 2), 16) / 255;
+    return part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
+  });
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+
+const contrast = (a: string, b: string): number => {
+  const [dark = 0, light = 0] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+  return (light + 0.05) / (dark + 0.05);
+};
+
+describe.each<Scheme>(["dark", "light"])("the lines of the %s scheme", (scheme) => {
+  const colours = COLOURS[scheme];
+  const lines = [
+    "cut",
+    "crease",
+    "v-groove",
+    "perforation",
+    "half-cut",
+    "combi",
+    "ignored",
+  ] as const;
+  test.each([...lines, "unclassified", "head", "tip", "uncut", "zone"] as const)(
+    "%s stands out from the table",
+    (name) => {
+      // WCAG 2.2, 1.4.11: graphical objects.
+      expect(contrast(colours[name], colours.table)).toBeGreaterThan(3);
+    },
+  );
 });

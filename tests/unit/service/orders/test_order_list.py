@@ -72,7 +72,7 @@ def test_the_list_is_searched_sorted_and_paged(listed: Listed) -> None:
     assert listed.ids(sort="due") == [soon, later, never]
     assert listed.ids(search=f"b {listed.customer}".upper()) == [soon]
     assert listed.ids(search=f"{listed.customer}%") == []
-    params = {"search": listed.customer, "sort": "due", "limit": 2}
+    params: dict[str, Any] = {"search": listed.customer, "sort": "due", "limit": 2}
     first = listed.client.get("/api/v1/orders", params=params)
     assert [row["drawing"]["id"] for row in first.json()] == [soon, later]
     second = listed.client.get(first.links["next"]["url"])

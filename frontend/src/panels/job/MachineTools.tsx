@@ -1,16 +1,12 @@
-/** The machine: connection, carriages if there are several, and the tool in each station. */
+/** The tool in each station of a machine, by carriage, and zones that no tool may enter. */
 
-import { Anchor, Badge, Group, Text } from "@mantine/core";
+import { Group, Text } from "@mantine/core";
 import type { ReactNode } from "react";
 import type { Machine } from "../../api/client";
 import { formatNumber, withMinusSign } from "../../language/numbers";
 import { translate } from "../../language/translate";
-import { CANVAS } from "../../state/drawing/palette";
-import { useMachines } from "../../state/queries";
-import { useUiStore } from "../../state/store";
-import { PairedDevices } from "../accounts/PairedDevices";
+import { ZONE } from "../../state/drawing/palette";
 import { Note, StationNumber } from "../shared/parts";
-import { Section } from "../shared/Section";
 import { dimensionText } from "../station/toolText";
 import jobCss from "./job.module.css";
 
@@ -23,40 +19,9 @@ const carriageText = ({ number, letters, park }: Machine["carriages"][number]): 
 const zoneText = ({ x, y, width, height, top }: Machine["zones"][number]): string =>
   `${translate("machinePanel.xTo", { x: signed(x), x2: signed(x + width) })} · ${translate("machinePanel.yTo", { y: signed(y), y2: signed(y + height) })} · ${translate("machinePanel.mmHigh", { top })}`;
 
-export function MachinePanel() {
-  const { data: machines } = useMachines();
-  const chosen = useUiStore((ui) => ui.machine);
-  const machine = machines?.find(({ name }) => name === chosen) ?? machines?.[0];
-  if (machine === undefined) return null;
+export function MachineTools({ machine }: { machine: Machine }) {
   return (
-    <Section
-      title={translate("machinePanel.machineAndTools")}
-      flush
-      aside={<Gateway machine={machine} />}
-    >
-      <Note component="div" px={8} pb={6}>
-        {translate("machinePanel.controllerLanguage", {
-          title: machine.title || machine.name,
-          language: machine.language,
-        })}
-        {" · "}
-        <Anchor
-          fz={12}
-          href={`#/station/${encodeURIComponent(machine.name)}`}
-          data-testid="open-station"
-        >
-          {translate("machinePanel.openStationPage")}
-        </Anchor>{" "}
-        ·{" "}
-        <Anchor fz={12} href="#/library" data-testid="open-library">
-          {translate("machinePanel.machinesAndBoards")}
-        </Anchor>{" "}
-        ·{" "}
-        <Anchor fz={12} href="#/webhooks" data-testid="open-webhooks">
-          {translate("machinePanel.webhooks")}
-        </Anchor>
-      </Note>
-      <PairedDevices key={machine.name} machine={machine.name} />
+    <>
       {machine.carriages.map((carriage) => (
         <div key={carriage.number}>
           {machine.carriages.length > 1 && (
@@ -84,23 +49,14 @@ export function MachinePanel() {
           {machine.zones.map((zone) => (
             <Item
               key={`${zone.name} ${zone.x} ${zone.y}`}
-              mark={<span className={jobCss.zone} style={{ color: CANVAS.zone }} />}
+              mark={<span className={jobCss.zone} style={{ color: ZONE }} />}
               name={zone.name}
               text={zoneText(zone)}
             />
           ))}
         </div>
       )}
-    </Section>
-  );
-}
-
-function Gateway({ machine }: { machine: Machine }) {
-  const connected = machine.gateway === "connected";
-  return (
-    <Badge component="span" color={connected ? "green" : "gray"}>
-      {connected ? translate("machinePanel.connected") : translate("machinePanel.notConnected")}
-    </Badge>
+    </>
   );
 }
 

@@ -1,0 +1,141 @@
+/** The rail: links to the places of the page; below the page on a phone. */
+
+import { Indicator, Tooltip, VisuallyHidden } from "@mantine/core";
+import {
+  IconBooks,
+  IconHistory,
+  IconLayoutList,
+  IconSettings,
+  IconTool,
+  IconVector,
+  IconWashMachine,
+} from "@tabler/icons-react";
+import type { ReactNode } from "react";
+import { useLocation } from "wouter";
+import { translate } from "../language/translate";
+import { AccountButton } from "../panels/accounts/AccountDialog";
+import { useMachineState } from "../state/job/useMachineState";
+import { drawingPath } from "../state/routes";
+import { useUiStore } from "../state/store";
+import css from "./app.module.css";
+import { Logo } from "./Logo";
+
+export function Rail() {
+  const [path] = useLocation();
+  const drawing = useUiStore((ui) => ui.drawing);
+  const drawn = useUiStore(drawingPath);
+  return (
+    <nav className={css.rail} aria-label={translate("rail.places")}>
+      <span className={css.brand}>
+        <Logo size={26} />
+      </span>
+      <Place href="/" at={path === "/"} label={translate("rail.work")} testId="to-work">
+        <IconLayoutList />
+      </Place>
+      <Place
+        href={drawn}
+        at={path.startsWith("/drawings/")}
+        label={translate("rail.drawing")}
+        off={drawing === null ? translate("rail.openADrawingFirst") : null}
+        testId="to-drawing"
+      >
+        <IconVector />
+      </Place>
+      <Machines at={path === "/machines"} />
+      <Place
+        href="/station"
+        at={path.startsWith("/station")}
+        label={translate("rail.station")}
+        testId="to-stations"
+      >
+        <IconTool />
+      </Place>
+      <Place
+        href="/library"
+        at={path.startsWith("/library")}
+        label={translate("rail.library")}
+        testId="open-library"
+      >
+        <IconBooks />
+      </Place>
+      <Place
+        href="/history"
+        at={path === "/history"}
+        label={translate("rail.history")}
+        testId="history-button"
+      >
+        <IconHistory />
+      </Place>
+      <span className={css.gap} />
+      <span className={css.account}>
+        <AccountButton />
+      </span>
+      <Place
+        href="/settings"
+        at={path === "/settings" || path === "/webhooks"}
+        label={translate("rail.settings")}
+        testId="open-settings"
+      >
+        <IconSettings />
+      </Place>
+    </nav>
+  );
+}
+
+/** The link to the machines, with the state of the one on which jobs are made. */
+function Machines({ at }: { at: boolean }) {
+  const { text, colour, word } = useMachineState();
+  return (
+    <>
+      <Place
+        href="/machines"
+        at={at}
+        label={translate("rail.machines")}
+        hint={text}
+        testId="to-machines"
+      >
+        <Indicator color={colour} size={9} offset={2} withBorder disabled={word === ""}>
+          <IconWashMachine />
+        </Indicator>
+      </Place>
+      <VisuallyHidden role="status" data-testid="machine-status">
+        {text}
+      </VisuallyHidden>
+    </>
+  );
+}
+
+interface PlaceProps {
+  readonly href: string;
+  readonly at: boolean;
+  readonly label: string;
+  /** Shown beside the place instead of its name. */
+  readonly hint?: string;
+  /** Why there is nothing at this place; null if there is. */
+  readonly off?: string | null;
+  readonly testId: string;
+  readonly children: ReactNode;
+}
+
+function Place({ href, at, label, hint = label, off = null, testId, children }: PlaceProps) {
+  return (
+    <Tooltip label={off ?? hint} position="right">
+      {off === null ? (
+        <a
+          className={css.railPlace}
+          href={`#${href}`}
+          aria-current={at ? "page" : undefined}
+          data-testid={testId}
+        >
+          {children}
+          <span>{label}</span>
+        </a>
+      ) : (
+        <span className={css.railPlace} data-off data-testid={testId}>
+          {children}
+          <span>{label}</span>
+        </span>
+      )}
+    </Tooltip>
+  );
+}

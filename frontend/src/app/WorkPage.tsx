@@ -1,0 +1,75 @@
+/** The start page: drawings and their orders as a table, or a welcome while there are none. */
+
+import { Skeleton, Stack, Title } from "@mantine/core";
+import { useDebouncedValue } from "@mantine/hooks";
+import { useState } from "react";
+import type { OrdersFilter } from "../api/client";
+import { translate } from "../language/translate";
+import { errorText } from "../messages/translateMessage";
+import { Permitted } from "../panels/accounts/Permitted";
+import panels from "../panels/shared/panels.module.css";
+import { Note } from "../panels/shared/parts";
+import { ShowMore } from "../panels/shared/ShowMore";
+import { ChooseFile } from "../panels/work/ChooseFile";
+import { Welcome } from "../panels/work/Welcome";
+import { NO_FILTER, type WorkFilter, WorkFilters } from "../panels/work/WorkFilters";
+import { WorkTable } from "../panels/work/WorkTable";
+import { useOrders } from "../state/queries";
+import { groupByFile, PROGRESS } from "../state/work/orders";
+
+/** Pause after which a search begins (ms). */
+const PAUSE = 250;
+
+const wantedOf = ({ search, progress, machine, sort }: WorkFilter): OrdersFilter => ({
+  search: search.trim(),
+  state: [...PROGRESS[progress]],
+  machine,
+  sort,
+});
+
+export function WorkPage() {
+  const [filter, setFilter] = useState<WorkFilter>(NO_FILTER);
+  const [wanted] = useDebouncedValue(filter, filter.search === "" ? 0 : PAUSE);
+  const list = useOrders(wantedOf(wanted));
+  const { data: rows, error } = list;
+  const none = rows?.length === 0;
+  const isUnfiltered =
+    wanted.search.trim() === "" && wanted.progress === "all" && wanted.machine === "";
+  if (none && isUnfiltered && !list.isFetching)
+    return (
+      <main className={panels.page}>
+        <Welcome />
+      </main>
+    );
+  return (
+    <main className={panels.page} data-testid="work">
+      <header className={panels.head}>
+        <Title order={1} fz={22}>
+          {translate("workPage.work")}
+        </Title>
+        <Permitted request="POST /api/v1/drawings">
+          <ChooseFile />
+        </Permitted>
+      </header>
+      <WorkFilters filter={filter} onChange={setFilter} />
+      {error !== null && <Note role="alert">{errorText(error)}</Note>}
+      {rows === undefined && error === null && (
+        <Stack gap={8} mt={12} aria-hidden>
+          {[1, 2, 3, 4].map((row) => (
+            <Skeleton key={row} height={56} radius={8} />
+          ))}
+        </Stack>
+      )}
+      {none ? (
+        <Note mt={16} role="status">
+          {translate("workPage.nothingMeetsTheseConditions")}
+        </Note>
+      ) : (
+        rows !== undefined && <WorkTable groups={groupByFile(rows)} />
+      )}
+      {list.hasNextPage && (
+        <ShowMore busy={list.isFetchingNextPage} act={() => void list.fetchNextPage()} />
+      )}
+    </main>
+  );
+}

@@ -1,0 +1,80 @@
+/** Second step: the machine, the board, the sheet and the number of copies. */
+
+import { NumberInput, Select, Stack } from "@mantine/core";
+import { useState } from "react";
+import { translate } from "../../language/translate";
+import { useDrawing, useMachines } from "../../state/queries";
+import { useUiStore } from "../../state/store";
+import { Permitted } from "../accounts/Permitted";
+import { InspectorPanel } from "../drawing/InspectorPanel";
+import { BoardSelect } from "../order/BoardSelect";
+import { SheetForm } from "../order/SheetForm";
+import { Section } from "../shared/Section";
+
+export function SheetStep() {
+  const { data: drawing } = useDrawing();
+  const { data: machines } = useMachines();
+  const machine = useUiStore((ui) => ui.machine);
+  const set = useUiStore((ui) => ui.set);
+  if (drawing === undefined) return null;
+  return (
+    <>
+      <InspectorPanel />
+      <Section title={translate("sheetStep.boardAndMachine")}>
+        <Permitted request="POST /api/v1/jobs">
+          <Stack gap={10}>
+            <BoardSelect drawing={drawing} />
+            <Select
+              label={translate("orderPanel.machine")}
+              placeholder={translate("orderPanel.chooseAMachine2")}
+              data={(machines ?? []).map(({ name, title }) => ({
+                value: name,
+                label: title || name,
+              }))}
+              value={machine}
+              allowDeselect={false}
+              onChange={(value) => set({ machine: value })}
+              data-testid="machine-select"
+            />
+          </Stack>
+        </Permitted>
+      </Section>
+      <Section title={translate("sheetStep.sheetAndCopies")}>
+        <Permitted request="POST /api/v1/jobs">
+          <Stack gap={10}>
+            <SheetForm
+              width={drawing.bounds[2] - drawing.bounds[0]}
+              height={drawing.bounds[3] - drawing.bounds[1]}
+            />
+            <Copies />
+          </Stack>
+        </Permitted>
+      </Section>
+      {/* The editor of layouts (panels/layout) is the next section of this step. */}
+    </>
+  );
+}
+
+function Copies() {
+  const copies = useUiStore((ui) => ui.copies);
+  const set = useUiStore((ui) => ui.set);
+  // The field while it is typed in, also when it is empty; null: nothing is typed.
+  const [typed, setTyped] = useState<number | string | null>(null);
+  return (
+    <NumberInput
+      w={120}
+      label={translate("orderPanel.copies")}
+      min={1}
+      max={1000}
+      allowDecimal={false}
+      clampBehavior="strict"
+      value={typed ?? copies}
+      onChange={(value) => {
+        setTyped(value);
+        set({ copies: Math.max(1, Number(value) || 1) });
+      }}
+      onBlur={() => setTyped(null)}
+      data-testid="copies"
+    />
+  );
+}

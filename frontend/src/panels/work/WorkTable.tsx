@@ -1,0 +1,189 @@
+/** The table of work: a row for each drawing, with its newest job and its next action. */
+
+import { ActionIcon, Button, Table, Tooltip } from "@mantine/core";
+import { IconCopy, IconTrash } from "@tabler/icons-react";
+import { type ReactNode, useState } from "react";
+import { type OrderRow, service } from "../../api/client";
+import { translate } from "../../language/translate";
+import { useRefusal } from "../../state/accounts/accounts";
+import { deleteDrawing } from "../../state/actions";
+import { formatSize, formatUnitless } from "../../state/format";
+import { useBoardTitles, useMachines } from "../../state/queries";
+import { dateTimeText } from "../../state/times";
+import { nextAction, type RowGroup } from "../../state/work/orders";
+import { StateBadge } from "../job/StateBadge";
+import { ConfirmDialog } from "../shared/ConfirmDialog";
+import { DrawingPicture } from "../shared/DrawingPicture";
+import css from "./work.module.css";
+
+export function WorkTable({ groups }: { groups: readonly RowGroup[] }) {
+  const [unfolded, setUnfolded] = useState<ReadonlySet<string>>(new Set());
+  const [asked, setAsked] = useState<OrderRow | null>(null);
+  const toggle = (file: string) =>
+    setUnfolded((before) => {
+      const next = new Set(before);
+      if (!next.delete(file)) next.add(file);
+      return next;
+    });
+  return (
+    <>
+      <Table verticalSpacing={6} horizontalSpacing={8} className={css.table ?? ""} highlightOnHover>
+        <Table.Thead>
+          <Table.Tr>
+            <Table.Th colSpan={2}>{translate("workTable.drawing")}</Table.Th>
+            <Table.Th className={css.wide ?? ""}>{translate("workTable.customer")}</Table.Th>
+            <Table.Th className={css.wide ?? ""}>{translate("workTable.due")}</Table.Th>
+            <Table.Th className={css.widest ?? ""}>{translate("workTable.board")}</Table.Th>
+            <Table.Th className={css.widest ?? ""}>{translate("workTable.machine")}</Table.Th>
+            <Table.Th className={css.state ?? ""}>{translate("workTable.state")}</Table.Th>
+            <Table.Th>{translate("workTable.nextAction")}</Table.Th>
+            <Table.Th className={css.state ?? ""} aria-label={translate("workTable.delete")} />
+          </Table.Tr>
+        </Table.Thead>
+        <Table.Tbody>
+          {groups.flatMap(({ first, others }) => {
+            const open = unfolded.has(first.file);
+            const copies = (
+              <Copies
+                key={first.file}
+                count={others.length}
+                open={open}
+                toggle={() => toggle(first.file)}
+              />
+            );
+            return [
+              <Row key={first.drawing.id} row={first} aside={copies} onDelete={setAsked} />,
+              ...(open
+                ? others.map((row) => (
+                    <Row key={row.drawing.id} row={row} isCopy onDelete={setAsked} />
+                  ))
+                : []),
+            ];
+          })}
+        </Table.Tbody>
+      </Table>
+      <ConfirmDialog
+        confirmation={
+          asked === null
+            ? null
+            : {
+                title: translate("workTable.deleteThisDrawing"),
+                text: translate("workTable.isDeletedForEver", { name: asked.drawing.name }),
+                yes: translate("workTable.deleteDrawing"),
+                no: translate("workTable.keepIt"),
+              }
+        }
+        onYes={() => {
+          if (asked !== null) void deleteDrawing(asked.drawing.id);
+          setAsked(null);
+        }}
+        onNo={() => setAsked(null)}
+      />
+    </>
+  );
+}
+
+interface CopiesProps {
+  readonly count: number;
+  readonly open: boolean;
+  readonly toggle: () => void;
+}
+
+/** Shows and hides the other drawings of the same file. */
+function Copies({ count, open, toggle }: CopiesProps) {
+  if (count === 0) return null;
+  return (
+    <Button
+      size="compact-xs"
+      variant="subtle"
+      color="gray"
+      leftSection={<IconCopy size={13} aria-hidden />}
+      aria-expanded={open}
+      onClick={toggle}
+      data-testid="duplicates"
+    >
+      {translate("workTable.sameFile", { others: count })}
+    </Button>
+  );
+}
+
+interface RowProps {
+  readonly row: OrderRow;
+  readonly aside?: ReactNode;
+  readonly isCopy?: boolean;
+  readonly onDelete: (row: OrderRow) => void;
+}
+
+function Row({ row, aside = null, isCopy = false, onDelete }: RowProps) {
+  const { drawing, job } = row;
+  const titleOf = useBoardTitles();
+  const { data: machines } = useMachines();
+  const refusal = useRefusal("DELETE /api/v1/drawings/{id}");
+  const action = nextAction(row);
+  const open = `#/drawings/${encodeURIComponent(drawing.id)}`;
+  const customer = job?.customer || drawing.customer;
+  const due = job?.due ?? drawing.due;
+  const order = job?.external_id || drawing.external_id;
+  const board = job === null ? "" : titleOf(job.board);
+  const machine =
+    job === null ? "" : machines?.find(({ name }) => name === job.machine)?.title || job.machine;
+  const size =
+    drawing.unit === null
+      ? `${formatUnitless(drawing.width)} × ${formatUnitless(drawing.height)}`
+      : formatSize(drawing.width, drawing.height);
+  const dueText = due == null ? "" : dateTimeText(due);
+  const kept = job !== null ? translate("workTable.aJobWasMadeFromIt") : refusal;
+  return (
+    <Table.Tr data-testid="drawing-row" data-copy={isCopy || undefined}>
+      <Table.Td className={css.pictureCell ?? ""}>
+        <DrawingPicture className={css.picture} src={service.pictureUrl(drawing.id)} />
+      </Table.Td>
+      <Table.Td>
+        <a href={open} className={css.name} data-testid="open-drawing">
+          {drawing.name}
+        </a>
+        <span className={css.facts}>{[order, size].filter(Boolean).join(" · ")}</span>
+        <span className={css.facts} data-narrow>
+          {[customer, dueText, board, machine].filter(Boolean).join(" · ")}
+        </span>
+        <span className={css.facts} data-state>
+          {job !== null && <StateBadge job={job} size="sm" />}
+        </span>
+        {aside}
+      </Table.Td>
+      <Table.Td className={css.wide ?? ""}>{customer}</Table.Td>
+      <Table.Td className={css.wide ?? ""}>
+        {due != null && <time dateTime={due}>{dueText}</time>}
+      </Table.Td>
+      <Table.Td className={css.widest ?? ""}>{board}</Table.Td>
+      <Table.Td className={css.widest ?? ""}>{machine}</Table.Td>
+      <Table.Td className={css.state ?? ""}>{job !== null && <StateBadge job={job} />}</Table.Td>
+      <Table.Td>
+        <Button
+          component="a"
+          href={action.href}
+          size="xs"
+          variant={action.urgent ? "filled" : "default"}
+          data-testid="next-action"
+        >
+          {action.title}
+        </Button>
+      </Table.Td>
+      <Table.Td className={css.state ?? ""}>
+        <Tooltip label={kept ?? translate("workTable.deleteDrawing")}>
+          <ActionIcon
+            variant="subtle"
+            color="gray"
+            size={32}
+            aria-label={translate("workTable.deleteNamed", { name: drawing.name })}
+            disabled={kept !== null}
+            onClick={() => onDelete(row)}
+            data-testid="delete-drawing"
+          >
+            <IconTrash size={17} stroke={1.6} />
+          </ActionIcon>
+        </Tooltip>
+      </Table.Td>
+    </Table.Tr>
+  );
+}
