@@ -120,7 +120,8 @@ def _wait(running: Running, process: subprocess.Popen[bytes]) -> None:
 @pytest.fixture
 def page(browser: Browser, server: Running) -> Iterator[Page]:
     """Open the page; fail if it writes an error to the console during the test."""
-    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    # The colours that tests look for are those of the dark scheme.
+    context = browser.new_context(viewport={"width": 1440, "height": 900}, color_scheme="dark")
     opened_page = context.new_page()
     opened_page.set_default_timeout(90_000)
     expect.set_options(timeout=90_000)

@@ -15,6 +15,7 @@ from playwright.sync_api import FloatRect, Page, expect
 
 from knifetip.dxf.samples import samples
 from tests.browser.accessibility import record_view
+from tests.browser.steps import choose_board, compile_again, go_to, open_details
 from tests.support.writers import dxf_text as text
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
@@ -87,8 +88,7 @@ def drop(page: Page, name: str, content: bytes) -> None:
 
 
 def compile_on(page: Page, board: str) -> None:
-    page.get_by_test_id("board-select").click()
-    page.get_by_role("option", name=board).click()
+    choose_board(page, board)
     page.get_by_test_id("compile").click()
     expect(page.get_by_test_id("verdict")).to_be_visible(timeout=120_000)
 
@@ -187,6 +187,9 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
 ) -> None:
     stem = sample.removesuffix(".dxf")
     drop(page, sample, samples()[sample])
+    # All lines are known: the board is asked for first.
+    expect(page.get_by_test_id("board-select")).to_be_visible()
+    go_to(page, "lines")
     for line_type in types:
         expect(page.get_by_test_id(f"legend-{line_type}")).to_be_visible()
     assert ink(page) > 500
@@ -227,6 +230,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     page: Page, screenshots: Path
 ) -> None:
     drop(page, "rigid-box-blank.dxf", samples()["rigid-box-blank.dxf"])
+    go_to(page, "sheet")
     page.get_by_test_id("copies").fill("2")
     compile_on(page, "Greyboard 2.0 mm")
     page.get_by_test_id("send").click()
@@ -243,8 +247,9 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     expect(state).to_have_text("Paused")
 
     # A second job waits for the machine and states the reason.
-    page.get_by_test_id("copies").fill("1")
     before = str(page.get_by_test_id("program").get_attribute("href"))
+    go_to(page, "sheet")
+    page.get_by_test_id("copies").fill("1")
     page.get_by_test_id("compile").click()
     expect(page.get_by_test_id("program")).not_to_have_attribute("href", before)
     page.get_by_test_id("send").click()
@@ -266,6 +271,7 @@ def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_fi
     expect(state).to_have_text("Cancelled")
 
     # Now the second job waits for its confirmation, also in the queue.
+    page.get_by_test_id("to-machines").click()
     queued = page.get_by_test_id("queue-of-demo-table").get_by_test_id("waits-at-machine")
     expect(queued).to_contain_text("Greyboard 2.0 mm")
     assert_starts_nothing(page)
@@ -337,12 +343,15 @@ def test_the_verdict_colours_edges_and_bands_show_removed_material(
 def test_an_unknown_line_type_is_asked_answered_and_undone(page: Page, screenshots: Path) -> None:
     drop(page, "odd.dxf", ODD.encode())
     expect(page.get_by_test_id("unit-mm")).to_be_visible()
-    expect(page.get_by_test_id("compile")).to_be_disabled()
+    expect(page.get_by_test_id("step-lines")).to_contain_text("2")
+    expect(page.get_by_test_id("answer-first")).to_have_text("Answer 2 questions")
     page.screenshot(path=screenshots / "odd-1-asked.png")
     page.get_by_test_id("unit-mm").click()
     expect(page.get_by_test_id("drawing-size")).to_have_text(re.compile(r"^100\.0 × 80\.0"))
 
-    page.get_by_test_id("answer-cut").click()
+    # The edges of the question are selected: its answer has a key.
+    expect(page.get_by_test_id("selection")).to_be_visible()
+    page.keyboard.press("1")
     expect(page.get_by_test_id("questions")).to_be_hidden()
     expect(page.get_by_test_id("legend-cut")).to_be_visible()
     page.keyboard.press("Control+z")
@@ -370,6 +379,7 @@ def test_hover_names_the_edge_and_a_click_changes_its_type(page: Page, screensho
     expect(page.get_by_test_id("selection")).to_contain_text("1 edge")
     page.screenshot(path=screenshots / "rigid-box-blank-5-chosen.png")
     page.get_by_test_id("type-crease").click()
+    go_to(page, "lines")
     expect(page.get_by_test_id("legend-crease")).to_be_visible()
 
 
@@ -395,6 +405,7 @@ UNCUT = (0xFF, 0x4F, 0xA3)
 
 
 def on_router(page: Page, board: str) -> None:
+    go_to(page, "sheet")
     page.get_by_test_id("machine-select").click()
     page.get_by_role("option", name="Router table").click()
     compile_on(page, board)
@@ -413,9 +424,10 @@ def test_corner_types_of_a_cutter_are_selected_and_unreached_areas_shown(
     lines = [text.line(*a, *b, (8, "CUT")) for a, b in [*pairwise(PART), *pairwise(WINDOW)]]
     drop(page, "window.dxf", text.dxf(*lines, units=4))
     # A table with a knife has no corners to choose.
+    go_to(page, "process")
+    expect(page.get_by_test_id("option-feed_factor")).to_be_visible()
     expect(page.get_by_test_id("corners")).to_be_hidden()
     on_router(page, "Greyboard 3.0 mm")
-    expect(page.get_by_test_id("corners")).to_be_visible()
     # The cutter does not fit into the slot: the user must accept that it is left out.
     verdict = page.get_by_test_id("verdict")
     expect(verdict).to_have_attribute("data-accepted", "false")
@@ -432,6 +444,7 @@ def test_corner_types_of_a_cutter_are_selected_and_unreached_areas_shown(
     expect(page.get_by_test_id("unreached")).to_contain_text(
         re.compile(r"16\d\smm² in 5 places cannot be reached")
     )
+    open_details(page)
     expect(page.get_by_test_id("saved")).to_contain_text(re.compile(r"saves \d+\.\d\ss \(\d+\s%\)"))
     expect(page.get_by_test_id("layer-uncut")).to_have_attribute("aria-pressed", "true")
     page.screenshot(path=screenshots / "router-1-auto.png")
@@ -441,10 +454,11 @@ def test_corner_types_of_a_cutter_are_selected_and_unreached_areas_shown(
     pink = {(r, g, b) for r, g, b in shown - hidden if r > 1.4 * g and b > g}
     assert pink, sorted(shown - hidden)
 
+    before = page.get_by_test_id("program").get_attribute("href")
+    go_to(page, "process")
     page.get_by_test_id("corner-D").click()
     expect(page.get_by_test_id("corner-D")).to_have_attribute("aria-pressed", "true")
     page.get_by_test_id("pick-corner").click()
-    before = page.get_by_test_id("program").get_attribute("href")
     # No cut is in the middle of the canvas: search the left side of the part from the left.
     box = page.get_by_test_id("canvas").bounding_box()
     assert box is not None
@@ -471,6 +485,7 @@ def test_corner_types_of_a_cutter_are_selected_and_unreached_areas_shown(
     expect(page.get_by_test_id("scale-bar")).to_contain_text(re.compile(r"^[12] mm"))
     page.screenshot(path=screenshots / "router-3-chosen.png")
 
+    go_to(page, "process")
     page.get_by_test_id("interference").get_by_text("Do not create a program").click()
     page.get_by_test_id("compile").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Refused", timeout=60_000)
@@ -488,9 +503,14 @@ def test_the_inspector_shows_the_section_of_a_groove(page: Page, screenshots: Pa
         page.mouse.move(box["x"] + box["width"] / 2, box["y"] + step)
         if tip.count() and "V-groove" in tip.inner_text():
             break
+    # Three rows at the cursor; the rest in the inspector.
+    expect(tip.locator("dt")).to_have_count(2)
+    page.mouse.down()
+    page.mouse.up()
+    inspector = page.get_by_test_id("inspector")
     # A groove 1.3 mm deep with flanks at 45° in a board of 2 mm.
-    expect(tip).to_contain_text(re.compile(r"2\.60\smm at the top"))
-    expect(tip).to_contain_text(re.compile(r"Board thickness under groove\s*0\.70\smm"))
+    expect(inspector).to_contain_text(re.compile(r"2\.60\smm at the top"))
+    expect(inspector).to_contain_text(re.compile(r"Board thickness under groove\s*0\.70\smm"))
     page.screenshot(path=screenshots / "router-4-groove.png")
 
 
@@ -506,7 +526,7 @@ def test_the_shortfalls_of_an_earlier_job_are_accepted_again_in_one_action(
     expect(page.get_by_test_id("job-state")).to_have_text("Ready to send")
     before = str(page.get_by_test_id("program").get_attribute("href"))
 
-    page.get_by_test_id("compile").click()
+    compile_again(page)
     expect(page.get_by_test_id("program")).not_to_have_attribute("href", before)
     # The acceptance belongs to the first job.
     expect(page.get_by_test_id("job-state")).to_have_text("Refused", timeout=60_000)
@@ -541,6 +561,7 @@ def test_a_sheet_cut_to_size_and_the_least_lift_are_chosen_for_a_job(
     cuts = [text.line(*a, *b, (8, "CUT")) for a, b in pairwise(outline)]
     grooves = [text.line(0, y, 300, y, (8, "V-GROOVE")) for y in range(30, 180, 30)]
     drop(page, "grooved.dxf", text.dxf(*cuts, *grooves, units=4))
+    go_to(page, "sheet")
     page.get_by_test_id("sheet-select").click()
     page.get_by_role("option", name="Cut to a rectangle").click()
     expect(page.get_by_test_id("sheet-width")).to_have_value("300")
@@ -560,6 +581,7 @@ def test_a_sheet_cut_to_size_and_the_least_lift_are_chosen_for_a_job(
     page.get_by_test_id("sheet-width").fill("300")
     page.get_by_test_id("sheet-height").fill("200")
     expect(small).to_be_hidden()
+    go_to(page, "process")
     page.get_by_test_id("least-lift").check()
     compile_on(page, "Greyboard 2.0 mm")
     expect(page.get_by_test_id("verdict")).to_have_attribute("data-accepted", "true")

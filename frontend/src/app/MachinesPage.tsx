@@ -10,7 +10,11 @@ import { useMachines } from "../state/queries";
 import "../messages/load";
 
 export function MachinesPage() {
-  const { data: machines } = useMachines();
+  const { data } = useMachines();
+  // Those that are connected come first.
+  const machines = data?.toSorted(
+    (a, b) => Number(b.gateway === "connected") - Number(a.gateway === "connected"),
+  );
   return (
     <main className={panels.page} data-testid="machines">
       <header className={panels.head}>
@@ -21,7 +25,7 @@ export function MachinesPage() {
       </header>
       <AskOperator />
       {machines?.length === 0 && <Note>{translate("app.thereIsNoMachine")}</Note>}
-      <SimpleGrid cols={{ base: 1, md: 2 }} spacing={16} mt={8}>
+      <SimpleGrid cols={{ base: 1, md: 2 }} spacing={16} mt={8} style={{ alignItems: "start" }}>
         {machines?.map((machine) => (
           <MachineCard key={machine.name} machine={machine} />
         ))}

@@ -39,6 +39,7 @@ export function Picture({ onReady }: Props) {
   const [scale, setScale] = useState(1);
   const [cursor, setCursor] = useState<Point | null>(null);
   const { data: drawing } = useDrawing();
+  const step = useUiStore((ui) => ui.step);
   const [box, setBox] = useState<{ from: Point; to: Point } | null>(null);
   return (
     <>
@@ -64,12 +65,12 @@ export function Picture({ onReady }: Props) {
           <EdgeTooltip width={shown.host.clientWidth} height={shown.host.clientHeight} />
           <div className={css.overTop}>
             <ViewBar />
-            <ColourBar />
+            {step === "check" && <ColourBar />}
           </div>
           <div className={css.overBottom}>
             <SelectionBar />
             <PathLegend />
-            <Scrubber />
+            {step === "check" && <Scrubber />}
           </div>
           <ZoomControls viewer={shown.viewer} />
           <StatusBar scale={scale} cursor={cursor} unit={drawing?.unit === null ? "" : "mm"} />

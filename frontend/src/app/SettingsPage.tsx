@@ -28,7 +28,7 @@ export function SettingsPage() {
   const set = useUiStore((ui) => ui.set);
   return (
     <main className={panels.page} data-testid="settings">
-      <header className={panels.head}>
+      <header className={panels.head} style={{ maxWidth: 760 }}>
         <Title order={1} fz={22}>
           {translate("settingsPage.settings")}
         </Title>
@@ -59,7 +59,7 @@ export function SettingsPage() {
           />
         </Group>
         <Group title={translate("settingsPage.nameOfTheOperator")}>
-          <OperatorButton compact />
+          <OperatorButton />
         </Group>
         <Group title={translate("settingsPage.otherSystems")}>
           <Button component="a" href="#/webhooks" variant="default" data-testid="open-webhooks">

@@ -174,6 +174,12 @@ def test_the_page_has_the_options_and_figures_that_the_model_declares(name: str)
     assert written == expected, "run: python frontend/options.py"
 
 
+def test_the_page_has_the_samples_and_their_pictures() -> None:
+    folder = FRONTEND / "public" / "samples"
+    written = {one.name: one.read_bytes() for one in folder.iterdir()}
+    assert written == _script("samples").files(), "run: python frontend/samples.py"
+
+
 def test_the_progress_bar_has_the_stages_of_a_compile_in_order() -> None:
     source = STAGES.read_text(encoding="utf-8")
     table = source[source.index("COMPILE_STAGES") : source.index("};")]

@@ -120,8 +120,8 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
               if (!chosen) void patchDrawing({ unit });
             }}
           >
-            <Flex component="span" align="center" gap={6} fw={600} w="100%">
-              {UNITS[unit].title}
+            <Flex component="span" align="center" wrap="wrap" gap="0 6px" fw={600} w="100%">
+              <span>{UNITS[unit].title}</span>
               {chosen && <IconCheck size={14} aria-label={translate("unitPanel.thisUnitIsUsed")} />}
               {likely && (
                 <Text span fz={11.5} fw={500} c="var(--accent-ink)">

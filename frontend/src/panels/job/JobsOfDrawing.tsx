@@ -34,7 +34,6 @@ export function JobsOfDrawing({ drawing, open }: Props) {
     <Section
       title={translate("jobsOfDrawing.otherJobsOfThisDrawing")}
       aside={<Figure>{others.length}</Figure>}
-      open={open === ""}
       flush
     >
       <div data-testid="other-jobs">

@@ -32,6 +32,7 @@ export function ShowCompensation() {
   if (found === null) return null;
   return (
     <Button
+      mt={10}
       size="sm"
       variant="default"
       leftSection={<IconPlayerPlay size={15} aria-hidden />}

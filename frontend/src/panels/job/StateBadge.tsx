@@ -21,6 +21,7 @@ export function StateBadge({ job, testId, size = "md" }: Props) {
       data-testid={testId}
       data-state={job.state}
       flex="none"
+      miw="max-content"
     >
       {title}
     </Badge>

@@ -81,7 +81,6 @@ export function VerdictCard({ job }: { job: Job }) {
         <Unreached verdict={verdict} />
         <UnreachedEdges verdict={verdict} />
         <WideSlits verdict={verdict} />
-        <Saved verdict={verdict} />
       </Stack>
       <ShowCompensation />
       {problems.length > 0 && <Findings findings={problems} />}
@@ -98,6 +97,7 @@ export function VerdictCard({ job }: { job: Job }) {
       </dl>
       <details data-testid="verdict-details">
         <summary className={css.summary}>{translate("verdictCard.details")}</summary>
+        <Saved verdict={verdict} />
         <Deviation verdict={verdict} />
         <dl className={css.pairs}>
           <div>
@@ -280,7 +280,7 @@ function Saved({ verdict }: { verdict: VerdictSummary }) {
   const share = retracted <= 0 ? 0 : Math.round((1 - verdict.seconds / retracted) * 100);
   if (share < 1) return null;
   return (
-    <Flex gap={8} px={6} data-testid="saved">
+    <Flex gap={8} mt={4} fz={12.5} data-testid="saved">
       <IconStopwatch size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
       <span>
         {translate("verdictCard.liftingTheToolOnlyAs", {

@@ -3,10 +3,11 @@
 import { IconArrowsHorizontal, IconArrowsMinimize } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
 import type { VerdictSummary } from "../../api/client";
+import { lineTypeOf } from "../../geometry/records";
 import { translate } from "../../language/translate";
 import { formatLength } from "../../state/format";
 import { placesOf } from "../../state/job/verdictPlaces";
-import { useBoards, useJob, useVerdict } from "../../state/queries";
+import { useBoards, useEdges, useJob, useVerdict } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
 
@@ -14,9 +15,13 @@ export function VerdictPlaces({ verdict }: { verdict: VerdictSummary }) {
   const { data: full } = useVerdict();
   const { data: job } = useJob();
   const { data: boards } = useBoards();
-  const allowed = boards?.find(({ name }) => name === job?.board)?.groove_overcut ?? 0;
+  const { data: edges } = useEdges();
   if (full === undefined) return null;
   const [over, left, uncut] = [full.edge_overcut, full.edge_setback, full.edge_uncut].map(placesOf);
+  // The board limits the overcut of V-grooves; that of other lines ends in the waste.
+  const isGroove = lineTypeOf(edges?.lineType[over?.[0] ?? -1]) === "v-groove";
+  const limit = boards?.find(({ name }) => name === job?.board)?.groove_overcut ?? 0;
+  const allowed = isGroove ? limit : 0;
   return (
     <>
       {over !== undefined && over.length > 0 && (

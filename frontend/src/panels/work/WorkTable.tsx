@@ -163,6 +163,7 @@ function Row({ row, aside = null, isCopy = false, onDelete }: RowProps) {
           component="a"
           href={action.href}
           size="xs"
+          style={{ whiteSpace: "nowrap" }}
           variant={action.urgent ? "filled" : "default"}
           data-testid="next-action"
         >
