@@ -54,6 +54,8 @@ export type Activity = Schemas["ActivityOut"];
 /** What a person at a machine requests between two jobs. */
 export type OperationRequest = Omit<Schemas["OperationIn"], "hands_clear">;
 export type Override = Schemas["Override"];
+/** A change of the geometry of a drawing. */
+export type Edit = NonNullable<Schemas["DrawingPatch"]["edits"]>[number];
 export type PageOfFile = Schemas["PageOut"];
 export type Profile = Schemas["ProfileOut"];
 export type ProfileDraft = Schemas["ProfileIn"];
@@ -252,6 +254,7 @@ export const service = {
       rules?: string;
       shared?: boolean;
       customer?: string;
+      edits?: Edit[];
     },
     revision: number | null,
   ): Promise<Drawing> =>

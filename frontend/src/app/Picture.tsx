@@ -1,14 +1,19 @@
 /** The canvas with its controls: connects the viewer to the store. */
 
-import { useState } from "react";
+import { useReducer, useState } from "react";
 import type { Point } from "../geometry/records";
 import { translate } from "../language/translate";
+import { DraftBar } from "../panels/drafting/DraftBar";
+import { DraftOverlay } from "../panels/drafting/DraftOverlay";
+import { DraftTools } from "../panels/drafting/DraftTools";
+import { usePickedPoints } from "../panels/drafting/usePickedPoints";
 import { ColourBar } from "../panels/drawing/ColourBar";
 import { EdgeTooltip } from "../panels/drawing/EdgeTooltip";
 import { PathLegend } from "../panels/drawing/PathLegend";
 import { Scrubber } from "../panels/drawing/Scrubber";
 import { SelectionBar } from "../panels/drawing/SelectionBar";
 import { ViewBar } from "../panels/drawing/ViewBar";
+import { useDrafting } from "../state/drafting/drafting";
 import { addCorner, cornerNear } from "../state/order/corners";
 import { queries, queryClient, useDrawing } from "../state/queries";
 import { useUiStore } from "../state/store";
@@ -40,6 +45,8 @@ export function Picture({ onReady }: Props) {
   const [cursor, setCursor] = useState<Point | null>(null);
   const { data: drawing } = useDrawing();
   const step = useUiStore((ui) => ui.step);
+  const [, redrawDraft] = useReducer((count: number) => count + 1, 0);
+  const { pickPoint, draftCursor } = usePickedPoints(scale);
   const [box, setBox] = useState<{ from: Point; to: Point } | null>(null);
   return (
     <>
@@ -51,9 +58,17 @@ export function Picture({ onReady }: Props) {
             useUiStore
               .getState()
               .setHover(row === null && moves.length === 0 ? null : { row, moves, ...at }),
-          onSelect: selectAt,
-          onCursor: setCursor,
-          onView: setScale,
+          onSelect: (rows, add, at) => {
+            if (at === null || !pickPoint(at)) selectAt(rows, add, at);
+          },
+          onCursor: (at) => {
+            setCursor(at);
+            draftCursor(at);
+          },
+          onView: (scale) => {
+            setScale(scale);
+            if (useDrafting.getState().tool !== null) redrawDraft();
+          },
           onBox: setBox,
         }}
         onReady={onReady}
@@ -67,7 +82,14 @@ export function Picture({ onReady }: Props) {
             <ViewBar />
             {step === "check" && <ColourBar />}
           </div>
+          {step === "lines" && (
+            <>
+              <DraftOverlay viewer={shown.viewer} />
+              <DraftTools />
+            </>
+          )}
           <div className={css.overBottom}>
+            {step === "lines" && <DraftBar />}
             <SelectionBar />
             <PathLegend />
             {step === "check" && <Scrubber />}

@@ -2,6 +2,7 @@
 
 import { refusalOf } from "../state/accounts/accounts";
 import { redo, retype, undo } from "../state/actions";
+import { useDrafting } from "../state/drafting/drafting";
 import { ASSIGNABLE_TYPES, LINE_STYLES } from "../state/drawing/palette";
 import { queries, queryClient } from "../state/queries";
 import { COLOUR_MODES, type Layer, useUiStore } from "../state/store";
@@ -57,13 +58,18 @@ export function listenToKeys(picture: () => PictureCommands | null): () => void 
     else if (key === "?") page.set({ helpOpen: !page.helpOpen });
     else if (key === "Escape" && page.editedProfile !== null)
       page.set({ editedProfile: null, retypePreviews: [] });
+    else if (key === "Escape" && useDrafting.getState().tool !== null)
+      useDrafting.getState().cancel();
     else if (key === "Escape" && !page.helpOpen) page.selectEdges([]);
+    else if (key === "m") useDrafting.getState().choose("measure");
     else if (key === "c") {
       const next = (COLOUR_MODES.indexOf(page.colourMode) + 1) % COLOUR_MODES.length;
       page.set({ colourMode: COLOUR_MODES[next] ?? "types" });
     } else if (layer !== undefined) page.toggleLayer(layer);
     else if (refusalOf("PATCH /api/v1/drawings/{id}/edges") !== null) return false;
     else if (type !== undefined && page.selection.size > 0) void retype([...page.selection], type);
+    else if (key === "Delete" && page.selection.size > 0)
+      void retype([...page.selection], "ignored");
     else if (key === "0" && page.selection.size > 0) void retype([...page.selection], null);
     else return false;
     return true;

@@ -198,6 +198,28 @@ export const de = {
   "pairedDevices.revoke2": "Sperren",
   "pairedDevices.openPairOnTheDevice":
     "Auf dem Gerät <b>{origin}/pair</b> öffnen und <output>{code}</output> eingeben, bis {expires}. Der Code gilt für ein Gerät, das diese Maschine danach starten und bewegen darf.",
+  // panels/drafting/DraftTools.tsx und DraftBar.tsx
+  "draftTools.whatAClickDoes": "Was ein Klick auf die Zeichnung tut",
+  "draftTools.selectEdges": "Kanten auswählen",
+  "draftTools.measureKey": "Messen (M)",
+  "draftTools.drawALine": "Linie zeichnen",
+  "draftTools.drawACircle": "Kreis zeichnen",
+  "draftTools.moveEnds": "Enden von Kanten verschieben oder eine Lücke schließen",
+  "draftTools.chooseTheUnitFirst": "Zuerst die Einheit der Zeichnung wählen.",
+  "draftBar.drawingTool": "Zeichenwerkzeug",
+  "draftBar.chooseTheFirstPoint": "Den ersten Punkt anklicken.",
+  "draftBar.chooseTheSecondPoint": "Den zweiten Punkt anklicken.",
+  "draftBar.chooseTheStartOfTheLine": "Den Anfang der Linie anklicken.",
+  "draftBar.chooseTheEndOfTheLine": "Das Ende der Linie anklicken.",
+  "draftBar.chooseTheCentre": "Den Mittelpunkt des Kreises anklicken.",
+  "draftBar.chooseAPointOnTheCircle": "Einen Punkt auf dem Kreis anklicken.",
+  "draftBar.chooseTheEndToMove":
+    "Das Ende einer Kante anklicken. Alle Kanten, die dort enden, werden verschoben, oder nur die ausgewählten.",
+  "draftBar.chooseItsNewPlace": "Seine neue Stelle anklicken.",
+  "draftBar.lineTypeOfTheNewEdge": "Linienart der neuen Kante",
+  "draftBar.leaveTheTool": "Zeichenwerkzeug verlassen",
+  "draftBar.setPoint": "Punkt setzen",
+  "draftBar.measured": "{distance} mm · X {dx} mm · Y {dy} mm · {angle}°",
   // panels/drawing/ColourBar.tsx
   "colourBar.whatTheColoursOfThe": "Was die Farben der Zeichnung zeigen",
   "colourBar.blueEdgesHave0Mm":
@@ -975,6 +997,9 @@ export const de = {
     "Ein- oder ausblenden: Zeichnung; Kopfbahn; Bahn der Werkzeugspitze; Wege über dem Karton",
   "shortcutsDialog.showOrHideToolWidth":
     "Ein- oder ausblenden: Werkzeugbreite; Ein- und Austrittspunkte des Werkzeugs",
+  "shortcutsDialog.measureADistance": "Einen Abstand messen",
+  "shortcutsDialog.delete": "Entf",
+  "shortcutsDialog.ignoreTheSelectedEdges": "Die ausgewählten Kanten nicht machen",
   "shortcutsDialog.changeWhatTheColoursShow":
     "Bedeutung der Farben wechseln: Linienart, Abweichung oder Überschnitt",
   "shortcutsDialog.showOrHideThisList": "Diese Liste ein- oder ausblenden",
@@ -1154,7 +1179,8 @@ export const de = {
   "toolCheckPanel.thenLowersTheToolAlmost":
     "Senkt dann das Werkzeug fast bis auf den Karton, bei ausgeschalteter Spindel.",
   "toolCheckPanel.lift": "Heben",
-  "toolCheckPanel.straightUpAllOutputsGo": "Hebt das Werkzeug gerade nach oben und schaltet alle Ausgänge aus.",
+  "toolCheckPanel.straightUpAllOutputsGo":
+    "Hebt das Werkzeug gerade nach oben und schaltet alle Ausgänge aus.",
   "toolCheckPanel.tool": "Werkzeug",
   "toolCheckPanel.wear": "Verschleiß des Werkzeugs",
   "toolCheckPanel.offset": "Versatz der Station",

@@ -196,6 +196,28 @@ export const en = {
   "pairedDevices.revoke2": "Revoke",
   "pairedDevices.openPairOnTheDevice":
     "Open <b>{origin}/pair</b> on the device and enter <output>{code}</output> until {expires}. The code is for one device, which may then start and move this machine.",
+  // panels/drafting/DraftTools.tsx and DraftBar.tsx
+  "draftTools.whatAClickDoes": "What a click on the drawing does",
+  "draftTools.selectEdges": "Select edges",
+  "draftTools.measureKey": "Measure (M)",
+  "draftTools.drawALine": "Draw a line",
+  "draftTools.drawACircle": "Draw a circle",
+  "draftTools.moveEnds": "Move ends of edges, or close a gap",
+  "draftTools.chooseTheUnitFirst": "Choose the unit of the drawing first.",
+  "draftBar.drawingTool": "Drawing tool",
+  "draftBar.chooseTheFirstPoint": "Click the first point.",
+  "draftBar.chooseTheSecondPoint": "Click the second point.",
+  "draftBar.chooseTheStartOfTheLine": "Click the start of the line.",
+  "draftBar.chooseTheEndOfTheLine": "Click the end of the line.",
+  "draftBar.chooseTheCentre": "Click the centre of the circle.",
+  "draftBar.chooseAPointOnTheCircle": "Click a point on the circle.",
+  "draftBar.chooseTheEndToMove":
+    "Click the end of an edge. All edges that end there are moved, or only the selected ones.",
+  "draftBar.chooseItsNewPlace": "Click its new place.",
+  "draftBar.lineTypeOfTheNewEdge": "Line type of the new edge",
+  "draftBar.leaveTheTool": "Leave the drawing tool",
+  "draftBar.setPoint": "Set point",
+  "draftBar.measured": "{distance} mm · X {dx} mm · Y {dy} mm · {angle}°",
   // panels/drawing/ColourBar.tsx
   "colourBar.whatTheColoursOfThe": "What the colours of the drawing show",
   "colourBar.blueEdgesHave0Mm":
@@ -934,6 +956,9 @@ export const en = {
     "Show or hide drawing; head path; path of tool tip; moves above board",
   "shortcutsDialog.showOrHideToolWidth":
     "Show or hide tool width; points where a tool enters or leaves the board",
+  "shortcutsDialog.measureADistance": "Measure a distance",
+  "shortcutsDialog.delete": "Delete",
+  "shortcutsDialog.ignoreTheSelectedEdges": "Do not make the selected edges",
   "shortcutsDialog.changeWhatTheColoursShow":
     "Change what the colours show: line type, deviation or overcut",
   "shortcutsDialog.showOrHideThisList": "Show or hide this list",
@@ -1107,7 +1132,8 @@ export const en = {
   "toolCheckPanel.thenLowersTheToolAlmost":
     "Then lowers the tool almost to the board, with its spindle off.",
   "toolCheckPanel.lift": "Lift",
-  "toolCheckPanel.straightUpAllOutputsGo": "Lifts the tool straight up and switches all outputs off.",
+  "toolCheckPanel.straightUpAllOutputsGo":
+    "Lifts the tool straight up and switches all outputs off.",
   "toolCheckPanel.tool": "Tool",
   "toolCheckPanel.wear": "Wear of the tool",
   "toolCheckPanel.offset": "Offset of the station",

@@ -2,6 +2,7 @@
 
 import {
   type Drawing,
+  type Edit,
   type Exceptions,
   type Neighbours,
   type Profile,
@@ -106,6 +107,18 @@ export function patchDrawing(part: { unit?: Unit | "file"; profile?: string }): 
   });
 }
 
+/** Change the geometry of the open drawing; one undo takes all of the edits back. */
+export function addEdits(added: readonly Edit[]): Promise<void> {
+  return enqueue(async () => {
+    const { drawing } = useUiStore.getState();
+    const before = drawing === null ? undefined : cachedDrawing(drawing);
+    if (drawing === null || before === undefined || added.length === 0) return;
+    const edits = [...before.edits, ...added];
+    await applyDrawing(await service.patchDrawing(drawing, { edits }, displayedRevision(drawing)));
+    useUiStore.getState().recordChange({ kind: "edits", before: before.edits, after: edits });
+  });
+}
+
 /** Let all designers change the open drawing, or its owner and operators only. */
 export function shareDrawing(shared: boolean): Promise<void> {
   return enqueue(async () => {
@@ -205,6 +218,9 @@ async function applyChange(drawing: string, change: Change, back: boolean): Prom
     const { before, after } = back ? inverseOf(change) : change;
     const part = changedSettings(before, after);
     await applyDrawing(await service.patchDrawing(drawing, part, displayedRevision(drawing)));
+  } else if (change.kind === "edits") {
+    const edits = [...(back ? change.before : change.after)];
+    await applyDrawing(await service.patchDrawing(drawing, { edits }, displayedRevision(drawing)));
   } else await saveProfile(drawing, back ? inverseOf(change) : change);
 }
 

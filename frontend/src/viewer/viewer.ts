@@ -240,6 +240,11 @@ export class Viewer {
     this.fit([box[0] - margin, box[1] - margin, box[2] + margin, box[3] + margin]);
   }
 
+  /** Pixel of a point of the drawing, from the upper left corner of the canvas. */
+  toScreen(place: Point): Point {
+    return this.camera.toScreen(place);
+  }
+
   zoomBy(factor: number): void {
     this.zoom(factor, { x: this.camera.width / 2, y: this.camera.height / 2 });
   }

@@ -20,6 +20,8 @@ const KEYS: readonly (readonly [string, string])[] = [
   ["]", translate("shortcutsDialog.showOrHideTheLeft")],
   ["N  H  T  R", translate("shortcutsDialog.showOrHideDrawingHead")],
   ["S  P", translate("shortcutsDialog.showOrHideToolWidth")],
+  ["M", translate("shortcutsDialog.measureADistance")],
+  [translate("shortcutsDialog.delete"), translate("shortcutsDialog.ignoreTheSelectedEdges")],
   ["C", translate("shortcutsDialog.changeWhatTheColoursShow")],
   ["?", translate("shortcutsDialog.showOrHideThisList")],
 ];

@@ -6,7 +6,7 @@
  * To undo a change of unit or profile, the previous value is sent.
  */
 
-import type { Drawing, Override, Unit } from "../../api/client";
+import type { Drawing, Edit, Override, Unit } from "../../api/client";
 import { type Edges, type LineType, lineTypeOf } from "../../geometry/records";
 import type { Code } from "../../messages/catalogue";
 
@@ -44,6 +44,13 @@ export interface SettingsChange {
   readonly after: ReadingSettings;
 }
 
+/** The geometry of the drawing was changed. */
+export interface EditsChange {
+  readonly kind: "edits";
+  readonly before: readonly Edit[];
+  readonly after: readonly Edit[];
+}
+
 /** A customer profile was created, changed or deleted; null: it did not exist. */
 export interface ProfileChange {
   readonly kind: "profile";
@@ -61,7 +68,7 @@ export interface ProfileRef {
   readonly rules?: string;
 }
 
-export type Change = RetypeChange | SettingsChange | ProfileChange;
+export type Change = RetypeChange | SettingsChange | ProfileChange | EditsChange;
 
 export const isSetByHand = (edges: Edges, row: number): boolean =>
   edges.ruleCodes[edges.rule[row] ?? -1] === OVERRIDE_CODE;
