@@ -166,7 +166,7 @@ def field_error(code: str, **arguments: Any) -> PydanticCustomError:
     return PydanticCustomError(code, code, arguments)
 
 
-class _Listed:
+class _ListedValues:
     """Annotation for a field whose type is a Literal or an enumeration.
 
     If the value of the field is invalid, the error message lists the permitted values.
@@ -185,7 +185,7 @@ class _Listed:
 
 
 #: Annotation of a Literal or an enumeration: the error of any other value lists the values.
-LISTED: Final = _Listed()
+LISTED: Final = _ListedValues()
 
 
 def field_message(model: type[BaseModel], fault: ErrorDetails) -> Message:

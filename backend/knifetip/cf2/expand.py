@@ -262,7 +262,6 @@ class _Expander:
     def _add_shape(self, shape: SectionShape, linear: F64, shift: F64, row_of: I64) -> None:
         """Add a transformed copy of the lines and arcs of a section to the drawing.
 
-        ``shape``: lines and arcs of the section.
         ``linear``, ``shift``: matrix (2, 2) and translation (2,) from section coordinates to file
         units.
         ``row_of``: import report row of each record of the section.

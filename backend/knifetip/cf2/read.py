@@ -118,7 +118,6 @@ def _scale_applies(source: Cf2File, box: F64) -> tuple[bool | None, Message]:
     drawing, with and without the scale, is compared with the size in the header (records LL and
     UR).  The first value is None if neither size agrees, or if the header contains no size.
 
-    ``source``: the parsed file.
     ``box`` (4,): min x, min y, max x and max y of the coordinates without the scale.
     """
     x, y = source.scale

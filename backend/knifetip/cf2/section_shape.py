@@ -68,7 +68,6 @@ class StyleNumbers:
     def _number(self, layer: str, point: str, kind: str, aux: str) -> int:
         """Return the index of one style in ``self.styles``; the style is added if it is new.
 
-        ``layer``: layer of the style.
         ``point``, ``kind``, ``aux``: fields of a record, as written: thickness of the steel rule in
         points, type of the line, and auxiliary type.
         """
@@ -200,8 +199,6 @@ def _coordinates(
 ) -> tuple[F64, I64]:
     """Return the coordinates of the n valid records, (n, k), and the rows of these records, (n,).
 
-    ``records``: fields of each record.
-    ``rows``: row of each record in its section.
     ``fields``: slice of the k fields of a record that are coordinates.
     ``dropped``: reasons for dropped records, by row.  A reason is added for each record with
     invalid coordinates.
@@ -299,7 +296,6 @@ def _fit_ellipses(
 
     The arcs of a section become elliptic if ``linear`` scales x and y differently.
 
-    ``shape``: segments of a section.
     ``arcs``: indices in ``shape`` of the arcs that become elliptic.
     ``linear``, ``shift``: matrix (2, 2) and translation (2,) from section coordinates to file
     units.

@@ -209,7 +209,6 @@ def _likely_types(
     edges that span the drawing are its outline, straight lines inside it are folds, and arcs inside
     it are holes.
 
-    ``layer``: name of the layer of the edges.
     ``linetype``: name of the dash pattern of the edges, such as "DASHED".
     ``spans_drawing``: whether the edges together are about as wide and high as the drawing.
     ``straight``: whether all the edges are straight lines.

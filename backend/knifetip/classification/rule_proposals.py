@@ -119,7 +119,6 @@ def _best_rule(
     ``styles``: the c styles of the drawing.
     ``remaining``, ``excluded`` (c,): masks of the styles that still need a rule and of the styles
     that the rule must not match.
-    ``kind``: line type that the rule gives.
     """
     best: tuple[int, LineRule, Bool] | None = None
     codes = {trait: _trait_codes(styles, trait) for trait in _TRAITS}

@@ -44,7 +44,7 @@ _SLANT: Final = 0.05
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Closed:
+class ClosedGaps:
     """The ends of k edges after gaps were closed, and how far they were moved."""
 
     ends: F64  #: (k, 2, 2) mm
@@ -78,7 +78,7 @@ def find_debris(ends: F64, length: F64, end_points: EndPoints) -> Bool:
     return found
 
 
-def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, end_points: EndPoints) -> Closed:
+def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, end_points: EndPoints) -> ClosedGaps:
     """Return the ends of k edges after gaps between ends were closed, and how far they moved.
 
     Parameters
@@ -94,7 +94,7 @@ def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, end_points: EndPo
     """
     points, place, near_pairs = ends.reshape(-1, 2), end_points.place, end_points.pairs
     if len(near_pairs) == 0 or settled[near_pairs // 2].all():
-        return Closed(ends, np.zeros(len(bulge)))
+        return ClosedGaps(ends, np.zeros(len(bulge)))
     size = np.hypot(*(points[near_pairs[:, 0]] - points[near_pairs[:, 1]]).T)
     order = np.lexsort((near_pairs[:, 1], near_pairs[:, 0], np.round(size, 6)))
     moved = _close(
@@ -108,8 +108,8 @@ def close_gaps(ends: F64, bulge: F64, kind: U8, settled: Bool, end_points: EndPo
     )
     off = np.hypot(*(moved - points).T).reshape(-1, 2)
     if not off.any():
-        return Closed(ends, off[:, 0])
-    return Closed(moved.reshape(-1, 2, 2), off.max(axis=1))
+        return ClosedGaps(ends, off[:, 0])
+    return ClosedGaps(moved.reshape(-1, 2, 2), off.max(axis=1))
 
 
 @kernel
@@ -149,7 +149,7 @@ def _find_debris(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2) 
         spot[at, 2] = max(spot[at, 2], points[end, 0])
         spot[at, 3] = max(spot[at, 3], points[end, 1])
     debris = np.zeros(count, np.bool_)
-    linked = _connecting(points, length, place, near_pairs)
+    linked = _connects_edges(points, length, place, near_pairs)
     for edge in range(count):
         if length[edge] >= GAP:
             continue
@@ -171,7 +171,7 @@ def _find_debris(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2) 
 
 
 @kernel
-def _connecting(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2) -> Any:
+def _connects_edges(points: F64_2, length: F64_1, place: I64_1, near_pairs: I64_2) -> Any:
     """Return the mask of short edges that connect other edges, shape (k,).
 
     An edge is in the mask if it is shorter than ``GAP``, if another edge ends at or near each of
@@ -263,7 +263,7 @@ def _close(
             if alike_b and (alike_a == 1 or alike_b == 1):
                 one, other, one_many, other_many = i, partner, alike_a, alike_b
                 break
-        if one < 0 or _connected(a, b, placed):
+        if one < 0 or _are_connected(a, b, placed):
             continue
         if one_many == 1 and other_many == 1:
             cosine = outward[one, 0] * outward[other, 0] + outward[one, 1] * outward[other, 1]
@@ -302,12 +302,12 @@ def _close(
 
 
 @kernel
-def _connected(a: int, b: int, placed: _PlacedEnds) -> bool:
-    """Return whether an edge has one end at point ``a`` and its other end at point ``b``."""
+def _are_connected(point_a: int, point_b: int, placed: _PlacedEnds) -> bool:
+    """Return whether an edge connects two points."""
     place, by_place, first = placed
     found = False
-    for p in range(first[a], first[a + 1]):
-        found |= place[by_place[p] ^ 1] == b
+    for p in range(first[point_a], first[point_a + 1]):
+        found |= place[by_place[p] ^ 1] == point_b
     return found
 
 
@@ -364,9 +364,9 @@ def _inside(points: F64_2, bulge: F64_1, end: int, edge: int) -> bool:
 
 @kernel
 def _meeting_point(
-    points: F64_2, bulge: F64_1, outward: F64_2, one: int, other: int
+    points: F64_2, bulge: F64_1, outward: F64_2, end_a: int, end_b: int
 ) -> tuple[float, float]:
-    """Return the point (x, y) to which the ends ``one`` and ``other`` are moved to close their gap.
+    """Return the point (x, y) to which two ends are moved to close the gap between them.
 
     If both edges are straight, the point is the intersection of their lines, unless it is more than
     ``_LARGEST_MOVE`` away from one of the ends or the sine of the angle between the lines is at
@@ -375,15 +375,15 @@ def _meeting_point(
     ``points``, ``outward`` (2k, 2): ends of k edges (mm), and unit vectors that point out of the
     edge at each end.
     ``bulge`` (k,): bulges of the edges.
-    ``one``, ``other``: indices of the two ends; end 2i is the start of edge i, end 2i + 1 its end.
+    ``end_a``, ``end_b``: indices of the two ends; 2i is the start of edge i, 2i + 1 its end.
     """
-    x0, y0 = points[one, 0], points[one, 1]
-    x1, y1 = points[other, 0], points[other, 1]
-    sine = outward[one, 0] * outward[other, 1] - outward[one, 1] * outward[other, 0]
-    if bulge[one // 2] == 0.0 and bulge[other // 2] == 0.0 and abs(sine) > _SLANT:
-        way = ((x1 - x0) * outward[other, 1] - (y1 - y0) * outward[other, 0]) / sine
-        x = x0 + way * outward[one, 0]
-        y = y0 + way * outward[one, 1]
+    x0, y0 = points[end_a, 0], points[end_a, 1]
+    x1, y1 = points[end_b, 0], points[end_b, 1]
+    sine = outward[end_a, 0] * outward[end_b, 1] - outward[end_a, 1] * outward[end_b, 0]
+    if bulge[end_a // 2] == 0.0 and bulge[end_b // 2] == 0.0 and abs(sine) > _SLANT:
+        way = ((x1 - x0) * outward[end_b, 1] - (y1 - y0) * outward[end_b, 0]) / sine
+        x = x0 + way * outward[end_a, 0]
+        y = y0 + way * outward[end_a, 1]
         if abs(way) <= _LARGEST_MOVE and math.hypot(x - x1, y - y1) <= _LARGEST_MOVE:
             return x, y
     return 0.5 * (x0 + x1), 0.5 * (y0 + y1)

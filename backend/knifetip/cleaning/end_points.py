@@ -84,7 +84,7 @@ def _slot(x: int, y: int, mask: U64) -> Any:
 
 @inline_kernel
 def _bit(y: int) -> Any:
-    """Return the bit of a cell in row y, in the word of marks of its run of cells."""
+    """Return the mask of the bit that marks a cell in row y; a word marks 64 cells of a column."""
     return np.uint64(1) << np.uint64(y & ((1 << _RUN) - 1))
 
 

@@ -72,23 +72,31 @@ def mark_smooth(
 
 @inline_kernel
 def _is_smooth(
-    run: F64_2, size: F64_1, stays: Bool_1, one: int, other: int, tolerance: float, fine: float
+    run: F64_2,
+    size: F64_1,
+    stays: Bool_1,
+    segment_a: int,
+    segment_b: int,
+    tolerance: float,
+    fine: float,
 ) -> bool:
     """Return whether the joint between two segments may lie inside a smooth run."""
-    if stays[one] or stays[other]:
+    if stays[segment_a] or stays[segment_b]:
         return False
-    both = size[one] < fine and size[other] < fine
-    for segment in (one, other):
+    both = size[segment_a] < fine and size[segment_b] < fine
+    for segment in (segment_a, segment_b):
         if abs(run[segment, 4]) >= BULGE and size[segment] >= fine:
             return False
     if both:
         return True
-    ax, ay = run[one, 2] - run[one, 0], run[one, 3] - run[one, 1]
-    bx, by = run[other, 2] - run[other, 0], run[other, 3] - run[other, 1]
+    ax, ay = run[segment_a, 2] - run[segment_a, 0], run[segment_a, 3] - run[segment_a, 1]
+    bx, by = run[segment_b, 2] - run[segment_b, 0], run[segment_b, 3] - run[segment_b, 1]
     along, across = ax * bx + ay * by, abs(ax * by - ay * bx)
     if along <= 0.0 or across > SMOOTH_TURN * along:
         return False
-    return bool(across * min(size[one], size[other]) <= 8.0 * _ESTIMATE * tolerance * along)
+    return bool(
+        across * min(size[segment_a], size[segment_b]) <= 8.0 * _ESTIMATE * tolerance * along
+    )
 
 
 @kernel(allocates=False)

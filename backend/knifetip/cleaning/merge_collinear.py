@@ -59,7 +59,7 @@ _ACUTE: Final = math.cos(math.radians(30.0))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Merged:
+class MergedEdges:
     """The m edges that result from merging k edges.
 
     ``merged_edge`` contains for each of the k edges the index of the edge that replaces it.
@@ -81,7 +81,7 @@ def merge_collinear(
     end_points: EndPoints,
     *,
     curves_only: bool = False,
-) -> Merged:
+) -> MergedEdges:
     """Return k edges after merging those that continue each other.
 
     A merged edge has the direction of the first edge, in drawing order, that it contains.  Edges
@@ -109,7 +109,7 @@ def merge_collinear(
     changeable = _in_changeable_runs(edges, bulge, length, order, flipped, first, round_)
     if not changeable.any():
         every = np.arange(count, dtype=np.int32)
-        return Merged(ends, bulge, kind, every, fit_error, np.zeros(count, np.bool_))
+        return MergedEdges(ends, bulge, kind, every, fit_error, np.zeros(count, np.bool_))
     rows = np.column_stack([edges, bulge, fit_error])
     acute = _at_acute_corners(rows, end_points.place, changeable)
     begin, new, is_curve = _split_runs(
@@ -118,7 +118,7 @@ def merge_collinear(
     size = np.diff(np.append(begin, count))
     if (size == 1).all():
         every = np.arange(count, dtype=np.int32)
-        return Merged(ends, bulge, kind, every, fit_error, np.zeros(count, np.bool_))
+        return MergedEdges(ends, bulge, kind, every, fit_error, np.zeros(count, np.bool_))
     group = np.repeat(np.arange(len(begin)), size)
     least = np.minimum.reduceat(order, begin)
     rank = np.argsort(np.argsort(least, kind="stable"), kind="stable").astype(np.int32)
@@ -135,7 +135,7 @@ def merge_collinear(
     where = np.argsort(rank)
     of = np.empty(count, np.int32)
     of[order] = rank[group]
-    return Merged(
+    return MergedEdges(
         new_ends[where], new_bulge[where], kind[least][where], of, error[where], is_curve[where]
     )
 
@@ -225,28 +225,28 @@ def _is_corner(
     ends: F64_2,
     bulge: F64_1,
     length: F64_1,
-    one: int,
-    one_flipped: bool,
-    other: int,
-    other_flipped: bool,
+    edge: int,
+    edge_flipped: bool,
+    next_edge: int,
+    next_flipped: bool,
 ) -> bool:
     """Return whether no line or arc can replace two edges of a run that follow each other.
 
-    The result may be False for some corners.  The edges are ``one`` and ``other``, each with
+    The result may be False for some corners.  The edges are ``edge`` and ``next_edge``, each with
     whether the run traverses it from its end to its start.  The other parameters are those of
     ``_in_changeable_runs``.
     """
-    if length[one] < FINE or length[other] < FINE:
+    if length[edge] < FINE or length[next_edge] < FINE:
         return False
-    one_bulge, other_bulge = bulge[one], bulge[other]
-    if max(abs(one_bulge), abs(other_bulge)) >= BULGE:
-        if min(abs(one_bulge), abs(other_bulge)) < BULGE:
+    edge_bulge, next_bulge = bulge[edge], bulge[next_edge]
+    if max(abs(edge_bulge), abs(next_bulge)) >= BULGE:
+        if min(abs(edge_bulge), abs(next_bulge)) < BULGE:
             return True
         # Arcs that turn to different sides.
-        return bool(((one_bulge > 0.0) == one_flipped) != ((other_bulge > 0.0) == other_flipped))
-    ax, ay = ends[one, 2] - ends[one, 0], ends[one, 3] - ends[one, 1]
-    bx, by = ends[other, 2] - ends[other, 0], ends[other, 3] - ends[other, 1]
-    if one_flipped != other_flipped:
+        return bool(((edge_bulge > 0.0) == edge_flipped) != ((next_bulge > 0.0) == next_flipped))
+    ax, ay = ends[edge, 2] - ends[edge, 0], ends[edge, 3] - ends[edge, 1]
+    bx, by = ends[next_edge, 2] - ends[next_edge, 0], ends[next_edge, 3] - ends[next_edge, 1]
+    if edge_flipped != next_flipped:
         bx, by = -bx, -by
     # A line within ``JOIN`` of both ends is none: ``JOIN`` is far smaller than ``FINE`` times the
     # sine of the turn, unless the second edge goes back.
@@ -469,7 +469,6 @@ def _longest_fit(
     each of them (mm).
     ``until`` (k,): for each segment, the index after the last segment of its smooth run.
     ``i``: index of the first segment to replace.
-    ``count``: number of segments in the run.
     ``out`` (6,): receives the line or arc, as a row like those of ``run``.
     """
     best = i + 1
@@ -536,8 +535,8 @@ def _balance(
     i: int,
     j: int,
     limit: int,
-    one: OutF64_1,
-    other: OutF64_1,
+    first_arc: OutF64_1,
+    second_arc: OutF64_1,
 ) -> int:
     """Divide the last chords of a smooth run equally between two arcs.
 
@@ -548,7 +547,7 @@ def _balance(
     ``run``, ``along``: segments, and length of the run before each of them (mm), as for
     ``_longest_fit``.
     ``limit``: index after the last segment of the smooth run.
-    ``one``, ``other`` (6,): receive the two arcs, which meet after half of the chords.
+    ``first_arc``, ``second_arc`` (6,): receive the two arcs, which meet after half of the chords.
     Returns the index of the first segment that the two arcs do not replace; 0 if there are no such
     arcs.
     """
@@ -563,10 +562,10 @@ def _balance(
         code, off = fit_arc(run, along, middle, last, CURVE - carried)
         if off == math.inf:
             continue
-        one[2:4] = run[middle - 1, 2:4]
-        one[4], one[5] = b, carried + far
-        other[:2] = run[middle, :2]
-        other[2:4] = run[last - 1, 2:4]
-        other[4], other[5] = code, carried + off
+        first_arc[2:4] = run[middle - 1, 2:4]
+        first_arc[4], first_arc[5] = b, carried + far
+        second_arc[:2] = run[middle, :2]
+        second_arc[2:4] = run[last - 1, 2:4]
+        second_arc[4], second_arc[5] = code, carried + off
         return last
     return 0

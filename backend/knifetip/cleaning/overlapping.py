@@ -56,7 +56,7 @@ _CROWD: Final = 64
 _LOOKS: Final = 2048
 
 
-class Overlapping(NamedTuple):
+class OverlappingPairs(NamedTuple):
     """The p pairs of edges that overlap, and whether further edges nearly coincide."""
 
     first: I64  #: (p,) first edge of each pair
@@ -64,7 +64,7 @@ class Overlapping(NamedTuple):
     has_near: bool  #: whether two edges are farther apart than ``SAME``, and within ``GAP``
 
 
-def find_overlapping(ends: F64, bulge: F64, *, is_near: bool = False) -> Overlapping:
+def find_overlapping(ends: F64, bulge: F64, *, is_near: bool = False) -> OverlappingPairs:
     """Return the pairs of edges that overlap.
 
     Each pair is returned once.  To bound the time, the search for the partners of an edge ends
@@ -80,7 +80,7 @@ def find_overlapping(ends: F64, bulge: F64, *, is_near: bool = False) -> Overlap
     """
     none = np.zeros(0, np.int64)
     if len(bulge) < 2:
-        return Overlapping(none, none, False)
+        return OverlappingPairs(none, none, False)
     low = np.array([ends[:, :, 0].min(), ends[:, :, 1].min()])
     moved = ends - low
     reach = 4.0 * (float(np.abs(moved).max()) + 1.0)
@@ -89,7 +89,7 @@ def find_overlapping(ends: F64, bulge: F64, *, is_near: bool = False) -> Overlap
     shelf = np.floor(boxes[:, 1] / np.where(bucket == _ARCS, reach / 64.0, GAP))
     order = np.lexsort((boxes[:, 0], shelf, bucket))
     frames = _Frames(boxes, bucket, angle, width)
-    found, has_near = _overlapping(
+    found, has_near = _overlapping_pairs(
         rows, frames, order, reach, math.radians(_FAN), SAME, GAP - POINT, is_near
     )
     one, two = order[found[:, 0]], order[found[:, 1]]
@@ -107,7 +107,7 @@ def find_overlapping(ends: F64, bulge: F64, *, is_near: bool = False) -> Overlap
     # Sorting is faster here than numpy's ``unique``, which hashes: there may be millions.
     pair = np.sort(np.minimum(one, two) * len(bulge) + np.maximum(one, two))
     pair = pair[np.append(True, pair[1:] != pair[:-1])] if len(pair) else pair
-    return Overlapping(pair // len(bulge), pair % len(bulge), bool(has_near))
+    return OverlappingPairs(pair // len(bulge), pair % len(bulge), bool(has_near))
 
 
 @kernel
@@ -183,7 +183,7 @@ class _Frames(NamedTuple):
 
 
 @kernel
-def _overlapping(
+def _overlapping_pairs(
     edges: F64_2,
     frames: _Frames,
     order: I64_1,
@@ -197,7 +197,6 @@ def _overlapping(
     edges nearly coincide.
 
     ``edges`` (k, 5): edges: x0, y0, x1, y1, bulge.
-    ``frames``: bounding boxes of the edges.
     ``order`` (k,): the edges, sorted by frame so that near ones follow one another.
     ``reach`` mm: distance by which the boxes of successive frames are moved apart.
     ``fan`` radians: angle between the directions of neighbouring frames.

@@ -60,7 +60,7 @@ def reattach(ends: F64, bulge: F64, place: I64, merged: MergedLines) -> F64:
     boxes = arc.bounding_boxes(merged.start, merged.end, merged.bulge)
     order = order_boxes(boxes)
     lines = np.column_stack([merged.start, merged.end, merged.bulge])[order]
-    touched = _touched(lines, boxes[order], np.ascontiguousarray(points), JOIN)
+    touched = _touched_pairs(lines, boxes[order], np.ascontiguousarray(points), JOIN)
     row, end = order[touched[:, 0]], touched[:, 1]
     on = merged.target[row]
     foot = _nearest_point(ends[on, 0], ends[on, 1], bulge[on], points[end])
@@ -86,7 +86,7 @@ def reattach(ends: F64, bulge: F64, place: I64, merged: MergedLines) -> F64:
 
 
 @kernel
-def _touched(lines: F64_2, boxes: F64_2, points: F64_2, distance: float) -> Any:
+def _touched_pairs(lines: F64_2, boxes: F64_2, points: F64_2, distance: float) -> Any:
     """Return the pairs of a line or arc and a point within a distance of it, (k, 2).
 
     At most ``_LOOKS`` lines are examined for a point, so that the time is linear.
@@ -126,7 +126,6 @@ def _along_own_line(points: F64, bulge: F64, end: int, target: int, foot: F64) -
     would be moved by more than ``GAP`` or past the end of the other line.
 
     ``points``, ``bulge`` (2k, 2) mm and (k,): the ends and bulges of all edges.
-    ``end``: index of the end.
     ``target``: index of the other line.
     ``foot``: point of the other line that is nearest to the end (mm).
     """

@@ -304,7 +304,6 @@ def _add_stretch(
 
     ``cover``: list of the start and the end of each stretch, 0 … 1 of the length of its edge.
     ``source``: list of the edge of each stretch, the piece that covers it, and ``is_foreign``.
-    ``count``: number of stretches in the lists.
     ``begin``, ``end``, ``edge``, ``piece``: values of the new stretch for these lists.
     ``is_foreign``: whether the piece belongs to another edge.
     """

@@ -51,14 +51,13 @@ def _opened_store(database: str) -> Iterator[Store]:
 def _open_for_change(database: str, action: str) -> Iterator[Store]:
     """Open a database for a change that gets an entry in the audit log, as a request does.
 
-    ``database``: URL of the database.
     ``action``: operation of the REST interface that makes the same change.
     """
-    from knifetip.service.database.acting import Acting, acting_as  # imports the database
+    from knifetip.service.database.acting import ActingPrincipal, acting_as  # imports the database
 
     with (
         _opened_store(database) as store,
-        acting_as(Acting(kind="command", name="command line", id="", action=action)),
+        acting_as(ActingPrincipal(kind="command", name="command line", id="", action=action)),
     ):
         yield store
 

@@ -37,13 +37,6 @@ def read_points(name: str, data: bytes) -> tuple[list[float], list[tuple[float, 
     An azimuth is the direction of travel at a measured point; an offset is the vector from the
     drawn to the cut contour.  The file has the columns ``azimuth``, ``dx`` and ``dy``.
 
-    Parameters
-    ----------
-    name
-        Name of the file, for error messages.
-    data
-        Content of the file.
-
     Raises
     ------
     LibraryError

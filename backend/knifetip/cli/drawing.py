@@ -153,13 +153,6 @@ def report_json(name: str, drawing: Drawing) -> dict[str, Any]:
 
     The fields are those of a drawing in the REST interface, and messages contain their English
     text.  In addition, ``size`` is the list of width and height.
-
-    Parameters
-    ----------
-    name
-        Name of the file.
-    drawing
-        The drawing.
     """
     return _with_report(name, drawing, drawing_json(drawing))
 

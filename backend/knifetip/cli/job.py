@@ -252,10 +252,7 @@ def _add_command(app: typer.Typer, name: str, help_text: str) -> None:
 
 
 def _print_job(row: dict[str, Any]) -> None:
-    """Print a summary of a job.
-
-    ``row``: the job as JSON data.
-    """
+    """Print a summary of a job."""
     print_line(f"{row['id']}  {row['state']}  {row['drawing_name']}")
     parts = [Message("output.job-board", machine=row["machine"], board=row["board"])]
     if row["tools"]:

@@ -145,9 +145,6 @@ def _refuse_questions(loaded: LoadedDrawing, machine: Machine) -> None:
     """Print the questions about a drawing that the user must answer first, and exit with code 2.
 
     Warnings about what import left out are printed in any case.
-
-    ``loaded``: the drawing.
-    ``machine``: machine for which the drawing is to be compiled.
     """
     report_warnings(loaded.warnings())
     open_questions = loaded.questions(machine)

@@ -311,7 +311,6 @@ def _quarter_circles(
     Returns p paths of one quarter circle each; a path is empty if its ``size`` is 0.  Also returns,
     for each quarter circle, the index of the segment of ``paths`` that it touches.
 
-    ``paths``: the closed paths.
     ``size`` (p,) mm: length of each quarter circle; 0 for none.
     ``overrun`` (p,) mm: length by which the knife runs past the start of each path before it leaves
     the path.

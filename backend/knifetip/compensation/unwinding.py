@@ -80,7 +80,6 @@ def _first_part(least: F64, greatest: F64, length: F64, turned: F64, limits: Tur
     ``least``, ``greatest`` (m,) degrees: least and greatest heading of each segment.
     ``length``, ``turned`` (m,) mm and (m,) degrees: length of each segment, and angle of the corner
     at its start.
-    ``limits``: limits of C.
     """
     count = len(length)
     low, high = np.minimum.accumulate(least), np.maximum.accumulate(greatest)

@@ -30,7 +30,7 @@ from knifetip.model.drawing import (
     LocationBoxes,
 )
 from knifetip.model.unit import UnitHint, factor
-from knifetip.model.words import Repeated
+from knifetip.model.words import RepeatedValues
 
 
 class KnownUnit(NamedTuple):
@@ -296,7 +296,7 @@ def _segment_key(ends: F64_3, bulge: F64_1, row: int, points: float) -> Any:
 
 def _outcomes(
     sheet: ReportRows, segments: Columns, length: F64, no_length: Bool, duplicate: Bool, first: I64
-) -> tuple[U8, Repeated[Message]]:
+) -> tuple[U8, RepeatedValues[Message]]:
     """Return the outcome (kept, merged or dropped) and its reason for each entity, (m,) each.
 
     The reason of a kept entity contains the notes about changes that were made to it.
@@ -355,7 +355,7 @@ def _outcomes(
             else:
                 notes.append(_pieces_drawn_twice(doubles[row], total[row], handles, more))
         reason[row] = reasons.setdefault(cause or _kept_message(notes), len(reasons))
-    return outcome, Repeated(tuple(reasons), reason)
+    return outcome, RepeatedValues(tuple(reasons), reason)
 
 
 def _location_boxes(

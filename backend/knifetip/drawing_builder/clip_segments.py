@@ -198,7 +198,6 @@ def _clip_to_region(
 
     ``ends``, ``bulge`` (n, 2, 2) and (n,): ends and bulges of segments.
     ``rows`` (k,): the segments to clip.
-    ``region``: the region.
     ``margin``: distance from an edge within which a point counts as inside (file units).
     ``budget``: number of comparisons after which the function stops; its parts are then incomplete.
     Returns ``row, first, last`` (p,): segment of each part, and the fractions of the segment at

@@ -80,7 +80,7 @@ def _product(a: U64, b: U64) -> Any:
 
 
 @kernel
-def _rounded(w: U64, q: int) -> tuple[float, int]:
+def _round_to_double(w: U64, q: int) -> tuple[float, int]:
     """Return w · 10^q, for w > 0, rounded to a double, and whether the rounding is certain.
 
     The second value is the constant ``EXACT`` if the rounding is certain.  Otherwise it is
@@ -244,8 +244,8 @@ def number(data: U8_1, first: U64, last: U64) -> tuple[float, Any, int]:
         return 0.0 * sign, position, EXACT
     if has_more:
         # The number is between w and w + 1: if both round to one double, so does the number.
-        value, sure = _rounded(w, q)
-        next_value, also = _rounded(w + np.uint64(1), q)
+        value, sure = _round_to_double(w, q)
+        next_value, also = _round_to_double(w + np.uint64(1), q)
         if sure != EXACT or also != EXACT or value != next_value:
             return 0.0, position, UNSURE
         return sign * value, position, EXACT
@@ -256,5 +256,5 @@ def number(data: U8_1, first: U64, last: U64) -> tuple[float, Any, int]:
         value = float(np.int64(w))
         value = value / _EXACT_POWERS[-q] if q < 0 else value * _EXACT_POWERS[q]
         return sign * value, position, EXACT
-    value, sure = _rounded(w, q)
+    value, sure = _round_to_double(w, q)
     return sign * value, position, sure

@@ -190,7 +190,6 @@ def _boxes(data: U8_1, spans: I64_2, rules: I64_2) -> tuple[F64, Bool]:
     The second array, (k,), is False for an entity with a tag that cannot be parsed, or with a
     number that ``decimals`` cannot round with certainty; the caller then computes the box again.
 
-    ``data``: bytes of the file.
     ``spans`` (k, 2): range of each entity in ``data``: position of its first byte, and of the byte
     after its last tag or, for a polyline, after its last vertex.
     ``rules`` (k, 4): for each entity a rule that determines which group codes are coordinates of

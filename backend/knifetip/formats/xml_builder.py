@@ -76,7 +76,7 @@ class XmlBuilder(ABC):
             parser.Parse(data, True)
         except (LookupError, ValueError) as error:
             # An encoding that the XML declaration names and Python does not have.
-            raise self._damaged(1, 0, str(error)) from None
+            raise self._damage_error(1, 0, str(error)) from None
         except expat.ExpatError as error:
             if error.code in _TRUNCATED:
                 raise NotADrawing(
@@ -86,7 +86,7 @@ class XmlBuilder(ABC):
                     format=self._format_name,
                 ) from None
             reason = expat.ErrorString(error.code) or "damaged"
-            raise self._damaged(error.lineno, error.offset, reason) from None
+            raise self._damage_error(error.lineno, error.offset, reason) from None
 
     def _start(self, name: str, attributes: dict[str, str]) -> None:
         self.depth += 1
@@ -105,7 +105,7 @@ class XmlBuilder(ABC):
         self.end(name)
         self.depth -= 1
 
-    def _damaged(self, line: int, column: int, reason: str) -> NotADrawing:
+    def _damage_error(self, line: int, column: int, reason: str) -> NotADrawing:
         return NotADrawing(
             "reading.damaged-at",
             line=line,

@@ -168,11 +168,6 @@ class Controller(Protocol):
     async def check(self, lines: Iterable[bytes]) -> None:
         """Let the controller parse a whole program without motion.
 
-        Parameters
-        ----------
-        lines
-            Lines of the program, without newlines.
-
         Raises
         ------
         ControllerError

@@ -99,7 +99,7 @@ class CopyRunner:
                     await self._wait_for_sheet(run)
             run.line, run.copy_running = 0, True
             await self._run_copy(run, text, copy)
-            self._journal.copy(claim.job, copy + 1)
+            self._journal.record_copy(claim.job, copy + 1)
             run.copy_running = run.awaits_end = False
             if copy + 1 < claim.copies:
                 await self._station.report_now()
@@ -125,7 +125,7 @@ class CopyRunner:
             time_left=run.time_left,
             hooks=StreamHooks(
                 partial(self._begin, run, copy),
-                partial(self._journal.sending, run.claim.job, copy),
+                partial(self._journal.record_sending, run.claim.job, copy),
             ),
         )
         progress: Progress | None = None
@@ -190,7 +190,6 @@ class CopyRunner:
 
         ``run``: state of the job; changed in place.
         ``last``: last progress report.
-        ``controller``: controller of the machine.
         """
         status = controller.last_status if isinstance(controller, OperableController) else None
         if status is not None and status.located and controller.fault is None:
@@ -221,7 +220,6 @@ class CopyRunner:
         ``run``: state of the job, with the request of the server.  The request is deleted from
         ``run`` as soon as a status report shows that the controller has carried it out.
         ``progress``: progress of the machine, with the state of the controller.
-        ``controller``: controller of the machine.
         """
         if _now() > run.lease_end and progress.state is State.RUN:
             run.begin_phase()
@@ -273,7 +271,6 @@ class CopyRunner:
         It is the position of the axes, x, y, z (mm) and c (degrees), minus the tool offset (datum)
         of the station in use.  If no station is in use, nothing is subtracted.
 
-        ``axes``: position of the axes.
         ``output``: digital output that is switched on, which identifies the station in use; -1 for
         none.
         """

@@ -100,11 +100,6 @@ class Corridor:
     def check_rest(self, status: Status) -> None:
         """Compare the position of a machine at rest with the end of the last program line sent.
 
-        Parameters
-        ----------
-        status
-            Status report of the machine at rest.
-
         Raises
         ------
         ControllerError

@@ -42,7 +42,7 @@ class DryProgram:
         return found
 
 
-class _Stopped(Exception):
+class _DryRunStopped(Exception):
     """Raised in a dry run that must stop."""
 
 
@@ -96,7 +96,7 @@ class DryRun:
             if isinstance(controller, OverridingController):
                 await controller.override_feed(100)
             await self._stream(controller)
-        except _Stopped:
+        except _DryRunStopped:
             self._end(ActivityState.STOPPED)
         except KnifetipError as error:
             self._end(ActivityState.FAILED, error.message)
@@ -151,7 +151,7 @@ class DryRun:
 
     def _raise_if_stopped(self) -> None:
         if self._must_stop:
-            raise _Stopped
+            raise _DryRunStopped
 
     def _note(self, message: Message) -> None:
         """Add a message to the activity that is no failure."""

@@ -251,7 +251,6 @@ class Interpreter:
 
         Removes the words of the tool and of the path tolerance from ``words``.
 
-        ``words``: number in each word of the line, by letter.
         ``groups``: number of the command in each modal group of the line.
         """
         if self._tools is None:

@@ -31,7 +31,7 @@ _log = logging.getLogger(__name__)
 
 
 @dataclass(slots=True)
-class Unfinished:
+class UnfinishedJob:
     """A job in the journal whose end is not recorded as acknowledged by the server.
 
     It may still run, or it has ended and the server has not answered the report of its end.
@@ -130,13 +130,7 @@ class Journal:
         )
 
     def dry_run(self, job: str) -> None:
-        """Record that the machine begins a run above the board, for a job that waits.
-
-        Parameters
-        ----------
-        job
-            Id of the job.
-        """
+        """Record that the machine begins a run above the board, for a job that waits."""
         self._abandoned = True
         self._append({"event": "dry-run", "job": job}, safe=True)
 
@@ -167,7 +161,7 @@ class Journal:
                 }
             )
 
-    def sending(self, job: str, copy: int, line: int) -> None:
+    def record_sending(self, job: str, copy: int, line: int) -> None:
         """Record that lines of a copy are sent from now on, up to a line.
 
         A file of its own is overwritten, which needs no room on the disk.  If that fails, it is
@@ -195,7 +189,7 @@ class Journal:
             with contextlib.suppress(OSError):
                 self._sent.unlink(missing_ok=True)
 
-    def _sent_at_most(self, left: Unfinished) -> int | None:
+    def _sent_at_most(self, left: UnfinishedJob) -> int | None:
         """Return the last line of the present copy that may have been sent; None if not known."""
         if self._sent is None:
             return None
@@ -233,7 +227,7 @@ class Journal:
         """Record the name by which the controller knows the program that it executes now."""
         self._append_if_possible({"event": "program", "job": job, "name": name})
 
-    def copy(self, job: str, copies_done: int) -> None:
+    def record_copy(self, job: str, copies_done: int) -> None:
         """Record that a copy was executed to its last line and the machine is at rest.
 
         Parameters
@@ -318,13 +312,13 @@ class Journal:
                 )
         return self._abandoned
 
-    def unfinished(self) -> Unfinished | None:
+    def unfinished(self) -> UnfinishedJob | None:
         """Return the last job of the journal if the server has not acknowledged its end.
 
         Returns None if the server has acknowledged the end of this job, or if the journal contains
         no job.
         """
-        unfinished: Unfinished | None = None
+        unfinished: UnfinishedJob | None = None
         for row in self._rows():
             # An event with missing or wrong fields is skipped.
             with contextlib.suppress(ValueError, KeyError, TypeError):
@@ -378,18 +372,17 @@ def _end_last_line(path: Path) -> None:
             file.write(b"\n")
 
 
-def _apply(unfinished: Unfinished | None, row: dict[str, Any]) -> Unfinished | None:
+def _apply(unfinished: UnfinishedJob | None, row: dict[str, Any]) -> UnfinishedJob | None:
     """Process one event of the journal, and return the job that is unfinished after the event.
 
     Returns None if no job is unfinished after the event.
 
     ``unfinished``: job that was unfinished before the event; None if there was none.  It may be
     changed in place.
-    ``row``: JSON object of the event.
     """
     event = row["event"]
     if event == "begin":
-        return Unfinished(
+        return UnfinishedJob(
             row["job"],
             int(row["epoch"]),
             str(row.get("sha256", "")),

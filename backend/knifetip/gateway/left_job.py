@@ -14,7 +14,7 @@ from knifetip.gateway.controller import Controller
 from knifetip.gateway.interpreter import Interpreter, tool_offsets
 from knifetip.gateway.job_run import JobEnd
 from knifetip.gateway.job_server import JobServer
-from knifetip.gateway.journal import Unfinished
+from knifetip.gateway.journal import UnfinishedJob
 from knifetip.gateway.takeover import Found, Recalls, has_ended
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
@@ -23,7 +23,7 @@ _log = logging.getLogger(__name__)
 
 
 async def end_of(
-    left: Unfinished, controller: Controller | None, server: JobServer, machine: Machine
+    left: UnfinishedJob, controller: Controller | None, server: JobServer, machine: Machine
 ) -> JobEnd:
     """Return the end of a job that ran when the gateway was last switched off.
 
@@ -68,7 +68,7 @@ async def end_of(
     return end("done", ended, left.lines, done, left.lines)
 
 
-def _find_shown_program(left: Unfinished, controller: object) -> Found | None:
+def _find_shown_program(left: UnfinishedJob, controller: object) -> Found | None:
     """Return what a controller shows of the program that ran last; None if it shows another one."""
     found = controller.found if isinstance(controller, Recalls) else None
     if found is None or not left.program or found.program != left.program:
@@ -77,7 +77,7 @@ def _find_shown_program(left: Unfinished, controller: object) -> Found | None:
 
 
 async def _count_executed_lines(
-    left: Unfinished, found: Found, server: JobServer, machine: Machine
+    left: UnfinishedJob, found: Found, server: JobServer, machine: Machine
 ) -> int | None:
     """Return how many lines of the copy that ran last were executed; None if not known."""
     if found.executed is not None:

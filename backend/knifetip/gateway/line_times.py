@@ -18,7 +18,7 @@ from knifetip.gateway.motion import JOLT, NOTHING, Limits, Move
 _LONGEST_RUN = 2000
 
 
-class _Planned(NamedTuple):
+class _PlannedMove(NamedTuple):
     line: int  #: index of the program line
     move: Move
     velocity: float
@@ -37,7 +37,7 @@ class LineTimes:
 
     def __init__(self, limits: Limits) -> None:
         self._limits = limits
-        self._run: list[_Planned] = []  # moves since the machine was last at rest
+        self._run: list[_PlannedMove] = []  # moves since the machine was last at rest
         self.seconds = array("f")  #: time of each line (s); of moves after ``end`` was called
 
     def add(self, block: Block | None) -> None:
@@ -56,7 +56,7 @@ class LineTimes:
         joint = 0.0
         if self._run:
             joint = self._joint(self._run[-1], move, velocity)
-        self._run.append(_Planned(line, move, velocity, acceleration, joint))
+        self._run.append(_PlannedMove(line, move, velocity, acceleration, joint))
         if len(self._run) >= _LONGEST_RUN:
             self.end()
 
@@ -80,7 +80,7 @@ class LineTimes:
             self.seconds[one.line] += rise + fall + max(length - ramps, 0.0) / peak
             speed = finish
 
-    def _joint(self, last: _Planned, move: Move, velocity: float) -> float:
+    def _joint(self, last: _PlannedMove, move: Move, velocity: float) -> float:
         """Return the greatest speed between two moves."""
         joint = min(last.velocity, velocity)
         before, after = last.move.heading(1.0), move.heading(0.0)

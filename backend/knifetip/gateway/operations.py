@@ -177,13 +177,7 @@ class Operable(Protocol):
         ...
 
     async def spin(self, station: Station | None) -> None:
-        """Switch the spindle or the oscillation of a station on; None switches it off.
-
-        Parameters
-        ----------
-        station
-            The station, which has a spindle.
-        """
+        """Switch the spindle or the oscillation of a station on; None switches it off."""
         ...
 
 
@@ -331,10 +325,7 @@ def _check_release(controller: OperableController) -> None:
 def _check(operation: Operation, name: str, status: Status, machine: Machine) -> None:
     """Raise ``ControllerError`` if the machine cannot do an operation in its present state.
 
-    ``operation``: the operation.
     ``name``: address of the controller, for messages.
-    ``status``: status of the controller.
-    ``machine``: the machine.
     """
     if status.state is not State.IDLE:
         raise ControllerError("operation.not-at-rest", name=name, state=status.state.value)

@@ -63,7 +63,7 @@ class Requirement:
 
 
 @dataclass(frozen=True, slots=True)
-class Presupposed:
+class PresupposedSettings:
     """Settings of a controller, and what the programs of its machine presuppose of them."""
 
     required: Iterable[Requirement] = ()
@@ -108,20 +108,20 @@ def number(value: float) -> str:
 
 def equal_to(wanted: float) -> Callable[[str], str]:
     """Return a condition for ``Requirement.expected``: the setting must have one value."""
-    return between(wanted, wanted, wanted)
+    return expect_between(wanted, wanted, wanted)
 
 
 def at_least(low: float) -> Callable[[str], str]:
     """Return an ``expected`` for a least number."""
-    return between(low, float("inf"), low)
+    return expect_between(low, float("inf"), low)
 
 
 def at_most(high: float) -> Callable[[str], str]:
     """Return an ``expected`` for a greatest number."""
-    return between(float("-inf"), high, high)
+    return expect_between(float("-inf"), high, high)
 
 
-def between(low: float, high: float, wanted: float) -> Callable[[str], str]:
+def expect_between(low: float, high: float, wanted: float) -> Callable[[str], str]:
     """Return an ``expected`` for a range of numbers; ``wanted`` is the number to set."""
 
     def expected(found: str) -> str:
@@ -136,12 +136,12 @@ def between(low: float, high: float, wanted: float) -> Callable[[str], str]:
 
 def not_below(wanted: float) -> Callable[[str], str]:
     """Return an ``expected`` for a positive number that is not less than another one."""
-    return between(wanted * (1.0 - _EQUAL), float("inf"), wanted)
+    return expect_between(wanted * (1.0 - _EQUAL), float("inf"), wanted)
 
 
 def not_above(wanted: float) -> Callable[[str], str]:
     """Return an ``expected`` for a number that is not greater than another one."""
-    return between(float("-inf"), wanted * (1.0 + _EQUAL), wanted)
+    return expect_between(float("-inf"), wanted * (1.0 + _EQUAL), wanted)
 
 
 def positive(wanted: str) -> Callable[[str], str]:

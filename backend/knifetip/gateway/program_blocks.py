@@ -71,11 +71,6 @@ class ProgramBlocks:
         """Return the duration of each line of the program (s), as ``LineTimes`` computes it.
 
         Yields to the event loop after every ``TURN`` lines.
-
-        Parameters
-        ----------
-        limits
-            Limits of the axes.
         """
         times = LineTimes(limits)
         kept: list[Block | None] | None = []

@@ -82,7 +82,7 @@ _log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, slots=True)
-class _Pending:
+class _PendingOperation:
     """An operation with the time at which it expires, by the clock of the event loop."""
 
     request: OperationRequest
@@ -164,7 +164,7 @@ class MachineStation:
         # The time on the way, at most: the server has waited for the rest.
         transit = max(now - asked - answer.waited, 0.0)
         for request in answer.operations:
-            self._begin(_Pending(request, now + EXPIRY - request.age - transit))
+            self._begin(_PendingOperation(request, now + EXPIRY - request.age - transit))
         if answer.held is not None:
             self._jogs.renew(answer.held.id, now - answer.held.age - transit)
 
@@ -241,7 +241,7 @@ class MachineStation:
 
     # -- operations -----------------------------------------------------------------------------
 
-    def _begin(self, pending: _Pending) -> None:
+    def _begin(self, pending: _PendingOperation) -> None:
         """Start a task that executes an operation."""
         name = pending.request.operation.name
         if name is OperationName.STOP_JOG:
@@ -257,10 +257,9 @@ class MachineStation:
         self._tasks.discard(task)
         self._wake.set()
 
-    async def _carry_out(self, pending: _Pending, stops: int) -> None:
+    async def _carry_out(self, pending: _PendingOperation, stops: int) -> None:
         """Carry out an operation and record its result.
 
-        ``pending``: the operation.
         ``stops``: number of stops that were asked before the operation.
         """
         id, operation = pending.request.id, pending.request.operation
@@ -354,8 +353,6 @@ class MachineStation:
 
         The result of the operation is recorded when the program begins.
 
-        ``id``: id of the operation.
-        ``operation``: the operation.
         ``is_late``: returns whether the operation has expired.
         Raises ``OperationExpired``: the operation has expired; nothing was sent.
         Raises ``KnifetipError``: the machine cannot do it now, or the program cannot be run above

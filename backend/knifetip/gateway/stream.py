@@ -240,7 +240,6 @@ async def _require_travel(controller: LimitedController, blocks: ProgramBlocks) 
 def _check_state(controller: Controller, status: Status, base: Status) -> None:
     """Raise ``ControllerError`` if the state of a controller shows that the program has ended.
 
-    ``controller``: controller of the machine.
     ``status``: last report.
     ``base``: report before the first line of the program was sent.
     """
@@ -267,12 +266,10 @@ async def _stop(
 ) -> ControllerError:
     """Bring the machine into its safe state; return the error to raise for an interrupted program.
 
-    ``controller``: controller of the machine.
     ``error``: error that interrupted the program; the returned error has its type.
     ``follower``: follower with the number of executed lines, which the returned error contains.
     ``base``: status before the first line of the program was sent.  ``base.sent``, the number of
     lines sent before the program, is subtracted from the present number of lines sent.
-    ``lines``: number of lines of the program.
     """
 
     def progress() -> Message:
@@ -312,7 +309,6 @@ def _progress_message(executed: int, sent: int, lines: int) -> Message:
 
     ``executed``: number of lines that were certainly executed.
     ``sent``: number of lines sent; the lines between ``executed`` and ``sent`` may be executed too.
-    ``lines``: number of lines of the program.
     """
     rest = sent - executed
     if sent == 0:

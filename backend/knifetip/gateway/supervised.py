@@ -13,7 +13,7 @@ from typing import Generic, Protocol, TypeVar
 
 from knifetip.errors import ControllerAlarm, ControllerError, ControllerOccupied
 from knifetip.gateway.controller import Observer, SafeState, Status
-from knifetip.gateway.presupposed import Presupposed, compare
+from knifetip.gateway.presupposed import PresupposedSettings, compare
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
 
@@ -88,10 +88,10 @@ class SupervisedController(ABC, Generic[ConnectionT]):
             raise self._connection.fail(dangerous) from None
         self._notices = (*settings.notices, *differences)
 
-    async def _read_presupposed(self, machine: Machine) -> Presupposed:
+    async def _read_presupposed(self, machine: Machine) -> PresupposedSettings:
         """Read the settings; a controller whose settings cannot be read has none."""
         del machine
-        return Presupposed()
+        return PresupposedSettings()
 
     @property
     def name(self) -> str:

@@ -39,7 +39,7 @@ _NEAR = 0.02
 
 @dataclass(frozen=True, slots=True)
 class CheckedPoint:
-    """Where a tool check moves: a station with its trial datum, and a point above the table."""
+    """The point above the table to which a tool check moves the tool of a station."""
 
     station: Station  #: with the trial correction in its datum
     x: float  #: mm, as in programs

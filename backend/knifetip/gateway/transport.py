@@ -54,7 +54,7 @@ class Transport(Protocol):
 
 
 @runtime_checkable
-class Paced(Protocol):
+class PacedTransport(Protocol):
     """A transport that states its speed, such as a serial port; others have no attribute for it."""
 
     byte_rate: float  #: bytes per second in each direction
@@ -62,7 +62,7 @@ class Paced(Protocol):
 
 def byte_rate(transport: Transport) -> float:
     """Return the bytes per second of a transport; infinite if it does not state them."""
-    return transport.byte_rate if isinstance(transport, Paced) else math.inf
+    return transport.byte_rate if isinstance(transport, PacedTransport) else math.inf
 
 
 #: Function that opens a connection to the address in a URL.  It raises ``NoSuchController`` if the

@@ -64,18 +64,18 @@ def intersect_pairs(
 
 @kernel(allocates=False)
 def _intersect_pairs(
-    one: F64_2, two: F64_2, touch: float, count: OutI32_1, points: OutF64_3
+    segments_a: F64_2, segments_b: F64_2, touch: float, count: OutI32_1, points: OutF64_3
 ) -> None:
     """Write the common points of n pairs of segments to ``points``, and how many to ``count``.
 
-    Pair i consists of the segments in row i of ``one`` and in row i of ``two``, which are (x0, y0,
-    x1, y1, bulge).  ``count[i]`` is the number of their common points.  Each of the first
-    ``count[i]`` rows of ``points[i]`` gets x and y of one common point, and its parameters on the
-    first and on the second segment (0 … 1).  ``touch`` is the largest distance (mm) at which two
-    segments count as touching.
+    Pair i consists of the segments in row i of ``segments_a`` and in row i of ``segments_b``, which
+    are (x0, y0, x1, y1, bulge).  ``count[i]`` is the number of their common points.  Each of the
+    first ``count[i]`` rows of ``points[i]`` gets x and y of one common point, and its parameters on
+    the first and on the second segment (0 … 1).  ``touch`` is the largest distance (mm) at which
+    two segments count as touching.
     """
-    for i in range(len(one)):
-        count[i] = intersect_rows(one, i, two, i, touch, points[i])
+    for i in range(len(segments_a)):
+        count[i] = intersect_rows(segments_a, i, segments_b, i, touch, points[i])
 
 
 @kernel(allocates=False)
@@ -198,9 +198,9 @@ def point_at_parameter(rows: F64_2, i: int, fraction: float) -> tuple[float, flo
 
 @kernel(allocates=False)
 def _add_point(
-    one: F64_2,
+    segments_a: F64_2,
     i: int,
-    two: F64_2,
+    segments_b: F64_2,
     j: int,
     point: tuple[float, float],
     touch: float,
@@ -212,8 +212,9 @@ def _add_point(
     The point must be on the lines or circles of both segments.  It is left out if ``points``
     already has one within ``touch`` mm of it, or if ``points`` has no free row.
 
-    ``one``, ``i``, ``two``, ``j``: the segments are row i of ``one`` and row j of ``two``: x0, y0,
-    x1, y1, bulge.
+    ``segments_a``, ``i``, ``segments_b``, ``j``: the segments are row i of ``segments_a`` and row j
+    of
+    ``segments_b``: x0, y0, x1, y1, bulge.
     ``touch`` mm: distance beyond an end of a segment up to which the point still counts as on the
     segment.
     ``points``: receives in one row x, y, and the parameters on the first and on the second segment
@@ -224,10 +225,10 @@ def _add_point(
     for k in range(count):
         if abs(points[k, 0] - x) <= touch and abs(points[k, 1] - y) <= touch:
             return count
-    first = parameter_of_point(one, i, x, y, touch)
+    first = parameter_of_point(segments_a, i, x, y, touch)
     if first < 0.0:
         return count
-    second = parameter_of_point(two, j, x, y, touch)
+    second = parameter_of_point(segments_b, j, x, y, touch)
     if second < 0.0 or count == MAX_POINTS:
         return count
     points[count, 0] = x
@@ -238,41 +239,53 @@ def _add_point(
 
 
 @kernel(allocates=False)
-def _add_common_ends(one: F64_2, i: int, two: F64_2, j: int, touch: float, points: OutF64_2) -> int:
+def _add_common_ends(
+    segments_a: F64_2, i: int, segments_b: F64_2, j: int, touch: float, points: OutF64_2
+) -> int:
     """Write each end of two segments that is on the other segment to ``points``; return the number.
 
-    The segments are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).  They
-    must be on one line or on one circle.  A row of ``points`` gets x, y, and the parameters on the
-    first and on the second segment (0 … 1).  ``touch`` is the largest distance (mm) from the
-    other segment at which an end still counts as on this segment.
+    The segments are row i of ``segments_a`` and row j of ``segments_b``; a row is (x0, y0, x1, y1,
+    bulge).  They must be on one line or on one circle.  A row of ``points`` gets x, y, and the
+    parameters on the first and on the second segment (0 … 1).  ``touch`` is the largest distance
+    (mm) from the other segment at which an end still counts as on this segment.
     """
-    count = _add_point(one, i, two, j, (one[i, 0], one[i, 1]), touch, points, 0)
-    count = _add_point(one, i, two, j, (one[i, 2], one[i, 3]), touch, points, count)
-    count = _add_point(one, i, two, j, (two[j, 0], two[j, 1]), touch, points, count)
-    return _add_point(one, i, two, j, (two[j, 2], two[j, 3]), touch, points, count)
+    count = _add_point(
+        segments_a, i, segments_b, j, (segments_a[i, 0], segments_a[i, 1]), touch, points, 0
+    )
+    count = _add_point(
+        segments_a, i, segments_b, j, (segments_a[i, 2], segments_a[i, 3]), touch, points, count
+    )
+    count = _add_point(
+        segments_a, i, segments_b, j, (segments_b[j, 0], segments_b[j, 1]), touch, points, count
+    )
+    return _add_point(
+        segments_a, i, segments_b, j, (segments_b[j, 2], segments_b[j, 3]), touch, points, count
+    )
 
 
 @kernel(allocates=False)
-def intersect_rows(one: F64_2, i: int, two: F64_2, j: int, touch: float, points: OutF64_2) -> int:
+def intersect_rows(
+    segments_a: F64_2, i: int, segments_b: F64_2, j: int, touch: float, points: OutF64_2
+) -> int:
     """Write the common points of two segments to ``points`` and return the number of the points.
 
-    The segments are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).  A row
-    of ``points`` is x, y, and the parameters on the first and on the second segment.  ``touch`` is
-    the largest distance (mm) at which two segments count as touching.
+    The segments are row i of ``segments_a`` and row j of ``segments_b``; a row is (x0, y0, x1, y1,
+    bulge).  A row of ``points`` is x, y, and the parameters on the first and on the second segment.
+    ``touch`` is the largest distance (mm) at which two segments count as touching.
     """
-    flat = abs(one[i, 4]) < BULGE
-    other_flat = abs(two[j, 4]) < BULGE
+    flat = abs(segments_a[i, 4]) < BULGE
+    other_flat = abs(segments_b[j, 4]) < BULGE
     if flat and other_flat:
-        return _intersect_lines(one, i, two, j, touch, points)
+        return _intersect_lines(segments_a, i, segments_b, j, touch, points)
     if flat or other_flat:
-        return _intersect_line_arc(one, i, two, j, flat, touch, points)
-    ax, ay, ar = circle_of_arc(one, i)
-    bx, by, br = circle_of_arc(two, j)
+        return _intersect_line_arc(segments_a, i, segments_b, j, flat, touch, points)
+    ax, ay, ar = circle_of_arc(segments_a, i)
+    bx, by, br = circle_of_arc(segments_b, j)
     dx = bx - ax
     dy = by - ay
     apart = math.sqrt(dx * dx + dy * dy)
     if apart <= touch and abs(ar - br) <= touch:
-        return _add_common_ends(one, i, two, j, touch, points)
+        return _add_common_ends(segments_a, i, segments_b, j, touch, points)
     if apart > ar + br + touch or apart < abs(ar - br) - touch or apart == 0.0:
         return 0
     foot = (apart * apart + (ar - br) * (ar + br)) / (2.0 * apart)
@@ -284,24 +297,30 @@ def intersect_rows(one: F64_2, i: int, two: F64_2, j: int, touch: float, points:
     uy = dy / apart
     x = ax + foot * ux
     y = ay + foot * uy
-    count = _add_point(one, i, two, j, (x - rise * uy, y + rise * ux), touch, points, 0)
-    return _add_point(one, i, two, j, (x + rise * uy, y - rise * ux), touch, points, count)
+    count = _add_point(
+        segments_a, i, segments_b, j, (x - rise * uy, y + rise * ux), touch, points, 0
+    )
+    return _add_point(
+        segments_a, i, segments_b, j, (x + rise * uy, y - rise * ux), touch, points, count
+    )
 
 
 @kernel(allocates=False)
-def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, points: OutF64_2) -> int:
+def _intersect_lines(
+    segments_a: F64_2, i: int, segments_b: F64_2, j: int, touch: float, points: OutF64_2
+) -> int:
     """Write the common points of two lines to ``points`` and return the number of the points.
 
-    The lines are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).  A row of
-    ``points`` gets x, y, and the parameters on the first and on the second line (0 … 1).  ``touch``
-    is the largest distance (mm) at which two lines count as touching.
+    The lines are row i of ``segments_a`` and row j of ``segments_b``; a row is (x0, y0, x1, y1,
+    bulge).  A row of ``points`` gets x, y, and the parameters on the first and on the second line
+    (0 … 1).  ``touch`` is the largest distance (mm) at which two lines count as touching.
     """
-    ax = one[i, 2] - one[i, 0]
-    ay = one[i, 3] - one[i, 1]
-    bx = two[j, 2] - two[j, 0]
-    by = two[j, 3] - two[j, 1]
-    cx = two[j, 0] - one[i, 0]
-    cy = two[j, 1] - one[i, 1]
+    ax = segments_a[i, 2] - segments_a[i, 0]
+    ay = segments_a[i, 3] - segments_a[i, 1]
+    bx = segments_b[j, 2] - segments_b[j, 0]
+    by = segments_b[j, 3] - segments_b[j, 1]
+    cx = segments_b[j, 0] - segments_a[i, 0]
+    cy = segments_b[j, 1] - segments_a[i, 1]
     cross = ax * by - ay * bx
     a2 = ax * ax + ay * ay
     b2 = bx * bx + by * by
@@ -309,7 +328,7 @@ def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, point
         off = ax * cy - ay * cx
         if off * off > touch * touch * a2:
             return 0
-        return _add_common_ends(one, i, two, j, touch, points)
+        return _add_common_ends(segments_a, i, segments_b, j, touch, points)
     # Most pairs are rejected because both ends of a segment are clearly on one side of the other.
     near = ax * cy - ay * cx
     far = near + cross
@@ -328,8 +347,8 @@ def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, point
     if second < -slack or second > 1.0 + slack:
         return 0
     first = min(max(first, 0.0), 1.0)
-    points[0, 0] = one[i, 0] + first * ax
-    points[0, 1] = one[i, 1] + first * ay
+    points[0, 0] = segments_a[i, 0] + first * ax
+    points[0, 1] = segments_a[i, 1] + first * ay
     points[0, 2] = first
     points[0, 3] = min(max(second, 0.0), 1.0)
     return 1
@@ -337,21 +356,33 @@ def _intersect_lines(one: F64_2, i: int, two: F64_2, j: int, touch: float, point
 
 @kernel(allocates=False)
 def _intersect_line_arc(
-    one: F64_2, i: int, two: F64_2, j: int, flat: bool, touch: float, points: OutF64_2
+    segments_a: F64_2, i: int, segments_b: F64_2, j: int, flat: bool, touch: float, points: OutF64_2
 ) -> int:
     """Write the common points of a line and an arc to ``points`` and return the number of points.
 
-    The two segments are row i of ``one`` and row j of ``two``; a row is (x0, y0, x1, y1, bulge).
-    ``flat`` is True if the line is row i of ``one``, and False if it is row j of ``two``.  A row of
-    ``points`` gets x, y, and the parameters on the first and on the second segment (0 … 1).
+    The two segments are row i of ``segments_a`` and row j of ``segments_b``; a row is (x0, y0, x1,
+    y1, bulge).
+    ``flat`` is True if the line is row i of ``segments_a``, and False if it is row j of
+    ``segments_b``.  A row of ``points`` gets x, y, and the parameters on the first and on the
+    second segment (0 … 1).
     ``touch`` is the largest distance (mm) at which the two count as touching.
     """
     if flat:
-        x0, y0, dx, dy = one[i, 0], one[i, 1], one[i, 2] - one[i, 0], one[i, 3] - one[i, 1]
-        cx, cy, radius = circle_of_arc(two, j)
+        x0, y0, dx, dy = (
+            segments_a[i, 0],
+            segments_a[i, 1],
+            segments_a[i, 2] - segments_a[i, 0],
+            segments_a[i, 3] - segments_a[i, 1],
+        )
+        cx, cy, radius = circle_of_arc(segments_b, j)
     else:
-        x0, y0, dx, dy = two[j, 0], two[j, 1], two[j, 2] - two[j, 0], two[j, 3] - two[j, 1]
-        cx, cy, radius = circle_of_arc(one, i)
+        x0, y0, dx, dy = (
+            segments_b[j, 0],
+            segments_b[j, 1],
+            segments_b[j, 2] - segments_b[j, 0],
+            segments_b[j, 3] - segments_b[j, 1],
+        )
+        cx, cy, radius = circle_of_arc(segments_a, i)
     length = math.sqrt(dx * dx + dy * dy)
     ux = dx / length
     uy = dy / length
@@ -364,5 +395,9 @@ def _intersect_line_arc(
         reach = 0.0
     fx = cx + off * uy
     fy = cy - off * ux
-    count = _add_point(one, i, two, j, (fx - reach * ux, fy - reach * uy), touch, points, 0)
-    return _add_point(one, i, two, j, (fx + reach * ux, fy + reach * uy), touch, points, count)
+    count = _add_point(
+        segments_a, i, segments_b, j, (fx - reach * ux, fy - reach * uy), touch, points, 0
+    )
+    return _add_point(
+        segments_a, i, segments_b, j, (fx + reach * ux, fy + reach * uy), touch, points, count
+    )

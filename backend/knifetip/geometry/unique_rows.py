@@ -75,11 +75,11 @@ def _distinct_rows(table: I64_2) -> Any:
 
 
 @kernel
-def _equal_rows(table: I64_2, row: int, other: int) -> bool:
-    """Return whether the rows with the numbers ``row`` and ``other`` of a table are equal."""
+def _equal_rows(table: I64_2, row: int, other_row: int) -> bool:
+    """Return whether the rows with the numbers ``row`` and ``other_row`` of a table are equal."""
     same = True
     for column in range(table.shape[1]):
-        same &= table[row, column] == table[other, column]
+        same &= table[row, column] == table[other_row, column]
     return same
 
 

@@ -86,7 +86,7 @@ class Coordinates:
             bottom += (high - y_scale * (high_y - low_y)) * up / 100.0
         return x_scale, 0.0, 0.0, y_scale, left - x_scale * low_x, bottom - y_scale * low_y
 
-    def change(self, one: Instruction) -> Coordinates:
+    def change(self, instruction: Instruction) -> Coordinates:
         """Return the coordinate system after an instruction IP, IR, RO or SC.
 
         Raises
@@ -94,17 +94,17 @@ class Coordinates:
         NotADrawing
             The instruction has a wrong number of values or an invalid scale.
         """
-        if one.name == "SC":
-            return self._scale(one)
-        if one.name == "RO":
-            if len(one.values) > 1:
-                raise count_is_wrong(one, 0, 1)
-            degrees = one.values[0] if one.values else 0.0
+        if instruction.name == "SC":
+            return self._scale(instruction)
+        if instruction.name == "RO":
+            if len(instruction.values) > 1:
+                raise count_is_wrong(instruction, 0, 1)
+            degrees = instruction.values[0] if instruction.values else 0.0
             return replace(self, quarters=round(degrees / 90.0) % 4)
-        values = one.values
+        values = instruction.values
         if len(values) not in (0, 2, 4):
-            raise count_is_wrong(one, 0, 2, 4)
-        if one.name == "IR" or not values:
+            raise count_is_wrong(instruction, 0, 2, 4)
+        if instruction.name == "IR" or not values:
             return replace(self, first=None, second=None)
         first = values[0], values[1]
         second: Point | None = None
@@ -117,15 +117,15 @@ class Coordinates:
                 self.second[1] + first[1] - self.first[1],
             )
         if second is not None and (first[0] == second[0] or first[1] == second[1]):
-            raise NotADrawing("plt.bad-scale", position=one.position, name=one.name)
+            raise NotADrawing("plt.bad-scale", position=instruction.position, name=instruction.name)
         return replace(self, first=first, second=second)
 
-    def _scale(self, one: Instruction) -> Coordinates:
-        values = one.values
+    def _scale(self, instruction: Instruction) -> Coordinates:
+        values = instruction.values
         if not values:
             return replace(self, scaling=())
         if len(values) not in (4, 5, 7):
-            raise count_is_wrong(one, 0, 4, 5, 7)
+            raise count_is_wrong(instruction, 0, 4, 5, 7)
         kind = values[4] if len(values) > 4 else _BOTH_AXES
         if kind == _BY_FACTOR:
             is_valid = values[1] != 0.0 and values[3] != 0.0
@@ -136,16 +136,16 @@ class Coordinates:
                 and values[2] != values[3]
             )
         if not is_valid:
-            raise NotADrawing("plt.bad-scale", position=one.position, name=one.name)
+            raise NotADrawing("plt.bad-scale", position=instruction.position, name=instruction.name)
         return replace(self, scaling=tuple(values))
 
 
-def window(one: Instruction, matrix: Matrix) -> Clip:
+def window(instruction: Instruction, matrix: Matrix) -> Clip:
     """Return the visible area that an instruction IW sets.
 
     Parameters
     ----------
-    one
+    instruction
         The instruction; without values, everything is visible.
     matrix
         Matrix from the units of coordinates to mm; it turns by multiples of 90°.
@@ -155,11 +155,11 @@ def window(one: Instruction, matrix: Matrix) -> Clip:
     NotADrawing
         The instruction has a wrong number of values.
     """
-    if not one.values:
+    if not instruction.values:
         return UNCLIPPED
-    if len(one.values) != 4:
-        raise count_is_wrong(one, 0, 4)
-    x, y, u, v = one.values
+    if len(instruction.values) != 4:
+        raise count_is_wrong(instruction, 0, 4)
+    x, y, u, v = instruction.values
     (x, y), (u, v) = transform(matrix, (x, y)), transform(matrix, (u, v))
     return UNCLIPPED.intersect_box((min(x, u), min(y, v), max(x, u), max(y, v)))
 

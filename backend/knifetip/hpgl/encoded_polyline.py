@@ -72,7 +72,7 @@ def decode(text: bytes, position: int, limits: Limits) -> Iterator[EncodedPoint]
         code = byte & 127 if seven_bits or (byte & 127) in _FLAGS else byte
         if code in _FLAGS:
             if digits or flag in (_PEN, _FRACTION) or x is not None:
-                raise _damaged(position)
+                raise _damage_error(position)
             if code == _UP:
                 down_next = False
             elif code == _ABSOLUTE:
@@ -91,7 +91,7 @@ def decode(text: bytes, position: int, limits: Limits) -> Iterator[EncodedPoint]
         digits += 1
         if not is_last:
             if digits > _DIGITS:
-                raise _damaged(position)
+                raise _damage_error(position)
             continue
         value = -(number >> 1) if number & 1 else number >> 1
         number, digits = 0, 0
@@ -99,7 +99,7 @@ def decode(text: bytes, position: int, limits: Limits) -> Iterator[EncodedPoint]
             pen, flag = value, 0
         elif flag == _FRACTION:
             if abs(value) > _PLACES:
-                raise _damaged(position)
+                raise _damage_error(position)
             places, flag = value, 0
         elif x is None:
             x = value / 2.0**places
@@ -112,8 +112,8 @@ def decode(text: bytes, position: int, limits: Limits) -> Iterator[EncodedPoint]
             yield EncodedPoint(x, value / 2.0**places, down_next, absolute, pen)
             x, down_next, absolute, pen = None, True, False, None
     if digits or x is not None or flag:
-        raise _damaged(position)
+        raise _damage_error(position)
 
 
-def _damaged(position: int) -> NotADrawing:
+def _damage_error(position: int) -> NotADrawing:
     return NotADrawing("plt.bad-polyline", position=position)

@@ -64,7 +64,7 @@ class Pens:
         self.__init__()  # type: ignore[misc]
         self.selected = selected
 
-    def change(self, one: Instruction) -> None:
+    def change(self, instruction: Instruction) -> None:
         """Change the state as an instruction does that ``handles`` accepts.
 
         Raises
@@ -72,32 +72,32 @@ class Pens:
         NotADrawing
             The instruction has a wrong number of values.
         """
-        values = one.values
-        if one.name == "SP":
+        values = instruction.values
+        if instruction.name == "SP":
             if len(values) > 1:
-                raise count_is_wrong(one, 0, 1)
+                raise count_is_wrong(instruction, 0, 1)
             self.selected = int(abs(values[0])) if values else 0
-        elif one.name == "LT":
+        elif instruction.name == "LT":
             self._change_linetype(values)
-        elif one.name == "PW":
+        elif instruction.name == "PW":
             if len(values) > 2:
-                raise count_is_wrong(one, 0, 1, 2)
+                raise count_is_wrong(instruction, 0, 1, 2)
             width = abs(values[0]) if values and not self._is_width_relative else -1.0
             if len(values) == 2:
                 self._width[int(abs(values[1]))] = width
             else:
                 self._width.clear()
                 self._every_width = width
-        elif one.name == "WU":
+        elif instruction.name == "WU":
             self._is_width_relative = bool(values) and values[0] == 1.0
             self._width.clear()
             self._every_width = -1.0
-        elif one.name == "CR":
+        elif instruction.name == "CR":
             if len(values) not in (0, 6):
-                raise count_is_wrong(one, 0, 6)
+                raise count_is_wrong(instruction, 0, 6)
             self._range = (*values,) if values else _RANGE  # type: ignore[assignment]
         else:
-            self._change_colour(one)
+            self._change_colour(instruction)
 
     def _change_linetype(self, values: list[float]) -> None:
         if not values:
@@ -107,10 +107,10 @@ class Pens:
         else:
             self._linetype = f"dashed {abs(values[0]):g}"
 
-    def _change_colour(self, one: Instruction) -> None:
-        values = one.values
+    def _change_colour(self, instruction: Instruction) -> None:
+        values = instruction.values
         if len(values) not in (0, 1, 4):
-            raise count_is_wrong(one, 0, 1, 4)
+            raise count_is_wrong(instruction, 0, 1, 4)
         if not values:
             self._colours.clear()
             return

@@ -146,24 +146,24 @@ class _Plotter:
         self._has_stated = False
         self._number = 0
 
-    def execute(self, number: int, one: Instruction) -> None:
+    def execute(self, number: int, instruction: Instruction) -> None:
         """Execute an instruction; ``number`` is its number in the file, from 1."""
         self._number = number
-        action = _ACTIONS.get(one.name)
+        action = _ACTIONS.get(instruction.name)
         if action is not None:
-            action(self, one)
-        elif one.name in _NEW_SHEET:
+            action(self, instruction)
+        elif instruction.name in _NEW_SHEET:
             # Some programs begin a new sheet before the first line.
             self._sheet += bool(self.plot.report.handle)
-        elif Pens.handles(one.name):
-            self._pens.change(one)
+        elif Pens.handles(instruction.name):
+            self._pens.change(instruction)
             self._style = self._pens.style
-        elif one.name not in _IGNORED:
-            self._row(one, Message("import.unknown-instruction"))
+        elif instruction.name not in _IGNORED:
+            self._row(instruction, Message("import.unknown-instruction"))
 
     # ── State ────────────────────────────────────────────────────────────────────────────────
 
-    def initialise(self, one: Instruction) -> None:
+    def initialise(self, instruction: Instruction) -> None:
         """Execute IN or DF."""
         self._pens.reset()
         self._style = self._pens.style
@@ -171,18 +171,18 @@ class _Plotter:
         self._clip = UNCLIPPED
         self._label_height = 0.0
         self._polygon = Polygon()
-        if one.name == "IN":
+        if instruction.name == "IN":
             self._is_down = False
             self._change_coordinates(Coordinates())
         else:
             kept = self._coordinates
             self._change_coordinates(Coordinates(kept.first, kept.second, (), kept.quarters))
 
-    def change_coordinates(self, one: Instruction) -> None:
+    def change_coordinates(self, instruction: Instruction) -> None:
         """Execute IP, IR, RO or SC."""
-        changed = self._coordinates.change(one)
+        changed = self._coordinates.change(instruction)
         if changed.quarters != self._coordinates.quarters and self._has_lines:
-            self._row(one, Message("import.turned-page"))
+            self._row(instruction, Message("import.turned-page"))
         self._change_coordinates(changed)
 
     def _change_coordinates(self, changed: Coordinates) -> None:
@@ -196,24 +196,27 @@ class _Plotter:
             self._is_lost = True
         self._coordinates, self._matrix = changed, matrix
 
-    def set_window(self, one: Instruction) -> None:
+    def set_window(self, instruction: Instruction) -> None:
         """Execute IW."""
-        self._clip = window(one, self._matrix)
+        self._clip = window(instruction, self._matrix)
 
     # ── Lines ────────────────────────────────────────────────────────────────────────────────
 
-    def move(self, one: Instruction) -> None:
+    def move(self, instruction: Instruction) -> None:
         """Execute PU, PD, PA or PR."""
-        if one.name in ("PU", "PD"):
-            self._is_down = one.name == "PD"
+        if instruction.name in ("PU", "PD"):
+            self._is_down = instruction.name == "PD"
         else:
-            self._is_relative = one.name == "PR"
-        if one.values:
-            if len(one.values) % 2:
+            self._is_relative = instruction.name == "PR"
+        if instruction.values:
+            if len(instruction.values) % 2:
                 raise NotADrawing(
-                    "plt.x-without-y", position=one.position, name=one.name, count=len(one.values)
+                    "plt.x-without-y",
+                    position=instruction.position,
+                    name=instruction.name,
+                    count=len(instruction.values),
                 )
-            self._draw(one, self._absolute(one.values))
+            self._draw(instruction, self._absolute(instruction.values))
 
     def _absolute(self, values: list[float]) -> list[float]:
         """Return x and y of points that an instruction contains, one after the other."""
@@ -225,7 +228,7 @@ class _Plotter:
         points[1::2] = list(accumulate(values[1::2], initial=y))[1:]
         return points
 
-    def _draw(self, one: Instruction, points: list[float]) -> None:
+    def _draw(self, instruction: Instruction, points: list[float]) -> None:
         """Move the pen to points, whose x and y are one after the other."""
         if self._polygon.starts:
             # The first point after PM1 begins a part of the polygon.
@@ -234,20 +237,20 @@ class _Plotter:
         if not points:
             return
         if self._is_down:
-            self._emit(one, PlottedShape(polylines=[[*self._at, *points]]))
+            self._emit(instruction, PlottedShape(polylines=[[*self._at, *points]]))
         self._at = points[-2], points[-1]
         self._is_lost = self._is_lost and self._is_relative
 
-    def draw_encoded(self, one: Instruction) -> None:
+    def draw_encoded(self, instruction: Instruction) -> None:
         """Execute PE; each pen that it selects has a row in the report."""
         shape = PlottedShape()
         line: list[float] = []
-        for point in decode(one.text, one.position, self._limits):
+        for point in decode(instruction.text, instruction.position, self._limits):
             if point.pen is not None:
                 if line:
                     shape.polylines.append(line)
                     line = []
-                self._emit(one, shape)
+                self._emit(instruction, shape)
                 shape = PlottedShape()
                 self._pens.selected = abs(point.pen)
                 self._style = self._pens.style
@@ -265,80 +268,80 @@ class _Plotter:
             self._at, self._is_down = to, point.down
         if line:
             shape.polylines.append(line)
-        self._emit(one, shape)
+        self._emit(instruction, shape)
 
-    def draw_arc(self, one: Instruction) -> None:
+    def draw_arc(self, instruction: Instruction) -> None:
         """Execute AA or AR."""
-        if len(one.values) not in (3, 4):
-            raise count_is_wrong(one, 3, 4)
-        x, y, degrees = one.values[:3]
-        centre = (x, y) if one.name == "AA" else (self._at[0] + x, self._at[1] + y)
+        if len(instruction.values) not in (3, 4):
+            raise count_is_wrong(instruction, 3, 4)
+        x, y, degrees = instruction.values[:3]
+        centre = (x, y) if instruction.name == "AA" else (self._at[0] + x, self._at[1] + y)
         shape = PlottedShape()
         end = shape.add_arc(centre, self._at, degrees)
-        self._emit(one, shape if self._is_down else PlottedShape())
+        self._emit(instruction, shape if self._is_down else PlottedShape())
         self._at = end
 
-    def draw_arc_through(self, one: Instruction) -> None:
+    def draw_arc_through(self, instruction: Instruction) -> None:
         """Execute AT or RT."""
-        if len(one.values) not in (4, 5):
-            raise count_is_wrong(one, 4, 5)
-        x, y = self._at if one.name == "RT" else (0.0, 0.0)
-        inner = x + one.values[0], y + one.values[1]
-        end = x + one.values[2], y + one.values[3]
+        if len(instruction.values) not in (4, 5):
+            raise count_is_wrong(instruction, 4, 5)
+        x, y = self._at if instruction.name == "RT" else (0.0, 0.0)
+        inner = x + instruction.values[0], y + instruction.values[1]
+        end = x + instruction.values[2], y + instruction.values[3]
         shape = PlottedShape()
         shape.add_arc_through(self._at, inner, end)
-        self._emit(one, shape if self._is_down else PlottedShape())
+        self._emit(instruction, shape if self._is_down else PlottedShape())
         self._at = end
 
-    def draw_curves(self, one: Instruction) -> None:
+    def draw_curves(self, instruction: Instruction) -> None:
         """Execute BZ or BR."""
-        if not one.values or len(one.values) % 6:
-            raise count_is_wrong(one, 6, 12, 18)
+        if not instruction.values or len(instruction.values) % 6:
+            raise count_is_wrong(instruction, 6, 12, 18)
         shape = PlottedShape()
-        for k in range(0, len(one.values), 6):
-            x, y = self._at if one.name == "BR" else (0.0, 0.0)
-            a, b, c, d, e, f = one.values[k : k + 6]
+        for k in range(0, len(instruction.values), 6):
+            x, y = self._at if instruction.name == "BR" else (0.0, 0.0)
+            a, b, c, d, e, f = instruction.values[k : k + 6]
             end = x + e, y + f
             shape.curves.append((*self._at, *end, x + a, y + b, x + c, y + d))
             self._at = end
-        self._emit(one, shape if self._is_down else PlottedShape())
+        self._emit(instruction, shape if self._is_down else PlottedShape())
 
-    def draw_circle(self, one: Instruction) -> None:
+    def draw_circle(self, instruction: Instruction) -> None:
         """Execute CI."""
-        if len(one.values) not in (1, 2):
-            raise count_is_wrong(one, 1, 2)
+        if len(instruction.values) not in (1, 2):
+            raise count_is_wrong(instruction, 1, 2)
         shape = PlottedShape()
         x, y = self._at
-        shape.add_arc(self._at, (x + abs(one.values[0]), y), 360.0)
-        self._emit(one, shape)
+        shape.add_arc(self._at, (x + abs(instruction.values[0]), y), 360.0)
+        self._emit(instruction, shape)
 
-    def draw_rectangle(self, one: Instruction) -> None:
+    def draw_rectangle(self, instruction: Instruction) -> None:
         """Execute EA, ER, RA or RR."""
-        if len(one.values) != 2:
-            raise count_is_wrong(one, 2)
-        x, y = self._at if one.name in ("ER", "RR") else (0.0, 0.0)
+        if len(instruction.values) != 2:
+            raise count_is_wrong(instruction, 2)
+        x, y = self._at if instruction.name in ("ER", "RR") else (0.0, 0.0)
         shape = PlottedShape()
-        shape.add_rectangle(self._at, (x + one.values[0], y + one.values[1]))
-        self._polygon_drawn(one, shape)
+        shape.add_rectangle(self._at, (x + instruction.values[0], y + instruction.values[1]))
+        self._polygon_drawn(instruction, shape)
 
-    def draw_wedge(self, one: Instruction) -> None:
+    def draw_wedge(self, instruction: Instruction) -> None:
         """Execute EW or WG."""
-        if len(one.values) not in (3, 4):
-            raise count_is_wrong(one, 3, 4)
+        if len(instruction.values) not in (3, 4):
+            raise count_is_wrong(instruction, 3, 4)
         shape = PlottedShape()
-        shape.add_wedge(self._at, *one.values[:3])
-        self._polygon_drawn(one, shape)
+        shape.add_wedge(self._at, *instruction.values[:3])
+        self._polygon_drawn(instruction, shape)
 
-    def _polygon_drawn(self, one: Instruction, shape: PlottedShape) -> None:
+    def _polygon_drawn(self, instruction: Instruction, shape: PlottedShape) -> None:
         """Draw a shape that replaces the polygon, with its edges or filled."""
         self._polygon = Polygon()
         self._polygon.is_lost = self._is_lost
         self._polygon.shape.add(shape)
-        self._draw_polygon(one)
+        self._draw_polygon(instruction)
 
-    def set_polygon_mode(self, one: Instruction) -> None:
+    def set_polygon_mode(self, instruction: Instruction) -> None:
         """Execute PM."""
-        mode = one.values[0] if one.values else 0.0
+        mode = instruction.values[0] if instruction.values else 0.0
         if mode == 0.0:
             self._polygon = Polygon()
             self._polygon.open_at(self._at, is_lost=self._is_lost)
@@ -351,21 +354,21 @@ class _Plotter:
                 self._polygon.is_open = False
                 self._is_lost = True
 
-    def draw_polygon(self, one: Instruction) -> None:
+    def draw_polygon(self, instruction: Instruction) -> None:
         """Execute EP or FP."""
-        self._draw_polygon(one)
+        self._draw_polygon(instruction)
 
-    def _draw_polygon(self, one: Instruction) -> None:
-        if one.name in _FILLS:
-            self._row(one, Message("import.filled-area"))
+    def _draw_polygon(self, instruction: Instruction) -> None:
+        if instruction.name in _FILLS:
+            self._row(instruction, Message("import.filled-area"))
         else:
-            self._emit(one, self._polygon.shape, is_lost=self._polygon.is_lost)
+            self._emit(instruction, self._polygon.shape, is_lost=self._polygon.is_lost)
 
-    def _emit(self, one: Instruction, shape: PlottedShape, *, is_lost: bool | None = None) -> None:
+    def _emit(
+        self, instruction: Instruction, shape: PlottedShape, *, is_lost: bool | None = None
+    ) -> None:
         """Add a shape to the plot, or to the polygon in polygon mode.
 
-        ``one``: instruction that draws the shape.
-        ``shape``: the shape, which may be empty.
         ``is_lost``: whether its position depends on the plotter; None if that of the pen counts.
         """
         if not (shape.polylines or shape.arcs or shape.curves):
@@ -381,7 +384,7 @@ class _Plotter:
             dropped = Message("import.no-pen")
         elif lost:
             dropped = Message("import.unknown-position")
-        row = self._row(one, dropped)
+        row = self._row(instruction, dropped)
         if dropped is None:
             self._check_scale()
             self.plot.paths.add(row, self._style, self._matrix, shape, self._clip)
@@ -418,12 +421,12 @@ class _Plotter:
 
     # ── Texts and instructions that are not read ─────────────────────────────────────────────
 
-    def draw_label(self, one: Instruction) -> None:
+    def draw_label(self, instruction: Instruction) -> None:
         """Execute LB or PB."""
-        content = one.text if one.name == "LB" else self._label
+        content = instruction.text if instruction.name == "LB" else self._label
         if not content:
             return
-        row = self._row(one, Message("import.text"))
+        row = self._row(instruction, Message("import.text"))
         if not self._is_lost:
             x, y = transform(self._matrix, self._at)
             self.plot.report.set_location(row, (x, y, x, y))
@@ -434,24 +437,26 @@ class _Plotter:
                 self.plot.annotations.append(Annotation(text, x, y, height, math.nan, "LB", layer))
         self._is_lost = True
 
-    def keep_label(self, one: Instruction) -> None:
+    def keep_label(self, instruction: Instruction) -> None:
         """Execute BL."""
-        self._label = one.text
+        self._label = instruction.text
 
-    def set_label_size(self, one: Instruction) -> None:
+    def set_label_size(self, instruction: Instruction) -> None:
         """Execute SI."""
-        self._label_height = abs(one.values[1]) * _LABEL_UNIT if len(one.values) == 2 else 0.0
+        self._label_height = (
+            abs(instruction.values[1]) * _LABEL_UNIT if len(instruction.values) == 2 else 0.0
+        )
 
     def move_by_characters(self, _one: Instruction) -> None:
         """Execute CP."""
         self._is_lost = True
 
-    def mark(self, one: Instruction) -> None:
+    def mark(self, instruction: Instruction) -> None:
         """Execute an instruction that draws marks, which are not read: SM, UC, XT or YT."""
-        if one.name != "SM" or one.text:
-            self._row(one, Message("import.plotter-marks"))
+        if instruction.name != "SM" or instruction.text:
+            self._row(instruction, Message("import.plotter-marks"))
 
-    def _row(self, one: Instruction, dropped: Message | None = None) -> int:
+    def _row(self, instruction: Instruction, dropped: Message | None = None) -> int:
         """Add a row to the import report, and return its index."""
         report = self.plot.report
         if len(report.handle) >= self._limits.entities:
@@ -462,7 +467,9 @@ class _Plotter:
         if report.handle and report.handle[-1].partition(".")[0] == handle:
             # PE draws with several pens.
             handle = f"{handle}.{len(report.handle)}"
-        return report.row(handle, _NAMES.get(one.name, one.name), self._pens.layer, dropped)
+        return report.row(
+            handle, _NAMES.get(instruction.name, instruction.name), self._pens.layer, dropped
+        )
 
 
 _Action = Callable[[_Plotter, Instruction], None]

@@ -13,7 +13,7 @@ import numpy as np
 import shapely
 from shapely import Polygon
 
-from knifetip.layout.compose import Copy, turning
+from knifetip.layout.compose import Copy, placement_matrix
 from knifetip.model.layout import LayoutSheet
 
 #: Least area in which two blanks overlap (mm²): cuts that two blanks share are no overlap.
@@ -52,12 +52,12 @@ def place_blanks(
         The blanks of each source, see ``find_blanks``.
     """
     joined = [shapely.union_all(one) for one in blanks]
-    return [_placed(joined[copy.source], copy) for copy in copies]
+    return [_placed_area(joined[copy.source], copy) for copy in copies]
 
 
-def _placed(area: shapely.Geometry, copy: Copy) -> shapely.Geometry:
+def _placed_area(area: shapely.Geometry, copy: Copy) -> shapely.Geometry:
     """Return the area of a drawing at the position of a copy."""
-    matrix = turning(copy.position.turn, mirror=copy.position.mirror)
+    matrix = placement_matrix(copy.position.turn, mirror=copy.position.mirror)
     return shapely.transform(area, lambda points: points @ matrix + copy.shift)
 
 

@@ -21,7 +21,7 @@ from knifetip.messages import Message
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import KEPT, Drawing, ImportOutcome, ImportReport, extents
 from knifetip.model.layout import Layout, Position
-from knifetip.model.words import Repeated
+from knifetip.model.words import RepeatedValues
 
 #: Most edges of all copies on a sheet.
 MOST_EDGES: Final = 1_000_000
@@ -49,7 +49,7 @@ class Copy:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Composed:
+class ComposedSheet:
     """The edges of all copies on a sheet, as one drawing of n edges."""
 
     drawing: Drawing
@@ -68,7 +68,7 @@ class _Columns:
     rows: I64
 
 
-def compose(layout: Layout, sources: Sequence[Source], source_of: Sequence[int]) -> Composed:
+def compose(layout: Layout, sources: Sequence[Source], source_of: Sequence[int]) -> ComposedSheet:
     """Return the drawing of a whole sheet.
 
     Parameters
@@ -96,7 +96,7 @@ def compose(layout: Layout, sources: Sequence[Source], source_of: Sequence[int])
         if total > MOST_EDGES:
             raise DrawingTooLarge("layout.too-many-edges", limit=MOST_EDGES)
         dieline = sources[number].dieline
-        turned = dieline.ends[rows] @ turning(placed.turn, mirror=placed.mirror)
+        turned = dieline.ends[rows] @ placement_matrix(placed.turn, mirror=placed.mirror)
         bow = -dieline.bulge[rows] if placed.mirror else dieline.bulge[rows]
         box = extents(turned, bow)
         for corner in placed.corners(box[2] - box[0], box[3] - box[1]):
@@ -113,10 +113,10 @@ def compose(layout: Layout, sources: Sequence[Source], source_of: Sequence[int])
     mirrored = np.array([one.position.mirror for one in copies])[copy]
     drawing = _drawing(sources, source, joined, copy)
     dieline = _dieline(sources, source, joined, copy, mirrored, drawing.fit_error)
-    return Composed(drawing, dieline, tuple(copies), copy, row)
+    return ComposedSheet(drawing, dieline, tuple(copies), copy, row)
 
 
-def turning(turn: float, *, mirror: bool) -> F64:
+def placement_matrix(turn: float, *, mirror: bool) -> F64:
     """Return the matrix by which points, as rows, are multiplied to mirror and turn them, (2, 2).
 
     The points are mirrored at the Y axis first.  Quarter turns are exact.
@@ -164,10 +164,10 @@ def _drawing(sources: Sequence[Source], source: I64, edges: _Columns, copy: I32)
     layer = gather("layer", layers[1])
     report = ImportReport(
         handle=[f"{1 + one}:{handle}" for one, handle in zip(copy.tolist(), handles, strict=True)],
-        kind=Repeated(("",), np.zeros(len(row), np.int32)),
-        layer=Repeated(layers[0], layer),
+        kind=RepeatedValues(("",), np.zeros(len(row), np.int32)),
+        layer=RepeatedValues(layers[0], layer),
         outcome=np.full(len(row), ImportOutcome.KEPT, np.uint8),
-        reason=Repeated((KEPT,), np.zeros(len(row), np.int32)),
+        reason=RepeatedValues((KEPT,), np.zeros(len(row), np.int32)),
         length=np.zeros(len(row)),
     )
     return Drawing(

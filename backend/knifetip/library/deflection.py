@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from knifetip.library.toml_text import key_text, quoted
+from knifetip.library.toml_text import key_text, quote
 from knifetip.model.board import Deflection
 
 
@@ -29,7 +29,7 @@ def replace_deflection(text: str, deflection: Deflection) -> str:
     greatest deflection in X and Y (mm).
     """
     name = re.escape(deflection.tool)
-    in_quotes = re.escape(quoted(deflection.tool))
+    in_quotes = re.escape(quote(deflection.tool))
     head = re.compile(rf"\[\s*deflection\s*\.\s*(?:{name}|{in_quotes}|'{name}')\s*\]")
     kept_lines, in_table = [], False
     for line in text.splitlines():

@@ -18,7 +18,7 @@ from typing import Any, TypeVar
 from knifetip.errors import KnifetipError, LibraryError, ProfileError
 from knifetip.fields import InvalidFields, check_fields
 from knifetip.languages.registry import find_language
-from knifetip.library.toml_text import quoted
+from knifetip.library.toml_text import quote
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.machine import Machine, Station
@@ -398,30 +398,30 @@ def profile_toml(rules: LineRules, extends: str | None = None) -> str:
         ``rules`` neither begins nor ends with the rules of ``extends``.
     """
     own = rules.rules
-    lines = [f"title = {quoted(rules.title)}"]
+    lines = [f"title = {quote(rules.title)}"]
     if extends is not None:
         base = profile(extends, files=False).rules
         rest = len(own) - len(base)
         if rest >= 0 and own[rest:] == base:
             own = own[:rest]
-            lines += [f"extends = {quoted(extends)}", "overrules = true"]
+            lines += [f"extends = {quote(extends)}", "overrules = true"]
         elif own[: len(base)] == base:
             own = own[len(base) :]
-            lines.append(f"extends = {quoted(extends)}")
+            lines.append(f"extends = {quote(extends)}")
         else:
             raise ProfileError("profile.not-an-extension", name=rules.name, extends=extends)
     if not own:
         lines.append("rule = []")
     for rule in own:
-        lines += ["", "[[rule]]", f"type = {quoted(rule.line_type.word)}"]
+        lines += ["", "[[rule]]", f"type = {quote(rule.line_type.word)}"]
         colours = [str(colour) for colour in rule.colour]
         colours += [f'"#{colour:06x}"' for colour in rule.true_colour]
         values = {
-            "layer": [quoted(name) for name in rule.layer],
+            "layer": [quote(name) for name in rule.layer],
             "colour": colours,
-            "linetype": [quoted(name) for name in rule.linetype],
-            "entity": [quoted(name) for name in rule.entity],
-            "block": [quoted(name) for name in rule.block],
+            "linetype": [quote(name) for name in rule.linetype],
+            "entity": [quote(name) for name in rule.entity],
+            "block": [quote(name) for name in rule.block],
         }
         lines += [f"{key} = [{', '.join(those)}]" for key, those in values.items() if those]
     return "\n".join(lines) + "\n"

@@ -68,7 +68,7 @@ def _nested_values(value: Any) -> Iterable[Any]:
     return value if isinstance(value, list) else ()
 
 
-def quoted(text: str) -> str:
+def quote(text: str) -> str:
     """Return a text as a TOML string in quotation marks.
 
     A lone surrogate, which has no UTF-8, is replaced by a question mark.
@@ -79,7 +79,7 @@ def quoted(text: str) -> str:
 
 def key_text(key: str) -> str:
     """Return a key as TOML text: without quotation marks if TOML permits that."""
-    return key if _BARE_KEY.fullmatch(key) else quoted(key)
+    return key if _BARE_KEY.fullmatch(key) else quote(key)
 
 
 def write_toml(fields: Mapping[str, Any]) -> str:
@@ -102,7 +102,6 @@ def write_toml(fields: Mapping[str, Any]) -> str:
 def _lines(table: Mapping[str, Any], path: tuple[str, ...]) -> Iterator[str]:
     """Yield the lines of a table: first its values, then its tables.
 
-    ``table``: values by name.
     ``path``: keys that lead to the table, as TOML text.
     """
     present = {key: value for key, value in table.items() if value is not None}
@@ -133,7 +132,7 @@ def _value(value: Any) -> str:
         case bool():
             return "true" if value else "false"
         case str():
-            return quoted(value)
+            return quote(value)
         case int() | float():
             return repr(value)
         case datetime.date() | datetime.time():

@@ -76,7 +76,7 @@ class Outlines:
         self._primitives: dict[str, str] = {}
         self._shapes: dict[tuple[str, str], Shape] = {}
 
-    def outline(self, one: ProjectShape) -> Shape | None:
+    def outline(self, shape: ProjectShape) -> Shape | None:
         """Return the outline of a shape in its own coordinates, None for an unknown type.
 
         Raises
@@ -86,8 +86,8 @@ class Outlines:
         DrawingTooLarge
             The shape has more vertices or primitives than the limit of segments.
         """
-        make = _TYPES.get(one.kind)
-        return None if make is None else make(self, one)
+        make = _TYPES.get(shape.kind)
+        return None if make is None else make(self, shape)
 
     def path(self, one: ProjectShape) -> Shape:
         """Return the outline of a path."""
@@ -120,7 +120,7 @@ class Outlines:
             self._shapes[key] = shape
         return shape
 
-    def _legacy_path(self, one: ProjectShape) -> Shape:
+    def _legacy_path(self, shape: ProjectShape) -> Shape:
         vertices = [
             Vertex(
                 x := _value(given, "vx"),
@@ -128,13 +128,13 @@ class Outlines:
                 _legacy_control(given, "c0", x, y),
                 _legacy_control(given, "c1", x, y),
             )
-            for given in one.vertices
+            for given in shape.vertices
         ]
         joined = [
             (given.get("T", ""), _index(given, "p0"), _index(given, "p1"))
-            for given in one.primitives
+            for given in shape.primitives
         ]
-        return _joined(vertices, joined)
+        return _join_outline(vertices, joined)
 
     def _parse_vertices(self, text: str) -> list[Vertex]:
         """Return the vertices in the text ``VertList``."""
@@ -161,7 +161,7 @@ class Outlines:
         joined = (
             (match[1], int(match[2]), int(match[3])) for match in _matches(_PRIMITIVE, primitives)
         )
-        return _joined(vertices, joined)
+        return _join_outline(vertices, joined)
 
     def _check_count(self, count: int) -> None:
         if count > self._limits.segments:
@@ -169,10 +169,10 @@ class Outlines:
                 "reading.too-many-segments", format="LightBurn", limit=self._limits.segments
             )
 
-    def rectangle(self, one: ProjectShape) -> Shape:
+    def rectangle(self, shape: ProjectShape) -> Shape:
         """Return the outline of a rectangle about the origin, whose corners may be round."""
-        width, height = (_value(one.attributes, key) / 2.0 for key in ("W", "H"))
-        corner = _value(one.attributes, "Cr", 0.0)
+        width, height = (_value(shape.attributes, key) / 2.0 for key in ("W", "H"))
+        corner = _value(shape.attributes, "Cr", 0.0)
         radius = min(abs(corner), abs(width), abs(height))
         x, y = abs(width), abs(height)
         if radius == 0.0:
@@ -190,9 +190,9 @@ class Outlines:
             arcs=[(*ends, radius, radius, 0.0, turn) for ends in corners],
         )
 
-    def ellipse(self, one: ProjectShape) -> Shape:
+    def ellipse(self, shape: ProjectShape) -> Shape:
         """Return an ellipse about the origin."""
-        x, y = (abs(_value(one.attributes, key)) for key in ("Rx", "Ry"))
+        x, y = (abs(_value(shape.attributes, key)) for key in ("Rx", "Ry"))
         if x == 0.0 or y == 0.0:
             raise InvalidShape("import.bad-radius", radius=0.0)
         return Shape(
@@ -210,7 +210,7 @@ _TYPES: Final[dict[str, Callable[[Outlines, ProjectShape], Shape]]] = {
 }
 
 
-def _joined(vertices: Sequence[Vertex], primitives: Iterable[tuple[str, int, int]]) -> Shape:
+def _join_outline(vertices: Sequence[Vertex], primitives: Iterable[tuple[str, int, int]]) -> Shape:
     """Return the lines and curves between vertices.
 
     Each primitive is "L" or "B" and the indices of two vertices.  Lines that follow each other are

@@ -84,23 +84,23 @@ class _ShapeReader:
         self._has_lines = False
         self._outlines = Outlines(limits)
 
-    def add(self, one: ProjectShape, outer: Matrix, broken: Message | None = None) -> None:
+    def add(self, shape: ProjectShape, outer: Matrix, broken: Message | None = None) -> None:
         """Add a shape, or all shapes of a group.
 
-        ``one``: the shape.
+        ``shape``: the shape.
         ``outer``: matrix of the groups that contain the shape.
         ``broken``: reason why the position of a group that contains the shape is not known.
         """
         matrix = outer
         try:
-            matrix = compose(outer, parse_matrix(one.texts.get("XForm")))
+            matrix = compose(outer, parse_matrix(shape.texts.get("XForm")))
         except InvalidShape as error:
             broken = broken or Message("import.bad-place", reason=error.message)
-        if one.kind == "Group":
-            for child in one.children:
+        if shape.kind == "Group":
+            for child in shape.children:
                 self.add(child, matrix, broken)
         else:
-            self._add_shape(one, matrix, broken)
+            self._add_shape(shape, matrix, broken)
 
     def _add_shape(self, one: ProjectShape, matrix: Matrix, broken: Message | None) -> None:
         index = one.attributes.get("CutIndex", "")
@@ -141,23 +141,25 @@ class _ShapeReader:
                 self.report.notes[row] = [Message("import.area-outline")]
                 self.paths.add(row, style, matrix, shape)
 
-    def _not_read(self, one: ProjectShape, matrix: Matrix, layer: str) -> Message:
+    def _not_read(self, shape: ProjectShape, matrix: Matrix, layer: str) -> Message:
         """Return the reason for leaving out a shape of another type; keep the words of a text."""
-        if one.kind == "Bitmap":
+        if shape.kind == "Bitmap":
             return Message("import.image")
-        if one.kind != "Text":
-            return Message("import.lightburn-shape", kind=one.kind[:40])
-        words = one.attributes.get("Str", "").strip()
+        if shape.kind != "Text":
+            return Message("import.lightburn-shape", kind=shape.kind[:40])
+        words = shape.attributes.get("Str", "").strip()
         x, y = matrix[4:]
         if words and math.isfinite(x) and math.isfinite(y):
-            self.annotations.append(Annotation(words, x, y, _height(one), math.nan, "Text", layer))
+            self.annotations.append(
+                Annotation(words, x, y, _height(shape), math.nan, "Text", layer)
+            )
         return Message("import.text")
 
 
-def _height(one: ProjectShape) -> float:
+def _height(shape: ProjectShape) -> float:
     """Return the height of the letters of a text (mm), 0 if the file does not state it."""
     try:
-        height = float(one.attributes.get("H", "0"))
+        height = float(shape.attributes.get("H", "0"))
     except ValueError:
         return 0.0
     return abs(height) if math.isfinite(height) else 0.0

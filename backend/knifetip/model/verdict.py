@@ -107,7 +107,7 @@ class Samples:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Unreached:
+class UnreachedAreas:
     """q areas in the waste that the cutter cannot reach, bounded by m lines and arcs in total."""
 
     ends: F64 = field(default_factory=lambda: np.zeros((0, 2, 2)))  #: (m, 2, 2) mm
@@ -141,7 +141,9 @@ class Verdict(EdgeFigures):
     seconds: float  #: nominal machine time of the program: lengths over feeds
     program: ProgramFigures = field(default_factory=ProgramFigures)
     samples: Samples = field(default_factory=lambda: Samples())
-    areas: Unreached = field(default_factory=lambda: Unreached())  #: areas no cutter can reach
+    areas: UnreachedAreas = field(
+        default_factory=lambda: UnreachedAreas()
+    )  #: areas no cutter can reach
 
     def __post_init__(self) -> None:
         put = object.__setattr__

@@ -46,7 +46,7 @@ class _Column(Sequence[_T]):
         return repr(tuple(self))
 
 
-class Repeated(_Column[_T]):
+class RepeatedValues(_Column[_T]):
     """A column of m strings or messages with few distinct values.
 
     Parameters
@@ -82,14 +82,14 @@ def number_words(words: Sequence[str]) -> tuple[list[str], I32]:
     The indices have the shape (m,), one for each of the m strings in ``words``.
     """
     number: dict[str, int] = {}
-    if isinstance(words, Repeated):
+    if isinstance(words, RepeatedValues):
         names = [number.setdefault(name, len(number)) for name in words.names]
         return list(number), np.array(names, np.int32)[words.number]
     indices = [number.setdefault(word, len(number)) for word in words]
     return list(number), np.array(indices, np.int32)
 
 
-class Spelled(_Column[str]):
+class TextSlices(_Column[str]):
     """A column of m mostly distinct strings, stored as slices of one text.
 
     Parameters

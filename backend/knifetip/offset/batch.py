@@ -48,18 +48,6 @@ def offset_on_all_cores(
     refuse
         Whether a position where the tool does not fit is a failure.
 
-    Returns
-    -------
-    start, end, bulge, source, inserted : (m, 2), (m, 2) mm, (m,) each
-        Segments of the offsets, as in ``OffsetPaths``.
-    first, owner : (q + 1,), (q,)
-        First segment of each of q offset paths, and its input path.
-    unreached : (p,) mm²
-        Area beside each input path that the tool cannot reach.
-    failure
-        Failure code, the two contour segments concerned, and the depth by which the tool would cut
-        into the contour (mm), of the first region that failed.  The code is a constant of
-        ``raw_segments``, ``NO_FAILURE`` if all regions were offset.
     """
     runs = _split_groups(paths.first, member, group_first, core_count())
 

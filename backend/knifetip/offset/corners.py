@@ -192,7 +192,6 @@ def _contact_point(
     Coordinates are relative to the corner (mm).
 
     ``gx``, ``gy`` mm: centre of the disc, on the line or circle of the moved segment.
-    ``table``, ``row``: moved segments, and the row of the segment.
     ``ux``, ``uy``: unit tangent of the segment at the corner.
     """
     radius = table[row, RADIUS]

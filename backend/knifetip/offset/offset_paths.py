@@ -214,7 +214,6 @@ def _failure_error(
     would cut into the contour (mm).  The code is a constant of ``raw_segments`` other than
     ``NO_FAILURE``.
     ``radius`` (p,) mm: radius of the tool for each path.
-    ``paths``: the input paths.
     """
     code, row, other, depth = failure
     if code == NO_LENGTH:

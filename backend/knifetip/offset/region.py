@@ -197,7 +197,6 @@ def _swept_area(
     ``signed`` mm: radius of the tool, positive left of travel.
     ``out``, ``chains``: segments of the chains, which are paths of the tool's centre, and the
     number of chains.
-    ``scratch``: scratch arrays.
     Returns ``swept`` mm²: twice the signed area, summed over all chains; 0 if a chain is torn;
     overlaps: whether a part of the area is counted twice; torn, length: index of the first torn
     chain, and its length (mm); -1 and 0 if no chain is torn.

@@ -74,14 +74,14 @@ def _count_overlaps(x0: F64_1, y0: F64_1, x1: F64_1, y1: F64_1, count: int, step
 
 
 @kernel(allocates=False)
-def _separated_across_chord(one: Segment, other: Segment) -> bool:
+def _separated_across_chord(segment_a: Segment, segment_b: Segment) -> bool:
     """Return whether two segments are separated by a line parallel to the chord of the first.
 
     Both bulges are at most 1: an arc of up to half a turn is replaced by the rectangle of its chord
     and its height.
     """
-    x0, y0, x1, y1, b = one
-    ox, oy, ex, ey, other_bulge = other
+    x0, y0, x1, y1, b = segment_a
+    ox, oy, ex, ey, other_bulge = segment_b
     dx = x1 - x0
     dy = y1 - y0
     rise = -0.5 * b * (dx * dx + dy * dy)
@@ -97,11 +97,13 @@ def _separated_across_chord(one: Segment, other: Segment) -> bool:
 
 
 @kernel(allocates=False)
-def cannot_meet(one: Segment, other: Segment) -> bool:
+def cannot_meet(segment_a: Segment, segment_b: Segment) -> bool:
     """Return whether the rectangles around two segments prove that they have no common point."""
-    if abs(one.bulge) > 1.0 or abs(other.bulge) > 1.0:
+    if abs(segment_a.bulge) > 1.0 or abs(segment_b.bulge) > 1.0:
         return False
-    return _separated_across_chord(one, other) or _separated_across_chord(other, one)
+    return _separated_across_chord(segment_a, segment_b) or _separated_across_chord(
+        segment_b, segment_a
+    )
 
 
 @kernel(allocates=False)

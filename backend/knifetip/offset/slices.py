@@ -29,7 +29,7 @@ MIN_PIECE: Final = 1e-7
 
 
 @kernel
-def _connected(rows: F64_2, i: int, j: int) -> bool:
+def _follows(rows: F64_2, i: int, j: int) -> bool:
     """Return whether the segment in row i ends at the start of the segment in row j.
 
     ``rows`` (n, 5) are segments: x0, y0, x1, y1, bulge.
@@ -92,8 +92,8 @@ def find_cuts(
             j, depth = next_overlap(tree.boxes, tree.level, stack, depth, box, i)
             if j < 0:
                 break
-            if (follow[i] == j and _connected(rows, i, j)) or (
-                j < real and follow[j] == i and _connected(rows, j, i)
+            if (follow[i] == j and _follows(rows, i, j)) or (
+                j < real and follow[j] == i and _follows(rows, j, i)
             ):
                 # Neighbours that continue each other have only their joint in common.
                 continue

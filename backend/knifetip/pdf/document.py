@@ -264,7 +264,6 @@ def read_page_tree(file: PdfFile, number: int) -> tuple[Page, list[tuple[int, Pa
 def _page(file: PdfFile, node: DictionaryObject, inherited: DictionaryObject) -> Page:
     """Return a page of a PDF.
 
-    ``file``: the PDF.
     ``node``, ``inherited``: dictionary of the page, and the attributes that the page has or
     inherits.
     Raises ``DrawingTooLarge``: the width or height of the page is larger than the limit of a

@@ -354,7 +354,6 @@ class Stream:
 
         The objects are hidden if one of the two layers is hidden.
 
-        ``mark``: mark of the outer layer.
         ``definition``: PDF object that defines the inner layer, None for no inner layer.
         """
         if definition is None:

@@ -101,7 +101,6 @@ def _levels(operation: Operation, index: I64, layers: CutLayers) -> I64:
     Paths between bridges release no piece, so their level is 0.
 
     ``index``: index in ``layers`` of each edge of the dieline, -1 for an edge that is no cut.
-    ``layers``: layers of the cuts.
     """
     paths = operation.paths
     path = np.repeat(np.arange(len(paths)), np.diff(paths.first))

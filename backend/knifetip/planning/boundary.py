@@ -209,7 +209,6 @@ def _check_run_outs(
     ``width`` mm: width of the tool or of the groove.
     ``contacts``: contacts of the ends with the outline; the run-out may cross the cuts of these
     contacts.
-    ``outline``: outline of the board.
     ``source`` (n,): index in the dieline of the edge to which each end belongs, for the error
     message.
     """

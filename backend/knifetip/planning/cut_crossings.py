@@ -219,21 +219,21 @@ def _crossings_inside_cuts(paths: Paths, ends: F64, bulge: F64) -> tuple[I64, I6
 
 
 @kernel
-def _cross_inside(chords: F64_3, cuts: F64_3, stops: F64_3, one: I64_1, other: I64_1) -> Any:
+def _cross_inside(chords: F64_3, cuts: F64_3, stops: F64_3, chord_a: I64_1, chord_b: I64_1) -> Any:
     """Return the h pairs of chords that cross more than ``GAP`` mm from the ends of the cut.
 
     ``chords``, ``cuts`` (k, 2, 2) and (c, 2, 2) mm: ends of chords of paths, and of chords of cuts.
     ``stops`` (c, 2, 2) mm: ends of the cut of each chord in ``cuts``.
-    ``one``, ``other`` (p,) and (p,): index of the chord of the path, and index of the chord of the
-    cut, of each pair.
+    ``chord_a``, ``chord_b`` (p,) and (p,): index of the chord of the path, and index of the chord
+    of the cut, of each pair.
     Returns ``pair, along, position`` (h,), (h,) and (h, 2) mm: index of each pair, parameter of the
     crossing on the chord of the path (0 … 1), and position of the crossing.
     """
-    pair, along = np.empty(len(one), np.int64), np.empty(len(one))
-    position = np.empty((len(one), 2))
+    pair, along = np.empty(len(chord_a), np.int64), np.empty(len(chord_a))
+    position = np.empty((len(chord_a), 2))
     found = 0
-    for k in range(len(one)):
-        i, j = one[k], other[k]
+    for k in range(len(chord_a)):
+        i, j = chord_a[k], chord_b[k]
         px, py = chords[i, 0, 0], chords[i, 0, 1]
         rx, ry = chords[i, 1, 0] - px, chords[i, 1, 1] - py
         qx, qy = cuts[j, 0, 0], cuts[j, 0, 1]

@@ -20,7 +20,7 @@ from knifetip.model.tool import Cutter
 from knifetip.model.verdict import Severity, Verdict
 
 
-class Proven(Protocol):
+class ProgramWithVerdict(Protocol):
     """A compiled program with its verdict."""
 
     @property
@@ -28,7 +28,7 @@ class Proven(Protocol):
         """The verdict on the program."""
 
 
-Compiled = TypeVar("Compiled", bound=Proven)
+Compiled = TypeVar("Compiled", bound=ProgramWithVerdict)
 
 
 @dataclass(frozen=True, slots=True)

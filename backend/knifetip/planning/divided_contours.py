@@ -76,10 +76,10 @@ def _neighbours(ends: F64) -> tuple[I64, I64]:
     return order[first] // 2, order[first + 1] // 2
 
 
-def _connect_numbers(one: I64, other: I64, count: int) -> I64:
+def _connect_numbers(number_a: I64, number_b: I64, count: int) -> I64:
     """Return the lowest number of those connected with each of ``count`` numbers, (count,)."""
     parent = np.arange(count)
-    for a, b in zip(one.tolist(), other.tolist(), strict=True):
+    for a, b in zip(number_a.tolist(), number_b.tolist(), strict=True):
         union(parent, a, b)
     flatten(parent)
     return parent

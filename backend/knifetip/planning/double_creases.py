@@ -74,13 +74,13 @@ def double_creases(paths: Paths, distance: float, source: I32) -> tuple[Paths, I
     )
 
 
-def _mitre_offset(one: F64, other: F64) -> F64:
+def _mitre_offset(line_a: F64, line_b: F64) -> F64:
     """Return the offset from each of n joints of two lines to the joint of their parallels at
     distance 1, (n, 2).
 
-    ``one`` and ``other`` are the unit normals of the two lines at each joint, (n, 2).  The
+    ``line_a`` and ``line_b`` are the unit normals of the two lines at each joint, (n, 2).  The
     parallels lie on the side to which the normals point.
     """
-    both = one + other
-    result: F64 = both / (1.0 + (one * other).sum(axis=1))[:, None]
+    both = line_a + line_b
+    result: F64 = both / (1.0 + (line_a * line_b).sum(axis=1))[:, None]
     return result

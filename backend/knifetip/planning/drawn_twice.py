@@ -64,20 +64,20 @@ def find_copies(ends: F64, bulge: F64, within: float) -> Copies:
 
 
 def _nearest_parallel(
-    ends: F64, bulge: F64, one: I64, other: I64, fraction: float
+    ends: F64, bulge: F64, edge_a: I64, edge_b: I64, fraction: float
 ) -> tuple[F64, I64]:
     """Return for a point of each edge the distance to the nearest edge beside it, and that edge.
 
     The distance is infinite, and the edge is -1, if there is none.
 
     ``ends``, ``bulge`` (n, 2, 2) mm and (n,): the edges.
-    ``one``, ``other`` (k,): pairs of an edge and one that may lie beside it.
+    ``edge_a``, ``edge_b`` (k,): pairs of an edge and one that may lie beside it.
     ``fraction``: position of the point along each edge.
     """
-    own = ends[one, 0], ends[one, 1], bulge[one]
-    place = np.full(len(one), fraction)
+    own = ends[edge_a, 0], ends[edge_a, 1], bulge[edge_a]
+    place = np.full(len(edge_a), fraction)
     point = arc.point_at(*own, place)
-    facing = ends[other, 0], ends[other, 1], bulge[other]
+    facing = ends[edge_b, 0], ends[edge_b, 1], bulge[edge_b]
     foot = arc.nearest_fraction(*facing, point)
     away = np.hypot(*(arc.point_at(*facing, foot) - point).T)
     ahead = unit_vectors(arc.tangent_at(*own, place))
@@ -86,7 +86,7 @@ def _nearest_parallel(
     distance, nearest = np.full(len(ends), np.inf), np.full(len(ends), -1, np.int64)
     order = np.argsort(-away, kind="stable")
     # The last assignment to an edge is that of the least distance.
-    distance[one[order]], nearest[one[order]] = away[order], other[order]
+    distance[edge_a[order]], nearest[edge_a[order]] = away[order], edge_b[order]
     nearest[~np.isfinite(distance)] = -1
     return distance, nearest
 
@@ -115,7 +115,7 @@ def explain_copies(
     named = concerned[copies.row] | concerned[copies.beside]
     if not named.any():
         return error
-    chosen: Bool = np.isin(copies.row, _connected(ends, copies.row, copies.row[named]))
+    chosen: Bool = np.isin(copies.row, _connected_edges(ends, copies.row, copies.row[named]))
     shared = error.message.code == "milling.shared-edge"
     if shared and _leave_open_ends(ends, bulge, copies.row[chosen]):
         return error
@@ -149,7 +149,7 @@ def _leave_open_ends(ends: F64, bulge: F64, left_out: I64) -> bool:
     return not bool(still.all())
 
 
-def _connected(ends: F64, rows: I64, first: I64) -> I64:
+def _connected_edges(ends: F64, rows: I64, first: I64) -> I64:
     """Return those of some edges that are connected with given ones, over edges among them.
 
     ``ends`` (n, 2, 2) mm: start and end points of all edges.

@@ -147,17 +147,17 @@ def _near_pairs(contours: Paths, waste: I64, selected: Bool, distance: float) ->
 
 
 @kernel
-def _lowest_of_sets(one: I64_1, other: I64_1, layer: I64_1) -> Any:
+def _lowest_of_sets(contour_a: I64_1, contour_b: I64_1, layer: I64_1) -> Any:
     """Return the lowest layer in the set of each of p contours, (p,).
 
     Contours of a pair belong to the same set.
 
-    ``one``, ``other`` (k,): indices of the contours of each pair.
+    ``contour_a``, ``contour_b`` (k,): indices of the contours of each pair.
     ``layer`` (p,): layer of each contour.
     """
     parent = np.arange(len(layer))
-    for pair in range(len(one)):
-        union(parent, one[pair], other[pair])
+    for pair in range(len(contour_a)):
+        union(parent, contour_a[pair], contour_b[pair])
     flatten(parent)
     lowest = layer.copy()
     for contour in range(len(layer)):

@@ -188,7 +188,6 @@ def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline)
     ``begin``, ``finish`` (p, 2) mm: start and end points of the grooves.
     ``reach`` mm: distance of the flanks from the groove's line; cuts farther away than this may be
     left out.
-    ``dieline``: dieline that contains the cuts.
     """
     cuts = np.flatnonzero(dieline.line_type == LineType.CUT)
     ends, bulge = dieline.ends[cuts], dieline.bulge[cuts]

@@ -103,7 +103,6 @@ def _shifted_from_cuts(
     ``paths``: the p grooves.
     ``reach`` mm: distance of the flanks from a groove's line on the top face.
     ``run_out`` (p, 2) mm: run-out of each groove beyond its start and its end.
-    ``dieline``: dieline that contains the cuts.
     ``limit`` mm: greatest shift of a groove.
     """
     shift = clearing_shifts(paths, reach, run_out, dieline, limit)

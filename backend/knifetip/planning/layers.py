@@ -210,7 +210,6 @@ def _enqueue(unit: int, layer: I64_1, waiting: OutI64_1, queue: OutI64_1, size: 
     A unit that has a layer or was appended before is not appended again; then the length is
     unchanged.
 
-    ``unit``: index of the unit of work.
     ``layer``: layer of each unit, -1 if it has none yet.
     ``waiting``: is set to -1 for each unit that this function appends, and is not negative for
     other units.

@@ -227,12 +227,13 @@ def _face_widths(ends: F64, bulge: F64, face: I64, count: int) -> F64:
 
 
 @kernel
-def _merged_faces(one: I64_1, other: I64_1, count: int) -> Any:
+def _merged_faces(face_a: I64_1, face_b: I64_1, count: int) -> Any:
     """Return the number of each of ``count`` faces after k pairs of faces were merged, (count,).
-    Merged faces get the least of their numbers.  ``one`` and ``other``, (k,) each, are the pairs.
+    Merged faces get the least of their numbers.  ``face_a`` and ``face_b``, (k,) each, are the
+    pairs.
     """
     parent = np.arange(count)
-    for k in range(len(one)):
-        union(parent, one[k], other[k])
+    for k in range(len(face_a)):
+        union(parent, face_a[k], face_b[k])
     flatten(parent)
     return parent

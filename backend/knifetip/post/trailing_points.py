@@ -70,7 +70,7 @@ def round_points(
 
 
 @inline_kernel
-def _dragged(heading: float, x: float, y: float, trail: float) -> float:
+def _dragged_heading(heading: float, x: float, y: float, trail: float) -> float:
     """Return the heading of a blade whose axis has moved by (x, y) (radians)."""
     length = math.hypot(x, y)
     angle = heading - math.atan2(y, x)
@@ -132,7 +132,7 @@ def _chosen_points(
         for number in range(9):
             to_x = rounded[row + 1, 0] + (number // 3 - 1)
             to_y = rounded[row + 1, 1] + (number % 3 - 1)
-            after = _dragged(blade, to_x - chosen[row, 0], to_y - chosen[row, 1], trail)
+            after = _dragged_heading(blade, to_x - chosen[row, 0], to_y - chosen[row, 1], trail)
             off_x = to_x - trail * math.cos(after) - tip_x
             off_y = to_y - trail * math.sin(after) - tip_y
             error = _TIP_WEIGHT * (off_x**2 + off_y**2) + (to_x - x) ** 2 + (to_y - y) ** 2

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from knifetip.messages import Message, from_json, printable, render
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import KEPT, NO_LINE_WIDTH, Drawing, ImportOutcome, ImportReport
-from knifetip.model.words import Repeated
+from knifetip.model.words import RepeatedValues
 from knifetip.presentation.columns import pack_columns, unpack_columns
 from knifetip.presentation.outcomes import EdgeOutcomes
 
@@ -174,10 +174,10 @@ def restore_drawing(block: bytes) -> tuple[Drawing, Dieline]:
     layers = tuple(meta["layers"])
     report = ImportReport(
         handle=meta["handles"],
-        kind=Repeated(("",), np.zeros(count, np.int32)),
-        layer=Repeated(layers, columns["layer"]),
+        kind=RepeatedValues(("",), np.zeros(count, np.int32)),
+        layer=RepeatedValues(layers, columns["layer"]),
         outcome=np.full(count, ImportOutcome.KEPT, np.uint8),
-        reason=Repeated((KEPT,), np.zeros(count, np.int32)),
+        reason=RepeatedValues((KEPT,), np.zeros(count, np.int32)),
         length=columns["length"],
     )
     drawing = Drawing(

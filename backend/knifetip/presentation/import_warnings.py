@@ -16,7 +16,7 @@ import numpy as np
 from knifetip.geometry.columns import I64
 from knifetip.messages import Message, printable
 from knifetip.model.drawing import Drawing, ImportOutcome
-from knifetip.model.words import Repeated
+from knifetip.model.words import RepeatedValues
 
 #: Reasons for leaving out an entity because its author does not see it.
 NOT_SEEN: Final = frozenset(
@@ -185,12 +185,12 @@ def import_warnings(drawing: Drawing) -> list[Message]:
 
 def _distinct(column: Sequence[Message]) -> Sequence[Message]:
     """Return the different messages of a column."""
-    return column.names if isinstance(column, Repeated) else list(dict.fromkeys(column))
+    return column.names if isinstance(column, RepeatedValues) else list(dict.fromkeys(column))
 
 
 def _rows_of(column: Sequence[Message], wanted: Container[Message]) -> I64:
     """Return the rows of a column that contain one of some messages, ascending."""
-    if isinstance(column, Repeated):
+    if isinstance(column, RepeatedValues):
         numbers = [number for number, name in enumerate(column.names) if name in wanted]
         return np.flatnonzero(np.isin(column.number % len(column.names), numbers))
     return np.array([row for row, reason in enumerate(column) if reason in wanted], np.int64)

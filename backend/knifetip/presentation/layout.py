@@ -22,17 +22,7 @@ def layout_json(
     overlaps: Sequence[Overlap],
     off_sheet: Sequence[OffSheet],
 ) -> dict[str, Any]:
-    """Return the result of composing a layout as JSON data (mm, mm²); copies count from 1.
-
-    Parameters
-    ----------
-    layout, copies
-        The layout, and its copies.
-    areas
-        The area of board of each copy.
-    overlaps, off_sheet
-        Faults of the layout.
-    """
+    """Return the result of composing a layout as JSON data (mm, mm²); copies count from 1."""
     area = float(sum(one.area for one in areas))
     whole = layout.sheet.width * layout.sheet.height
     return {

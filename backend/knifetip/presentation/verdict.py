@@ -16,7 +16,7 @@ from knifetip.errors import MOST_EDGES
 from knifetip.geometry.columns import F64
 from knifetip.messages import Message, finite, from_json, with_text
 from knifetip.model.edge_figures import EDGE_FIGURES
-from knifetip.model.verdict import Acceptance, Finding, Severity, Unreached, Verdict
+from knifetip.model.verdict import Acceptance, Finding, Severity, UnreachedAreas, Verdict
 from knifetip.model.verdict_summary import SUMMARY
 from knifetip.presentation.columns import pack_columns
 
@@ -131,7 +131,7 @@ def verdict_json(verdict: Verdict, handles: Sequence[str]) -> dict[str, Any]:
     }
 
 
-def areas_json(areas: Unreached) -> list[dict[str, Any]]:
+def areas_json(areas: UnreachedAreas) -> list[dict[str, Any]]:
     """Return the areas that no cutter reaches as JSON data, largest first.
 
     Each area has its ``area`` (mm²), its centre ``x``, ``y`` (mean of the vertices, mm) and its
@@ -148,14 +148,14 @@ def areas_json(areas: Unreached) -> list[dict[str, Any]]:
     return rows
 
 
-def unpack_areas(columns: Mapping[str, NDArray[Any]]) -> Unreached:
+def unpack_areas(columns: Mapping[str, NDArray[Any]]) -> UnreachedAreas:
     """Return the areas that no cutter reaches from the arrays of a packed verdict.
 
     If an older version stored the verdict without these areas, the result is empty.
     """
     if "area_size" not in columns:
-        return Unreached()
-    return Unreached(*(columns[f"area_{name}"] for name in ("ends", "bulge", "first", "size")))
+        return UnreachedAreas()
+    return UnreachedAreas(*(columns[f"area_{name}"] for name in ("ends", "bulge", "first", "size")))
 
 
 def pack_verdict(

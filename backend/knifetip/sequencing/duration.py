@@ -84,12 +84,12 @@ def _move_times(toolpath: Toolpath, machine: Machine) -> F64:
     switched, pierced = _beam_switching(toolpath, machine)
     timing: Timing = find_language(machine.dialect).load_part("timing")
     times = timing(measure_moves(toolpath, machine), changed | switched, toolpath, machine)
-    times[changed] += _settling(machine)[toolpath.tool[changed]]
+    times[changed] += _settling_times(machine)[toolpath.tool[changed]]
     times += pierced
     return times
 
 
-def _settling(machine: Machine) -> F64:
+def _settling_times(machine: Machine) -> F64:
     """Return the dwell after each station of a machine is switched on, by number, (256,) s."""
     dwell = np.zeros(256)
     for station in machine.stations:

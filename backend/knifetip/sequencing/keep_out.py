@@ -152,7 +152,6 @@ def _detour(start: F64, end: F64, met: Sequence[Zone], station: Station, machine
     """Return the poses that replace the end of a rapid, so that it touches no zone, (k, 4).
 
     ``start``, ``end`` (4,): poses of the head at the start and the end of the rapid.
-    ``met``: the zones that the straight rapid touches.
     """
     height = max(zone.top for zone in met) + machine.clearance
     up, across = start.copy(), end.copy()

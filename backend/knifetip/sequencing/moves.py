@@ -110,10 +110,8 @@ def _row_limits(
     """Return the ``Limits`` of n rows of a toolpath.
 
     ``pose`` (n + 1, 4): poses before and after each row.
-    ``arcs``: the rows that are arcs.
     ``parked`` (n,): mask of the rows before which the row's carriage was parked: only X moves.
     ``tool`` (n,): number of the station that makes each row.
-    ``carriages``: the carriages of the machine.
     ``feed``, ``motion`` (n,): programmed feed, and ``Motion``.
     """
     count = len(feed)

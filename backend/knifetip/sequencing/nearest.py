@@ -96,7 +96,6 @@ def _search_rings(start: F64_2A, end: F64_2A, origin: F64_1, grid: _StartGrid, c
     of each candidate.  If there are only ``count`` rows, all tracks are run forwards.
     ``origin`` (2,) mm: position of the head before the first track.
     ``grid``: the candidates by their start points; changed in place.
-    ``count``: number of tracks.
     """
     low, size, side, first, listed, key = grid
     left = first[1:] - first[:-1]
@@ -233,7 +232,7 @@ def _search_neighbours(grid: _EndGrid, near: OutI32_2, far: OutF64_2) -> None:
 
 @kernel(allocates=False)
 def _insert_nearest(
-    near: OutI32_1, best: OutF64_1, length: int, other: int, distance: float
+    near: OutI32_1, best: OutF64_1, length: int, neighbour: int, distance: float
 ) -> int:
     """Insert a neighbour into the list of the nearest ones found so far; return the list's new
     length.
@@ -246,11 +245,11 @@ def _insert_nearest(
     place.
     ``length``: number of neighbours in the list before the call; later entries of the arrays are
     unused.
-    ``other``, ``distance``: end or track to be inserted, and its distance (mm).
+    ``neighbour``, ``distance``: end or track to be inserted, and its distance (mm).
     """
     slot = length
     for entry in range(length):
-        if near[entry] == other:
+        if near[entry] == neighbour:
             if best[entry] <= distance:
                 return length
             slot = entry
@@ -265,5 +264,5 @@ def _insert_nearest(
     while slot > 0 and best[slot - 1] > distance:
         best[slot], near[slot] = best[slot - 1], near[slot - 1]
         slot -= 1
-    best[slot], near[slot] = distance, other
+    best[slot], near[slot] = distance, neighbour
     return length

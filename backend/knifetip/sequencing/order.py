@@ -73,24 +73,15 @@ def short_order(
 ) -> tuple[I32, Bool]:
     """Return t tracks in a short order, and which of them start at their far end.
 
-    The far end of a track is the end at which the given track stops.  The first returned array,
-    (t,), contains the indices of the tracks in their order.  The second, (t,), is a mask with one
-    entry per entry of the first.
+    The result and the parameters without a description are those of ``greedy_order``.
 
     Parameters
     ----------
-    entry, leave : (2, t, 3) x y in mm, c in degrees
-        Poses of the head at the start and at the end of each track.  Row 0 contains the poses of
-        the track as given, and row 1 the poses of the track if it starts at its far end.
-    origin : (3,) x y in mm, c in degrees
-        Pose of the head before the first track.
     pace : (2, 3)
         Velocities (row 0) and accelerations (row 1) of X, Y and C, in mm or degrees, per s and per
         s².
     period : degrees
         Rotation of C after which the tool is the same.
-    reversal
-        Ends of a track at which the tool may start.
     """
     count = entry.shape[1]
     order, flip = greedy_order(entry, leave, origin, reversal)

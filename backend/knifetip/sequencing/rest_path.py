@@ -82,9 +82,7 @@ def _chain_moves(
     Where the chain starts or ends lower, because ``toolpath`` has a low turn there, a plunge or a
     lift is added.
 
-    ``toolpath``: the toolpath that contains the chain.
     ``begin``, ``end``: row of the first and of the last move of the chain.
-    ``station``: the station that makes the chain.
     ``above``: poses of the head before and after the chain, (4,) each.
     """
     # A rapid switches a beam off; any other move would cut.

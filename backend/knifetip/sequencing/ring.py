@@ -45,17 +45,17 @@ class Ring(NamedTuple):
 
 
 @inline_kernel
-def end_time(one: int, other: int, ends: Ends) -> float:
+def end_time(end_a: int, end_b: int, ends: Ends) -> float:
     """Return the time of the air move between two ends (s)."""
     pose, rates = ends.pose, ends.rates
     free = len(pose) - 2
-    turn = abs(pose[one, 3] - pose[other, 2])
+    turn = abs(pose[end_a, 3] - pose[end_b, 2])
     slowest = max(
-        axis_time(abs(pose[one, 0] - pose[other, 0]), 0, rates),
-        axis_time(abs(pose[one, 1] - pose[other, 1]), 1, rates),
+        axis_time(abs(pose[end_a, 0] - pose[end_b, 0]), 0, rates),
+        axis_time(abs(pose[end_a, 1] - pose[end_b, 1]), 1, rates),
     )
     slowest = max(slowest, axis_time(turn, 2, rates))
-    return 0.0 if one == free or other == free else slowest
+    return 0.0 if end_a == free or end_b == free else slowest
 
 
 @kernel
@@ -91,11 +91,11 @@ def linked_end(end: int, ring: Ring) -> int:
 
 
 @kernel(allocates=False)
-def _link(one: int, other: int, ring: Ring, ends: Ends) -> None:
+def _link(end_a: int, end_b: int, ring: Ring, ends: Ends) -> None:
     """Set the time of the air move between two ends that are neighbours now."""
-    time = end_time(one, other, ends)
-    ring.linked[one] = time
-    ring.linked[other] = time
+    time = end_time(end_a, end_b, ends)
+    ring.linked[end_a] = time
+    ring.linked[end_b] = time
 
 
 @kernel

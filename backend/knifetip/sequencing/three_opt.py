@@ -119,7 +119,6 @@ def _apply_change(
     """Apply a change to the ring, and return the number of reversals made so far.
 
     ``change``: as returned by ``_find_change``.
-    ``done``: number of reversals made before.
     """
     _, end2, end3, end4, end5, end6, closes = change
     if closes:

@@ -111,7 +111,6 @@ def _greatest_excesses(
     ``arcs``, ``boxes`` (k,) and (k, 4) mm: the rows that are arcs, ascending, and their bounding
     boxes.
     ``changes``: the rows to whose start the carriage does not come, ascending.
-    ``stations``: the stations.
     """
     count = len(stations.datum)
     rows, axes = np.full(count, -1, np.int64), np.zeros(count, np.int64)

@@ -235,7 +235,7 @@ def create_app(settings: Settings | None = None, rules: AccessRules | None = Non
 
     app.state.metrics = metrics
     # The documented way to customise FastAPI's schema.
-    app.openapi = description.versioned  # type: ignore[method-assign]  # mypy permits no assignment to methods
+    app.openapi = description.describe_version  # type: ignore[method-assign]  # mypy permits no assignment to methods
     return app
 
 

@@ -184,7 +184,6 @@ def _has_admin(database: str) -> bool:
 def _how_to_open(port: int, key_file: Path | None) -> str:
     """Return the line of the start log that explains how other computers get access.
 
-    ``port``: port of the server.
     ``key_file``: file that contains the key of the server; None if the key is not in a file.
     """
     key = "key" if key_file is None else f"key in {key_file}"
@@ -196,8 +195,6 @@ def _journal_path(database: str) -> Path:
 
     In the journal the gateway records the progress and the end of each job.  It lies beside the
     file of a SQLite database; otherwise at the default path of a gateway.
-
-    ``database``: SQLAlchemy URL of the database.
     """
     url = sa.make_url(database)
     if url.get_backend_name() == "sqlite" and url.database:

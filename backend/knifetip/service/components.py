@@ -36,7 +36,7 @@ class Service:
     work: WorkQueue
     orders: WorkQueue  #: of orders, which need no worker process
     warm_up: WarmUp
-    answered: AnsweredQuestions = field(default_factory=AnsweredQuestions)
+    answered_questions: AnsweredQuestions = field(default_factory=AnsweredQuestions)
     threads: GatewayThreads = field(default_factory=GatewayThreads)
     stopping: threading.Event = field(default_factory=threading.Event)
     ready: bool = False

@@ -294,8 +294,6 @@ class _Expansion:
         ``row``: row of the element in the import report.
         ``shape``: function that returns the path data of the element.  If it fails, nothing is
         stored.
-        ``node``: the element.
-        ``context``: properties that apply to the element.
         """
         with suppress(shapes.Undrawable):
             self.drawn.omitted.append(

@@ -48,7 +48,7 @@ class Page:
     scale: float  #: millimetres in one file unit, 0 if unknown
     unit: str  #: empty if unknown
     evidence: Message
-    stated: str  #: the unit that the file states
+    stated_unit: str  #: the unit that the file states
     hints: tuple[UnitHint, ...] = ()  #: other settings that depend on the unit
     visible: Box = UNBOUNDED  #: visible area (file units)
     warnings: tuple[Message, ...] = ()  #: contradictions about the size of the page

@@ -72,9 +72,7 @@ def _parse_number(data: U8_1, position: int, last: int) -> tuple[float, int]:
 
     If there is no number, the index is -1.
 
-    ``data``: bytes of the path data.
     ``position``: index at which parsing starts; separators before the number are skipped.
-    ``last``: index after the last byte of the path.
     """
     position = _skip_separators(data, position, last)
     negative = False
@@ -137,9 +135,7 @@ def _parse_flag(data: U8_1, position: int, last: int) -> tuple[int, int]:
 
     If there is no flag, the index is -1.
 
-    ``data``: bytes of the path data.
     ``position``: index at which parsing starts; separators before the flag are skipped.
-    ``last``: index after the last byte of the path.
     """
     position = _skip_separators(data, position, last)
     if position < last and (data[position] == 48 or data[position] == 49):

@@ -62,5 +62,5 @@ def read(
         page = read_page(root, unit or "", millimetres, pixel_unit(root, data))
         report, paths = expand(root, page, limits)
         columns, styles = segment_columns(report, paths, page, limits)
-        known = KnownUnit(page.scale, page.unit, page.evidence, page.stated, page.hints)
+        known = KnownUnit(page.scale, page.unit, page.evidence, page.stated_unit, page.hints)
         return assemble(report, columns, styles, paths.annotations, known)

@@ -135,7 +135,7 @@ class StyleSheet:
             self.ids |= {selector.id} - {None}
         self.simple &= all(_is_simple(one.parsed_tree) for one in parsed)
 
-    def matching(self, element: cssselect2.ElementWrapper) -> list[Declaration]:
+    def matching_declarations(self, element: cssselect2.ElementWrapper) -> list[Declaration]:
         """Return the declarations that apply to an element, in ascending order of priority.
 
         A declaration is a property and its value, such as ``stroke: red``.
@@ -245,13 +245,13 @@ class Cascade:
         element = self._elements.get(node)
         if element is None:
             element = cssselect2.ElementWrapper.from_xml_root(node)
-        return self._sheet.matching(element)
+        return self._sheet.matching_declarations(element)
 
 
 def _appearance(values: dict[str, str], inherited: Appearance) -> Appearance:
-    colour = _paint(values.get("color"), inherited.colour, inherited.colour)
-    stroke = _paint(values.get("stroke"), inherited.stroke, colour)
-    fill = _paint(values.get("fill"), inherited.fill, colour)
+    colour = _computed_paint(values.get("color"), inherited.colour, inherited.colour)
+    stroke = _computed_paint(values.get("stroke"), inherited.stroke, colour)
+    fill = _computed_paint(values.get("fill"), inherited.fill, colour)
     dashed = inherited.dashed
     if (dash := values.get("stroke-dasharray", "inherit")) != "inherit":
         # "none" and lists of zeros are continuous lines.
@@ -287,12 +287,14 @@ def _appearance(values: dict[str, str], inherited: Appearance) -> Appearance:
         clip_path=_reference(values.get("clip-path")),
         mask=_reference(values.get("mask")),
         overflow=values.get("overflow", "").strip().lower(),
-        background=_paint(values.get("background-color", values.get("background")), None, colour),
+        background=_computed_paint(
+            values.get("background-color", values.get("background")), None, colour
+        ),
         fixed_stroke="non-scaling-stroke" in values.get("vector-effect", "").lower().split(),
     )
 
 
-def _paint(value: str | None, inherited: int | None, current: int | None) -> int | None:
+def _computed_paint(value: str | None, inherited: int | None, current: int | None) -> int | None:
     if value is None or value.strip().lower() == "inherit":
         return inherited
     try:

@@ -28,12 +28,12 @@ def coincident_edges(graph: PlanarGraph, length: F64) -> I32:
         Length of each piece of the graph.
     """
     cover = np.full(len(graph.first) - 1, -1, np.int32)
-    _overlaid(graph.edge, graph.first, graph.twin_piece, length, cover)
+    _are_overlaid(graph.edge, graph.first, graph.twin_piece, length, cover)
     return cover
 
 
 @kernel
-def _overlaid(edge: I32_1, first: I32_1, twin: I32_1, length: F64_1, cover: OutI32_1) -> None:
+def _are_overlaid(edge: I32_1, first: I32_1, twin: I32_1, length: F64_1, cover: OutI32_1) -> None:
     # For each piece with coincident pieces: the edge of one of these pieces.
     mate = np.full(len(edge), -1, np.int32)
     for p in range(len(edge)):

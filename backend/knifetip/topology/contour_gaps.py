@@ -205,7 +205,6 @@ def _far_along_chain(
     ``edge``, ``fraction``: edge on which the point lies, and the parameter of the point on it, 0 …
     1.
     ``gap`` mm: straight distance of the point from the dangling end.
-    ``number``: number of the dangling end.
     ``reached_from``, ``along_chain``, ``back`` (n,): for each edge: the number of the dangling end
     from which the edge was reached last, the distance along the chain from that end to the edge
     (mm), and whether the chain runs from the edge's end to its start.

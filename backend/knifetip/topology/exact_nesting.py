@@ -287,17 +287,17 @@ def _height_at(span: F64_1, x: float) -> float:
 
 
 @kernel(checks_division=True)
-def _is_above(spans: F64_2, one: int, other: int) -> bool:
-    """Return whether span ``one`` runs above span ``other``, which does not cross it.
+def _is_above(spans: F64_2, span_a: int, span_b: int) -> bool:
+    """Return whether span ``span_a`` runs above span ``span_b``, which does not cross it.
 
     They are compared in the middle between the ends of their common range along X.  Spans that
     meet at an end differ by less than a rounding error beside it.  Of coincident spans, the one
     with the higher index is above.
     """
-    left, right = max(spans[one, 0], spans[other, 0]), min(spans[one, 2], spans[other, 2])
+    left, right = max(spans[span_a, 0], spans[span_b, 0]), min(spans[span_a, 2], spans[span_b, 2])
     x = 0.5 * (left + right)
-    rise = _height_at(spans[one], x) - _height_at(spans[other], x)
-    return rise > 0.0 or (rise == 0.0 and one > other)
+    rise = _height_at(spans[span_a], x) - _height_at(spans[span_b], x)
+    return rise > 0.0 or (rise == 0.0 and span_a > span_b)
 
 
 @kernel

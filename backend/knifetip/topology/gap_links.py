@@ -150,7 +150,6 @@ def _make_links(
     A link connects a dangling end of an edge with the nearest point of the edge ahead of it.  The
     edge ahead is split at this point, unless the point is one of its ends within the tolerance.
 
-    ``ends_ahead``: numbers of the ends that have an edge ahead.
     ``partner``, ``position`` (2n,): the edge ahead of each end, and the parameter of its nearest
     point (0 … 1).
     ``vertices``: table of the vertices, to which the vertices of the splits are added.
@@ -276,7 +275,6 @@ def _split_at_lines(lines: Lines, link: OutI32_2, crossed: I64_1, vertices: Vert
 
     ``link`` (t, 2): start vertex and end vertex of each link.  The end vertices of split links are
     overwritten.
-    ``crossed``: indices of the links that edges cross.
     ``vertices``: table of the vertices, to which the vertices of the splits are added.
     Returns ``edge, parameter, vertex`` (k,) each: the edge, the parameter on it and the vertex of
     each split of an edge; ``links`` (at least t, 2): start vertex and end vertex of each link after

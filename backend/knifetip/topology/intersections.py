@@ -115,7 +115,6 @@ def _split_at_crossings(
     A vertex is added at each crossing that has no vertex within the tolerance.
 
     ``ends`` (n, 2, 2): start and end points of the edges.
-    ``pairs``: the crossings.
     ``vertices``: the vertices before the function adds any.
     """
     pair, parameter = pairs
@@ -175,7 +174,6 @@ def _crossings_in_cells(
     ``ends``, ``bulge`` (n, 2, 2) and (n,): start and end points and bulges of the edges; arcs are
     left out.
     ``tolerance``: a crossing that is at most this far from an end of one of the edges is left out.
-    ``grid``: grid that lists the edges in each cell.
     Returns ``pair, parameter`` (c, 2) and (c, 2): the two edges of each crossing, and the
     parameters of the crossing on these edges, 0 … 1.
     """

@@ -117,25 +117,25 @@ def _are_inside(ends: F64_3, end: I64_1, row: I64_1) -> Any:
 
 
 @kernel
-def _inner_crossings(edges: F64_2, one: I64_1, other: I64_1) -> Any:
+def _inner_crossings(edges: F64_2, edge_a: I64_1, edge_b: I64_1) -> Any:
     """Return the c points at which two edges cross more than ``JOIN`` mm from the ends of both.
 
     ``edges`` (n, 5): edges: x0, y0, x1, y1, bulge.
-    ``one``, ``other`` (p,) and (p,): indices of the edges of each pair; pairs with ``one`` ≥
-    ``other`` are left out.
+    ``edge_a``, ``edge_b`` (p,) and (p,): indices of the edges of each pair; pairs with ``edge_a`` ≥
+    ``edge_b`` are left out.
     Returns ``edge, fraction, point`` (c, 2), (c, 2) and (c, 2) mm: the two edges, the parameter of
     the point on each of them (0 … 1), and the point.
     """
     edge, fraction = np.empty((16, 2), np.int64), np.empty((16, 2))
     point, common = np.empty((16, 2)), np.empty((MAX_POINTS, 4))
     found = 0
-    for k in range(len(one)):
-        if one[k] >= other[k]:
+    for k in range(len(edge_a)):
+        if edge_a[k] >= edge_b[k]:
             continue
-        for at in range(intersect_rows(edges, one[k], edges, other[k], JOIN, common)):
+        for at in range(intersect_rows(edges, edge_a[k], edges, edge_b[k], JOIN, common)):
             x, y = common[at, 0], common[at, 1]
             inner = True
-            for row in (one[k], other[k]):
+            for row in (edge_a[k], edge_b[k]):
                 for side in range(2):
                     away = math.hypot(x - edges[row, 2 * side], y - edges[row, 2 * side + 1])
                     inner = inner and away > JOIN
@@ -145,7 +145,7 @@ def _inner_crossings(edges: F64_2, one: I64_1, other: I64_1) -> Any:
                 edge = np.concatenate((edge, np.empty_like(edge)))
                 fraction = np.concatenate((fraction, np.empty_like(fraction)))
                 point = np.concatenate((point, np.empty_like(point)))
-            edge[found, 0], edge[found, 1] = one[k], other[k]
+            edge[found, 0], edge[found, 1] = edge_a[k], edge_b[k]
             fraction[found, 0], fraction[found, 1] = common[at, 2], common[at, 3]
             point[found, 0], point[found, 1] = x, y
             found += 1

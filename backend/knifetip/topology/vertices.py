@@ -89,7 +89,6 @@ def _merge_points(
 
     ``ends`` (n, 2, 2): start and end points of the edges; edge i has the ends 2 i and 2 i + 1.
     ``tolerance``: largest distance of an end from its vertex.
-    ``vertices``: table to which vertices are added.
     ``end_vertex`` (2n,): receives the vertex of each end.
     ``ambiguous`` (2n,): set to True for ends with several vertices within the tolerance.
     """

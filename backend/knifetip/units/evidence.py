@@ -129,7 +129,6 @@ def _contradictions(drawing: Drawing, lengths: Lengths, best: str, lead: float) 
     supports a third unit, which is neither the unit of the drawing nor the unit in the header.  The
     list is empty if the drawing has no unit.
 
-    ``drawing``: the drawing.
     ``lengths``: lengths of the edges, and size, of the drawing.
     ``best``: the likeliest unit: the unit with the greatest total weight of evidence.
     ``lead``: total weight of the likeliest unit minus the total weight of the unit of the drawing.
@@ -188,7 +187,6 @@ def _header_message(stated: str, unit: str, fraction: float) -> Message:
     """Return the message that states how often drawings with a given header are in ``unit``.
 
     ``stated``: the unit that the header states, empty for none.
-    ``unit``: the unit for which the message is evidence.
     ``fraction``: fraction (0…1) of the drawings whose header states ``stated`` that are in
     ``unit``.
     """

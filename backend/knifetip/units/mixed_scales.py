@@ -80,7 +80,6 @@ def _largest_parts(ends: F64) -> list[I64]:
 def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
     """Return a warning if two parts have the same shape at different sizes, else an empty list.
 
-    ``parts``: edge indices of each part.
     ``ends`` (n, 2, 2): start and end points of all n edges of the drawing (file units).
     ``bulge`` (n,): bulges of all edges of the drawing.
     """
@@ -106,7 +105,6 @@ def _similar_parts(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
 def _parts_in_other_units(parts: list[I64], ends: F64, bulge: F64) -> list[Message]:
     """Return a warning if the edge lengths of two parts are round in different units, else [].
 
-    ``parts``: indices of the edges of each part.
     ``ends`` (n, 2, 2): start and end points of all n edges of the drawing (file units).
     ``bulge`` (n,): bulges of all edges of the drawing.
     """

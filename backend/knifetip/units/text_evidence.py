@@ -141,7 +141,6 @@ def _number_evidence(
     A number matches if it equals the length of an edge after conversion between two units.  The
     list is empty if no number matches.
 
-    ``numbers``: numbers in the texts on the sheet.
     ``lengths``: lengths of the edges, and size, of the drawing.
     ``stated``: units that texts on the sheet state for all dimensions.
     """
@@ -185,8 +184,6 @@ def _number_evidence(
 def _match_message(unit: str, matches: Sequence[Message], count: int) -> Message:
     """Return the message that lists the numbers on the sheet that equal lengths of the drawing.
 
-    ``unit``: unit in which the drawing is assumed to be.
-    ``matches``: one message for each number that equals a length.
     ``count``: how many numbers on the sheet were compared with lengths.
     """
     if not matches:
@@ -231,7 +228,6 @@ def _matches(written: WrittenLength, ratios: F64, lengths: F64, exact: float) ->
 
     The shape of the mask is (ratios,).
 
-    ``written``: the written length.
     ``ratios``: possible numbers of file units in the unit of the written length.
     ``lengths``: lengths in the drawing (file units).
     ``exact``: precision of the lengths in ``lengths`` (file units).

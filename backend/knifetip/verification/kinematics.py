@@ -232,7 +232,6 @@ def tip_paths(
 def _trailed_paths(blade: TrailingBlade, rows: I64, trailed: I64) -> tuple[I64, F64, F64]:
     """Return the k chords of the tip of a free blade in selected moves.
 
-    ``rows``: indices of moves of the program.
     ``trailed``: indices into ``rows`` of the selected moves.
     Returns index into ``rows`` of the move of each chord (k,); the chords as rows of six numbers,
     (k, 6); and the headings at the start and the end of each, (k, 2) degrees.

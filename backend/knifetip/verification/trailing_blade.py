@@ -210,7 +210,7 @@ def check_park_headings(
 
 
 @inline_kernel
-def _dragged(heading: float, direction: float, length: float, trail: float) -> float:
+def _dragged_heading(heading: float, direction: float, length: float, trail: float) -> float:
     """Return the heading of a blade after its axis has moved along a line (radians)."""
     angle = heading - direction
     turn = math.floor((angle + math.pi) / math.tau) * math.tau
@@ -298,7 +298,7 @@ def _follow(
                 x += piece * math.cos(direction)
                 y += piece * math.sin(direction)
                 left -= piece
-                after = _dragged(heading, direction, piece, e)
+                after = _dragged_heading(heading, direction, piece, e)
                 to_tip_x, to_tip_y = x - e * math.cos(after), y - e * math.sin(after)
                 if writes:
                     chords[count, 0], chords[count, 1] = tip_x, tip_y

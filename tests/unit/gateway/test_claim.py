@@ -810,9 +810,9 @@ async def test_a_job_that_was_cut_to_its_end_is_reported_done_at_the_next_start(
     path = tmp_path / "journal"
     journal = Journal(path)
     journal.begin("job-0", 9, "00", 40, copies=2)
-    journal.copy("job-0", 1)
+    journal.record_copy("job-0", 1)
     journal.line("job-0", 1, 40, 40)
-    journal.copy("job-0", 2)
+    journal.record_copy("job-0", 2)
     office = Office()
     office.deaf = 2
     async with table(speed=100.0) as server:
@@ -827,7 +827,7 @@ async def test_a_job_of_which_a_copy_is_missing_is_not_reported_done(tmp_path: P
     journal = Journal(path)
     journal.begin("job-0", 9, "00", 40, copies=2)
     journal.line("job-0", 0, 40, 40)
-    journal.copy("job-0", 1)
+    journal.record_copy("job-0", 1)
     office = Office()
     async with table(speed=100.0) as server:
         await gateway(office, server, journal=path)

@@ -98,7 +98,12 @@ def test_status_reports(
     axes = line.split("MPos:")[1].split("|")[0].count(",")
     found = answers.report(line, axes)
     assert found is not None
-    assert (found.state, found.still, found.machine, found.room) == (state, still, machine, room)
+    assert (found.state, found.still, found.machine, found.free_bytes) == (
+        state,
+        still,
+        machine,
+        room,
+    )
 
 
 #: Lines sent one by one to a build with the axes XYZC, each with its answer.

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from knifetip.gateway import journal as module
-from knifetip.gateway.journal import Journal, Unfinished
+from knifetip.gateway.journal import Journal, UnfinishedJob
 from knifetip.messages import Message
 
 
@@ -19,7 +19,7 @@ def test_a_job_that_began_and_did_not_end_is_found_with_its_line(tmp_path: Path)
     journal.begin("b", 7, "00", 50)
     journal.line("b", 0, 12, 20)
     journal.line("b", 0, 31, 40)
-    assert Journal(path).unfinished() == Unfinished("b", 7, "00", lines=50, line=31)
+    assert Journal(path).unfinished() == UnfinishedJob("b", 7, "00", lines=50, line=31)
 
 
 def test_a_job_that_ended_is_not_unfinished(tmp_path: Path) -> None:
@@ -69,7 +69,7 @@ def test_only_what_precedes_motion_must_be_recorded(
     path.mkdir()
     journal.line("a", 0, 12, 20)
     journal.line("a", 0, 13, 20)
-    journal.copy("a", 1)
+    journal.record_copy("a", 1)
     journal.outcome("a", "done", None)
     journal.end("a", 1, "done", None)
     assert [record.getMessage()[:32] for record in caplog.records] == [
@@ -90,10 +90,12 @@ def test_a_line_cut_short_by_the_power_does_not_hide_the_rest(tmp_path: Path) ->
     journal.line("a", 0, 12, 20)
     with path.open("ab") as file:
         file.write(b'{"event": "line", "job": "a", "exec')
-    assert journal.unfinished() == Unfinished("a", 1, "00", lines=50, line=12)
+    assert journal.unfinished() == UnfinishedJob("a", 1, "00", lines=50, line=12)
     # The next line is not appended to the broken one.
     Journal(path).outcome("a", "done", None)
-    assert Journal(path).unfinished() == Unfinished("a", 1, "00", lines=50, line=12, outcome="done")
+    assert Journal(path).unfinished() == UnfinishedJob(
+        "a", 1, "00", lines=50, line=12, outcome="done"
+    )
 
 
 def test_the_same_line_is_written_once(tmp_path: Path) -> None:
@@ -125,15 +127,15 @@ def test_copies_and_an_outcome_that_was_not_heard_are_found(tmp_path: Path) -> N
     journal = Journal(tmp_path / "journal")
     journal.begin("a", 1, "00", 50, copies=2)
     journal.line("a", 0, 50, 50)
-    journal.copy("a", 1)
-    assert journal.unfinished() == Unfinished(
+    journal.record_copy("a", 1)
+    assert journal.unfinished() == UnfinishedJob(
         "a", 1, "00", lines=50, copies=2, copies_done=1, copy_begun=False
     )
     journal.begin_copy("a")
     journal.program("a", "/programs/a.ngc")
     journal.line("a", 1, 7, 9)
     journal.outcome("a", "cancelled", Message("gateway.cancelled", line=7), 9)
-    assert journal.unfinished() == Unfinished(
+    assert journal.unfinished() == UnfinishedJob(
         "a",
         1,
         "00",
@@ -156,5 +158,5 @@ def test_a_journal_of_before_copies_were_recorded_is_read(tmp_path: Path) -> Non
     )
     left = Journal(path).unfinished()
     # A report of the last line does not prove that the machine came to rest.
-    assert left == Unfinished("a", 1, "00", lines=50, line=50)
+    assert left == UnfinishedJob("a", 1, "00", lines=50, line=50)
     assert left.copies_done < left.copies

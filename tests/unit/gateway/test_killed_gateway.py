@@ -116,7 +116,7 @@ async def test_the_bound_of_the_journal_is_reported(
     path = tmp_path / "journal"
     journal = journal_of(path, LONG, 20)
     if noted is not None:
-        journal.sending("job-1", 0, noted)
+        journal.record_sending("job-1", 0, noted)
     async with table(speed=40.0) as server:
 
         async def connect(safe: SafeState, stop_motion: bool) -> Controller:
@@ -136,7 +136,7 @@ def test_the_bound_of_another_job_or_copy_does_not_count(
 ) -> None:
     path = tmp_path / "journal"
     journal = journal_of(path, LONG, 20, copies=3)
-    journal.sending(job, copy, 70)
+    journal.record_sending(job, copy, 70)
     left = Journal(path).unfinished()
     assert left is not None
     assert left.sent_at_most is None
@@ -151,13 +151,13 @@ def test_a_bound_that_cannot_be_written_is_removed(
 ) -> None:
     path = tmp_path / "journal"
     journal = journal_of(path, LONG, 20)
-    journal.sending("job-1", 0, 64)
+    journal.record_sending("job-1", 0, 64)
 
     def full(descriptor: int) -> None:
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr("knifetip.gateway.journal.os.fsync", full)
-    journal.sending("job-1", 0, 128)
+    journal.record_sending("job-1", 0, 128)
     left = Journal(path).unfinished()
     assert left is not None
     assert left.sent_at_most is None

@@ -16,7 +16,7 @@ from knifetip.errors import DrawingTooLarge
 from knifetip.layout import compose as composing
 from knifetip.layout.blanks import find_blanks
 from knifetip.layout.collisions import find_off_sheet, find_overlaps, place_blanks
-from knifetip.layout.compose import Composed, Source, compose
+from knifetip.layout.compose import ComposedSheet, Source, compose
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.layout import Layout, LayoutSheet, PlacedDrawing
@@ -37,11 +37,11 @@ def placed(x: float, y: float, **others: Any) -> PlacedDrawing:
     return PlacedDrawing(drawing="carton", x=x, y=y, **others)
 
 
-def composed(*entries: PlacedDrawing) -> Composed:
+def composed(*entries: PlacedDrawing) -> ComposedSheet:
     return compose(Layout(sheet=SHEET, placed=entries), [carton()], [0] * len(entries))
 
 
-def findings(sheet: Composed, changed: Dieline | None = None) -> Sequence[Finding]:
+def findings(sheet: ComposedSheet, changed: Dieline | None = None) -> Sequence[Finding]:
     copies = [PlacedCopy(carton().dieline, copy.position) for copy in sheet.copies]
     return check_layout(changed or sheet.dieline, copies)
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from knifetip.messages import Message
 from knifetip.model.program_figures import ProgramFigures
-from knifetip.model.verdict import Finding, Severity, Unreached, Verdict
+from knifetip.model.verdict import Finding, Severity, UnreachedAreas, Verdict
 from knifetip.presentation.verdict import (
     areas_json,
     finding_from_json,
@@ -87,7 +87,9 @@ def test_areas_have_centre_and_outline_and_are_sorted_by_size() -> None:
     ends = np.concatenate(
         [np.stack([ring, np.roll(ring, -1, axis=0)], axis=1) for ring in (square, half_disc)]
     )
-    areas = Unreached(ends, np.array([0.0] * 5 + [1.0]), np.array([0, 4, 6]), np.array([4.0, 6.28]))
+    areas = UnreachedAreas(
+        ends, np.array([0.0] * 5 + [1.0]), np.array([0, 4, 6]), np.array([4.0, 6.28])
+    )
     first, second = areas_json(areas)
     assert (first["area"], first["x"], first["y"]) == (6.28, 12.0, 0.0)
     assert first["outline"] == [[[10.0, 0.0], [14.0, 0.0], 0.0], [[14.0, 0.0], [10.0, 0.0], 1.0]]

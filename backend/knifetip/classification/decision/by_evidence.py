@@ -164,14 +164,14 @@ def _weigh_names(
     ``role`` are the style and the role of the edges that ``guess`` is about, and ``must_fold`` is
     whether a panel is attached by them alone.
     """
-    meaning, by_layer = evidence.meaning(style)
-    if meaning.denied:
+    style_meaning, by_layer = evidence.style_meaning(style)
+    if style_meaning.denied:
         if by_layer:
             guess.weaken(0.7)
             layer = display_name(evidence.styles.layer[style])
             guess.votes.append(Message("classification.layer-denies", layer=layer))
         return
-    named = meaning.kind
+    named = style_meaning.kind
     if named is None:
         return
     if not by_layer and named == LineType.IGNORED and evidence.only_divides[style]:
@@ -183,7 +183,7 @@ def _weigh_names(
         guess.strengthen(0.25)
     elif role == Role.DIVIDER and named in _DIVIDING:
         # A word for cuts and a word for folds in one name need not mean a combined line type.
-        guess.replace(named, 0.7 if named == LineType.COMBI and " " in meaning.word else 0.9)
+        guess.replace(named, 0.7 if named == LineType.COMBI and " " in style_meaning.word else 0.9)
     elif divides or ignores:
         guess.replace(named, 0.85 if named in _PARTIAL else 0.7)
     elif role == Role.DIVIDER and named == LineType.CUT and not must_fold:
@@ -191,7 +191,7 @@ def _weigh_names(
         guess.replace(named, 0.6)
     else:
         guess.weaken(0.5, named)
-    guess.votes.append(Message(_NAMES[by_layer, named == guess.kind], word=meaning.word))
+    guess.votes.append(Message(_NAMES[by_layer, named == guess.kind], word=style_meaning.word))
 
 
 def _guess_by_shape(

@@ -109,7 +109,6 @@ def _only_main_dashes(
 
     ``styles``, ``matches``: the styles of the drawing, and the rule of the convention that matches
     each of them.
-    ``convention``: the convention.
     ``divider`` (c,): length of the dividers of each style.
     """
     line_type = matches.line_type

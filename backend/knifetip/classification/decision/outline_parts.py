@@ -72,10 +72,12 @@ def _named_type(evidence: StyleEvidence, style: int) -> LineType:
         by_layer = evidence.matches.confidence[style] >= LAYER
         kind = LineType(int(evidence.matches.line_type[style])) if by_layer else None
     else:
-        meaning, by_layer = evidence.meaning(style)
+        style_meaning, by_layer = evidence.style_meaning(style)
         # A word for cuts and a word for folds in one name need not mean a combined line type.
-        unclear = meaning.denied or (meaning.kind == LineType.COMBI and " " in meaning.word)
-        kind = None if unclear or not by_layer else meaning.kind
+        unclear = style_meaning.denied or (
+            style_meaning.kind == LineType.COMBI and " " in style_meaning.word
+        )
+        kind = None if unclear or not by_layer else style_meaning.kind
     length = evidence.length[style]
     if kind in _FOLDS_INSIDE and length[Role.DIVIDER] <= length[Role.OUTLINE]:
         return LineType.UNCLASSIFIED

@@ -110,23 +110,23 @@ class StyleEvidence:
         They have no profile rule, no name that suggests a line type, and no dashes.
         """
         solid = [
-            self.meaning(style)[0].kind is None
+            self.style_meaning(style)[0].kind is None
             and not is_dashed_linetype(self.styles.linetype[style].casefold())
             for style in range(len(self.styles))
         ]
         return (self.matches.rule < 0) & np.array(solid, np.bool_) & (self.dashed <= 0.5)
 
-    def meaning(self, style: int) -> tuple[NameMeaning, bool]:
+    def style_meaning(self, style: int) -> tuple[NameMeaning, bool]:
         """Return the meaning of a style's name, and whether that name is the layer name.
 
         The name is the layer name or, if the layer name suggests no line type and contains no
         negating word, the name of the dash pattern.  If neither name suggests a line type, the line
         type of the meaning is None.  ``style`` is the index of the style.
         """
-        meaning = name_meaning(self.styles.layer[style])
-        if meaning.kind is None and not meaning.denied:
+        style_meaning = name_meaning(self.styles.layer[style])
+        if style_meaning.kind is None and not style_meaning.denied:
             return name_meaning(self.styles.linetype[style]), False
-        return meaning, True
+        return style_meaning, True
 
 
 def divide_by_line_width(styles: StyleTable, line_width: I32) -> StyleTable:

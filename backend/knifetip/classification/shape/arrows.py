@@ -181,7 +181,7 @@ def _mark_arrowheads(
                     continue
                 one, two = far_end[a], far_end[b]
                 loose = first[one + 1] - first[one] == 1 and first[two + 1] - first[two] == 1
-                if not loose and not _connected(graph, incidence, one, two):
+                if not loose and not _are_ends_of_edge(graph, incidence, one, two):
                     continue
                 for k in range(first[tip_vertex], first[tip_vertex + 1]):
                     shaft = piece[k]
@@ -286,8 +286,6 @@ def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, vertex: int
 
     ``start``, ``end`` (p,): start vertex and end vertex of each piece.
     ``first_piece`` (n + 1,): index of the first piece of each edge.
-    ``i``: index of the edge.
-    ``vertex``: index of the vertex.
     """
     one, two = start[first_piece[i]], end[first_piece[i + 1] - 1]
     if one == vertex:
@@ -300,7 +298,9 @@ def _other_end(start: I32_1, end: I32_1, first_piece: I32_1, i: int, vertex: int
 
 
 @kernel(allocates=False)
-def _connected(graph: _Graph, incidence: _Incidence, first_vertex: int, second_vertex: int) -> bool:
+def _are_ends_of_edge(
+    graph: _Graph, incidence: _Incidence, first_vertex: int, second_vertex: int
+) -> bool:
     """Return whether ``first_vertex`` and ``second_vertex`` are the two ends of one edge.
 
     ``incidence`` lists the pieces of edges that end at each vertex.
@@ -324,7 +324,6 @@ def _chord_length(vertex: F64_2, start: I32_1, end: I32_1, first_piece: I32_1, i
     ``vertex`` (q, 2): position of each vertex.
     ``start``, ``end`` (p,): start vertex and end vertex of each piece.
     ``first_piece`` (n + 1,): index of the first piece of each edge.
-    ``i``: index of the edge.
     """
     a, b = start[first_piece[i]], end[first_piece[i + 1] - 1]
     return math.hypot(vertex[b, 0] - vertex[a, 0], vertex[b, 1] - vertex[a, 1])

@@ -174,11 +174,11 @@ class _Lines:
             near &= square & (beyond <= _OVERSHOOT * self._unit)
             for row in np.flatnonzero(near).tolist():
                 tip = 1 if onward[row] > 0.5 * self._length[row] else 0
-                if not self._touched(row, tip, line):
+                if not self._touches_line(row, tip, line):
                     found.append(row)
         return np.array(found, np.int64)
 
-    def _touched(self, line: int, end: int, but: int) -> bool:
+    def _touches_line(self, line: int, end: int, but: int) -> bool:
         """Return whether an end of a line touches another line than ``but``."""
         point = self._ends[line, end]
         across, onward = self._offsets(point)
@@ -189,4 +189,4 @@ class _Lines:
 
     def divides(self, line: int) -> bool:
         """Return whether both ends of a line lie on other lines, as those of a fold do."""
-        return all(self._touched(line, end, line) for end in (0, 1))
+        return all(self._touches_line(line, end, line) for end in (0, 1))

@@ -48,7 +48,6 @@ def _mark_bridges(pair: I64_2, first: I64_1, incident: I64_1, faces: int) -> Any
     ``pair`` (k, 2): the two faces of each pair.
     ``first``, ``incident`` (faces + 1,) and (2k,): the pairs with face f are ``incident[first[f] :
     first[f + 1]]``.
-    ``faces``: number of faces.
     """
     bridge = np.zeros(len(pair), np.bool_)
     entered = np.full(faces, -1, np.int64)

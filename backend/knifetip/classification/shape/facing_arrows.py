@@ -90,7 +90,6 @@ def _heads_at(
     """Return the heads with a tip at a vertex.
 
     ``vertex`` (q, 2): position of each vertex of the graph.
-    ``tip``: index of the vertex.
     ``edges``: each edge that begins or ends at the vertex, and the vertex at its other end.
     ``on_line``: whether other lines than those of a head and its shaft meet at the vertex.
     ``unit``: number of drawing units in a millimetre.
@@ -117,14 +116,16 @@ def _heads_at(
     return heads
 
 
-def _are_facing(one: _Head, two: _Head, unit: float) -> bool:
+def _are_facing(head_a: _Head, head_b: _Head, unit: float) -> bool:
     """Return whether two heads are the ends of one dimension."""
-    apart = two.tip - one.tip
-    across = abs(apart[0] * one.along[1] - apart[1] * one.along[0])
-    if one.along @ two.along > -math.cos(_PARALLEL) or across > _BESIDE * unit:
+    apart = head_b.tip - head_a.tip
+    across = abs(apart[0] * head_a.along[1] - apart[1] * head_a.along[0])
+    if head_a.along @ head_b.along > -math.cos(_PARALLEL) or across > _BESIDE * unit:
         return False
-    if one.shaft == two.shaft:
-        return one.on_line and two.on_line
-    lengths = one.shaft_length, two.shaft_length
+    if head_a.shaft == head_b.shaft:
+        return head_a.on_line and head_b.on_line
+    lengths = head_a.shaft_length, head_b.shaft_length
     equal = max(lengths) - min(lengths) <= _EQUAL * max(lengths)
-    return bool(apart @ one.along >= sum(lengths)) and (equal or (one.on_line and two.on_line))
+    return bool(apart @ head_a.along >= sum(lengths)) and (
+        equal or (head_a.on_line and head_b.on_line)
+    )

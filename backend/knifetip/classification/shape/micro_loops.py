@@ -25,7 +25,7 @@ _SHORT: Final = 0.25
 _LOOP: Final = 0.3
 
 
-class Contracted(NamedTuple):
+class ContractedEdges(NamedTuple):
     """The edges of a drawing without its micro loops."""
 
     ends: F64  #: (k, 2, 2) ends of the remaining edges, moved to the point of their loop
@@ -34,7 +34,7 @@ class Contracted(NamedTuple):
     host: I64  #: (l,) longest remaining edge that ends at the loop of each of them
 
 
-def contract_micro_loops(ends: F64, bulge: F64, unit: float) -> Contracted | None:
+def contract_micro_loops(ends: F64, bulge: F64, unit: float) -> ContractedEdges | None:
     """Return the edges without micro loops; None if there are none.
 
     A micro loop consists of connected short edges that enclose something, and has a diagonal of at
@@ -77,7 +77,7 @@ def contract_micro_loops(ends: F64, bulge: F64, unit: float) -> Contracted | Non
     to_loop = loops[of_end]
     moved[to_loop] = 0.5 * (low[of_end[to_loop]] + high[of_end[to_loop]])
     loop = np.flatnonzero(in_loop)
-    return Contracted(moved.reshape(-1, 2, 2)[rows], rows, loop, host[of_end[2 * loop]])
+    return ContractedEdges(moved.reshape(-1, 2, 2)[rows], rows, loop, host[of_end[2 * loop]])
 
 
 def _longest_edges(of_end: I64, length: F64, short: Bool, count: int) -> I64:
@@ -85,7 +85,6 @@ def _longest_edges(of_end: I64, length: F64, short: Bool, count: int) -> I64:
 
     ``of_end`` (2n,): cluster of the vertex of each end.
     ``length``, ``short`` (n,): length of each edge, and whether it is short.
-    ``count``: number of clusters.
     """
     long = np.flatnonzero(~short)
     ordered = long[np.argsort(length[long], kind="stable")]

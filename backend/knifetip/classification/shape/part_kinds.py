@@ -67,23 +67,7 @@ class PartKinds:
         annotations: Sequence[Annotation],
         unit: float,
     ) -> PartKinds:
-        """Return the kinds of the components of a graph.
-
-        A piece is the part of an edge between two neighbouring vertices of the graph.
-
-        Parameters
-        ----------
-        graph, faces
-            Planar graph of a drawing, with p pieces and c components, and its faces.
-        length : (p,)
-            Length of each piece.
-        boxes
-            Bounding boxes of the components.
-        annotations
-            Texts and dimensions of the drawing.
-        unit
-            Number of drawing units in a millimetre.
-        """
+        """Return the kinds of the components of a graph; parameters as in ``Measures.measure``."""
         enclosures, measures = parallel_pair(
             lambda: Enclosures.find(graph, faces, boxes, unit),
             lambda: Measures.measure(graph, faces, length, boxes.box, annotations, unit),

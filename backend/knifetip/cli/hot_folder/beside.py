@@ -46,7 +46,7 @@ def find_beside(folder: Path, name: str) -> Path | None:
     return path if is_file and is_inside else None
 
 
-def packed(document: bytes, name: str, drawing: bytes) -> bytes:
+def pack_order(document: bytes, name: str, drawing: bytes) -> bytes:
     """Return an order in XJDF and its drawing as a ZIP package."""
     content = BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as package:

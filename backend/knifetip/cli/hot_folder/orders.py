@@ -18,7 +18,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any, Final
 
 from knifetip.cli.hot_folder.arrivals import SIDECAR, XJDF, XJDF_DOCUMENT
-from knifetip.cli.hot_folder.beside import drawing_beside, find_beside, packed
+from knifetip.cli.hot_folder.beside import drawing_beside, find_beside, pack_order
 from knifetip.cli.hot_folder.client import OrderClient, OrderRefused
 from knifetip.errors import KnifetipError, RequestError
 from knifetip.messages import printable
@@ -214,7 +214,7 @@ class OrderFolder:
             drawing = self._working / (record.name + DRAWING)
             if not drawing.exists():
                 raise RequestError("watch.no-drawing", name=name)
-            content = packed(content, name, drawing.read_bytes())
+            content = pack_order(content, name, drawing.read_bytes())
         record.job, record.drawing = self._client.order_xjdf(
             content, record.order, f"{record.key}-job"
         )

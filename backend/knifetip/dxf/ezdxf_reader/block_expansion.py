@@ -47,7 +47,7 @@ _IN_PAPER_SPACE: Final = Message("import.paper-space")
 _ANNOTATION_IN_PAPER_SPACE: Final = Message("import.paper-space-annotation")
 
 
-class Placed(NamedTuple):
+class PlacedShape(NamedTuple):
     """The shape of an entity with its k placements in model space.
 
     Placement i moves each point p of the shape to ``linear[i] @ p + shift[i]``.
@@ -205,7 +205,7 @@ class BlockExpansion:
         scale: float,
     ) -> None:
         self.sheet = ReportWriter()
-        self.placed: list[Placed] = []
+        self.placed: list[PlacedShape] = []
         self.used: set[str] = set()
         self._blocks = blocks
         self._styles = styles
@@ -324,7 +324,7 @@ class BlockExpansion:
         if drawn.line_width > 0.0:
             width = drawn.line_width * self._scale * _enlargement(placements[0])
             style = style._replace(line_width=int(hundredths(np.array([width]))[0]))
-        self.placed.append(Placed(row, drawn.shape, *placements, style))
+        self.placed.append(PlacedShape(row, drawn.shape, *placements, style))
 
     def _hidden_reason(self, source: SourceEntity, kind: str, layer: str) -> Message | None:
         """Return the reason for leaving out an entity that is hidden, None if it is visible.
@@ -357,7 +357,6 @@ class BlockExpansion:
         report.
         ``placements``: linear maps (k, 2, 2) and translations (k, 2) of the k placements of the
         entity.
-        ``reason``: reason for dropping the entity.
         """
         row = self.sheet.row(handle, counted.kind, counted.layer, reason)
         if counted.box is not None:

@@ -19,7 +19,7 @@ from knifetip.dxf.ezdxf_reader.block_expansion import (
     Block,
     BlockExpansion,
     Entry,
-    Placed,
+    PlacedShape,
     unused_block_reason,
 )
 from knifetip.dxf.ezdxf_reader.ezdxf_entity import EzdxfEntity
@@ -32,7 +32,7 @@ _Pair = tuple[PrescannedEntity, str, DXFEntity | None]
 
 def expand(
     document: Document, prescan: Prescan, limits: Limits, scale: float
-) -> tuple[ReportWriter, list[Placed]]:
+) -> tuple[ReportWriter, list[PlacedShape]]:
     """Return the import report and the placed shapes of an ezdxf document.
 
     ``prescan`` contains the entities and blocks of the file as written, before ezdxf changed them.
@@ -100,7 +100,6 @@ def _match(
     that ezdxf contains and the file does not is appended, with a new ``PrescannedEntity`` made from
     it.
 
-    ``counted``, ``entities``: entities as written in the file, and ezdxf entities.
     ``paper``: whether ``entities`` include entities in paper space.  If False, entities of
     ``counted`` in paper space are matched only by kind and handle.
     """

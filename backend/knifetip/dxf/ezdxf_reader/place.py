@@ -20,7 +20,7 @@ import numpy as np
 
 from knifetip.drawing_builder.columns import Columns, Style
 from knifetip.drawing_builder.report import ReportWriter, curves_fitted, too_far
-from knifetip.dxf.ezdxf_reader.block_expansion import ON_SHEET, Placed
+from knifetip.dxf.ezdxf_reader.block_expansion import ON_SHEET, PlacedShape
 from knifetip.dxf.ezdxf_reader.entities import Lines, Shape
 from knifetip.dxf.shapes import map_points
 from knifetip.errors import DrawingTooLarge, GeometryError
@@ -40,7 +40,7 @@ _SHAPES_AT_ONCE: Final = 4096
 
 def columns(
     sheet: ReportWriter,
-    shapes: list[Placed],
+    shapes: list[PlacedShape],
     scale: float,
     limits: Limits,
     other_ends: F64 | None = None,
@@ -166,7 +166,7 @@ def _relative_tolerance(boxes: list[tuple[F64, F64]]) -> float:
     return min(CURVE, size * _RELATIVE_TOLERANCE) if size > 0.0 else CURVE
 
 
-def _bounds(placed: Placed) -> tuple[F64, F64]:
+def _bounds(placed: PlacedShape) -> tuple[F64, F64]:
     """Return the lower and the upper corner, (2,) each, of a box that contains a placed shape.
 
     The box contains all placements of the shape.
@@ -190,7 +190,7 @@ def _bounds(placed: Placed) -> tuple[F64, F64]:
     return (centre - extent).min(axis=0), (centre + extent).max(axis=0)
 
 
-def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
+def _transform_exactly(placed: PlacedShape) -> tuple[F64, F64] | None:
     """Return the segments of all placements of a shape, if its arcs remain circular.
 
     The result is None if a placement makes an arc of the shape elliptical, or if the shape is an
@@ -217,7 +217,7 @@ def _transform_exactly(placed: Placed) -> tuple[F64, F64] | None:
 
 
 def _approximate(
-    shapes: list[Placed], tolerance: float, limits: Limits
+    shapes: list[PlacedShape], tolerance: float, limits: Limits
 ) -> list[tuple[F64, F64, F64] | GeometryError]:
     """Return the lines and arcs that approximate all copies of each shape, or why there are none.
 

@@ -171,7 +171,7 @@ def _index_after(kind: str, number: int, starts: list[int], values: Sequence[Any
     """
     number += 1
     if kind == "POLYLINE":
-        while number < len(starts) and _plain(values[starts[number]]) == "VERTEX":
+        while number < len(starts) and _upper_text(values[starts[number]]) == "VERTEX":
             number += 1
     return number
 
@@ -237,13 +237,15 @@ def _header(
     """
     for number, row in enumerate(starts):
         next_start = starts[number + 1] if number + 1 < len(starts) else len(codes)
-        if row + 1 >= next_start or codes[row + 1] != 2 or _plain(values[row]) != "SECTION":
+        if row + 1 >= next_start or codes[row + 1] != 2 or _upper_text(values[row]) != "SECTION":
             continue
-        if _plain(values[row + 1]) != "HEADER":
+        if _upper_text(values[row + 1]) != "HEADER":
             continue
         for tag in range(row + 2, next_start - 1):
             if codes[tag] == 9:
-                prescan_.variables.setdefault(_plain(values[tag]), _plain(values[tag + 1]))
+                prescan_.variables.setdefault(
+                    _upper_text(values[tag]), _upper_text(values[tag + 1])
+                )
 
 
 def header_of(section: bytes) -> dict[str, str]:
@@ -255,10 +257,10 @@ def header_of(section: bytes) -> dict[str, str]:
     variables: dict[str, str] = {}
     for row in range(0, len(lines) - 3, 2):
         if lines[row].strip().lstrip(b"0") == b"9":
-            variables.setdefault(_plain(lines[row + 1]), _plain(lines[row + 3]))
+            variables.setdefault(_upper_text(lines[row + 1]), _upper_text(lines[row + 3]))
     return variables
 
 
-def _plain(value: Any) -> str:
+def _upper_text(value: Any) -> str:
     text = value.decode("ascii", "replace") if isinstance(value, bytes) else str(value)
     return text.strip().upper()

@@ -51,7 +51,7 @@ class _Records(NamedTuple):
     def text(self, tags: Iterable[int]) -> list[bytes]:
         return [line for tag in tags for line in self.lines[2 * tag : 2 * tag + 2]]
 
-    def joined(self, new_lines: list[bytes]) -> bytes:
+    def join_records(self, new_lines: list[bytes]) -> bytes:
         """Return the content of the file with its records replaced by the lines ``new_lines``.
 
         The lines before the first record and after the last tag are kept.
@@ -87,7 +87,7 @@ def with_markers(data: bytes, *, every: bool = False) -> bytes:
         new_lines.extend((b"100", b"AcDbEntity", b"100", marker))
         new_lines.extend(records.text(own))
         new_lines.extend(records.text(added))
-    return records.joined(new_lines)
+    return records.join_records(new_lines)
 
 
 def lines_only(data: bytes) -> bytes:
@@ -106,7 +106,7 @@ def lines_only(data: bytes) -> bytes:
             section = records.name(tag + 1).upper() if tag + 1 < end else b""
         if name in _READ_KINDS or section not in (b"ENTITIES", b"BLOCKS"):
             new_lines.extend(records.text(range(tag, end)))
-    return records.joined(new_lines)
+    return records.join_records(new_lines)
 
 
 def as_text(tags: Iterable[DXFTag], encoding: str) -> bytes:

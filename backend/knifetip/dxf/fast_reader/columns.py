@@ -42,7 +42,7 @@ HIDDEN_STYLE: Final = -1
 
 
 @kernel
-def counts(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
+def count_segments(entity: OutI32_2A, value: F64_2A, vertex: F64_2) -> Any:
     """Return the number of segments of each of e entities, (e,); 0 for an entity without geometry.
 
     Entities with an invalid radius or angle are marked in the column ``UNSUPPORTED`` of ``entity``.
@@ -114,7 +114,7 @@ def draw(
 
 
 @kernel
-def distant(ends: F64_3, first: I64_1, reach: float) -> Any:
+def is_too_far(ends: F64_3, first: I64_1, reach: float) -> Any:
     """Return the mask of the entities with a coordinate that is NaN or too large, shape (e,).
 
     The fast reader expands these entities one by one, and not together with the other entities.

@@ -14,7 +14,7 @@ from knifetip.dxf.fast_reader import fields as f
 from knifetip.dxf.fast_reader import state as s
 from knifetip.geometry.columns import I32, I64
 from knifetip.kernels import I32_1, I64_1, U8_1, OutI64_1, OutU8_1, inline_kernel, kernel
-from knifetip.model.words import Spelled
+from knifetip.model.words import TextSlices
 
 #: Largest number of digits of a handle.
 _DIGITS: Final = 15
@@ -25,7 +25,7 @@ _DENSE: Final = 4
 _NUMBER: Final = 12
 
 
-def handles_of(data: bytes, entity: I32, blocks: int, other_handles: I64) -> Spelled | None:
+def handles_of(data: bytes, entity: I32, blocks: int, other_handles: I64) -> TextSlices | None:
     """Return the handles of all entities of a file, in upper case.
 
     An entity without a handle gets ``#`` and its number in model space or in its block.  None is
@@ -52,7 +52,7 @@ def handles_of(data: bytes, entity: I32, blocks: int, other_handles: I64) -> Spe
     number = np.concatenate([number[number > 0], other_handles])
     if _has_duplicate(number):
         return None
-    return Spelled(text[: end[-1] if len(end) else 0].tobytes(), end)
+    return TextSlices(text[: end[-1] if len(end) else 0].tobytes(), end)
 
 
 def _has_duplicate(number: I64) -> bool:
@@ -66,7 +66,7 @@ def _has_duplicate(number: I64) -> bool:
     return bool((number[1:] == number[:-1]).any())
 
 
-def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spelled:
+def paths_of(handles: TextSlices, placed: list[str], own: I64, insert: I64) -> TextSlices:
     """Return the handles of all m rows of the import report.
 
     The handle of an entity in a block is preceded by the handle of its INSERT and a slash.
@@ -90,7 +90,7 @@ def paths_of(handles: Spelled, placed: list[str], own: I64, insert: I64) -> Spel
     out_end = np.empty(len(own), np.int64)
     out_text = np.empty(_measure(end, own, insert, out_end), np.uint8)
     _join(text, end, own, insert, out_text)
-    return Spelled(out_text.tobytes(), out_end)
+    return TextSlices(out_text.tobytes(), out_end)
 
 
 @inline_kernel
@@ -138,7 +138,6 @@ def _spell(
 ) -> bool:
     """Write the handles of all e entities as text and as numbers; return whether all are valid.
 
-    ``data``: content of the file.
     ``start``, ``size`` (e,): position and length of the handle of each entity in ``data``.
     ``block`` (e,): row of the block that contains each entity, -1 for an entity of model space.
     ``count``: array of zeros that receives the number of entities of each block; the last element

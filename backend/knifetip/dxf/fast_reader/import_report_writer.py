@@ -32,7 +32,7 @@ from knifetip.geometry.parallel import parallel_pair
 from knifetip.geometry.unique_rows import unique_rows
 from knifetip.messages import Message
 from knifetip.model.drawing import Annotation, LocationBoxes
-from knifetip.model.words import Repeated
+from knifetip.model.words import RepeatedValues
 
 
 class Variant(NamedTuple):
@@ -168,8 +168,8 @@ def report_rows(
     ]
     return ReportRows(
         handles,
-        Repeated(tuple(numbers), kind),
-        Repeated(tuple(numbers), layer),
+        RepeatedValues(tuple(numbers), kind),
+        RepeatedValues(tuple(numbers), layer),
         {expanded_row[row]: reason for row, reason in expansion.dropped.items()},
         {expanded_row[row]: notes for row, notes in expansion.notes.items()},
         shared_outcomes,

@@ -1,7 +1,8 @@
 """polyline_widths: the widths of polylines that are drawn as wide lines.
 
 A wide polyline has a width in file units, which is that of the drawn line if it is the same
-everywhere.  Programs that trace the lines of a page, such as pstoedit, write the pen so.
+everywhere.  Programs that convert pages to DXF, such as pstoedit, write the width of a pen in
+this way.
 """
 
 from __future__ import annotations

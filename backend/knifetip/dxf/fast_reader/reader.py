@@ -26,8 +26,8 @@ from knifetip.dxf.fast_reader.columns import (
     PlacedBlocks,
     SheetRows,
     SheetSegments,
-    distant,
     inserts,
+    is_too_far,
     place,
 )
 from knifetip.dxf.fast_reader.import_report_writer import (
@@ -206,7 +206,7 @@ class FastReader:
         one_by_one: Bool = self._is_unsupported[rows]
         one_by_one |= (kind == f.INSERT) & (self.tables.hidden_inserts[layer] > 0)
         one_by_one &= paper == 0
-        far = distant(self.segments.ends, self.segments.first, reach / 3.0)[rows]
+        far = is_too_far(self.segments.ends, self.segments.first, reach / 3.0)[rows]
         one_by_one |= far & ~hidden
         return one_by_one
 
@@ -232,10 +232,8 @@ class FastReader:
 
         Array operations compute these segments for all entities together.
 
-        ``sheet``: the entities of model space.
         ``styles`` (e,): style index of each entity of the file; -1 if the entity is not in model
         space or has no segments.
-        ``total``: number of segments to return.
         ``placed``: the INSERTs whose blocks are placed by array operations.
         """
         segments = Columns(

@@ -130,7 +130,6 @@ class _PartScans:
 def _scan_parts(data: bytes, bounds: list[int], entities: int) -> _PartScans:
     """Scan the parts of a file in parallel, and return their content.
 
-    ``data``: content of the file.
     ``bounds``: positions at which the parts begin, and the end of the last part.
     ``entities``: number of entities for which memory is reserved, in all parts together.  The
     number is divided among the parts by their lengths; a part with more entities is not supported.

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from knifetip.dxf.fast_reader.columns import counts, draw
+from knifetip.dxf.fast_reader.columns import count_segments, draw
 from knifetip.dxf.fast_reader.scan import Scan
 from knifetip.geometry.columns import F64, I64
 
@@ -29,7 +29,7 @@ def segments_of(scanned: Scan) -> EntitySegments:
     Entities with an invalid radius or angle are marked in the column ``UNSUPPORTED``
     of ``Scan.entity``.
     """
-    count: I64 = counts(scanned.entity, scanned.value, scanned.vertex)
+    count: I64 = count_segments(scanned.entity, scanned.value, scanned.vertex)
     first: I64 = np.concatenate([[0], np.cumsum(count)])
     ends, bulge = np.empty((first[-1], 2, 2)), np.empty(first[-1])
     draw(scanned.entity, scanned.value, scanned.vertex, first, ends, bulge)

@@ -45,7 +45,6 @@ def _header_tag_valid(code: int, previous_code: int, data: U8_1, low: int, high:
 
     In this section a tag with the name of a variable is followed by one value or one point.
 
-    ``code``, ``previous_code``: group codes of the tag and of the preceding tag.
     ``data``, ``low``, ``high``: bytes of the file; the value of the tag is ``data[low:high]``.
     """
     if code == 9:
@@ -207,7 +206,6 @@ def _store_structure_tag(
 
     Returns ``ON`` if the scan continues, ``REFUSED`` if the fast reader cannot read the file.
 
-    ``code``: group code of the tag.
     ``data``, ``low``, ``high``: bytes of the file; the value of the tag is ``data[low:high]``.
     ``next_tag``: position of the next tag.  If the tag is the name of the section HEADER, this
     position is stored as the start of the section.

@@ -48,7 +48,7 @@ class Budget:
 
 
 @dataclass(frozen=True, slots=True)
-class Finished:
+class FinishedProcess:
     """How a program ended."""
 
     status: int  #: exit status; negative for the number of the signal that ended it
@@ -57,7 +57,7 @@ class Finished:
     cpu: float  #: processor time that it used (s)
 
 
-def run_limited(command: Sequence[str], folder: Path, budget: Budget) -> Finished:
+def run_limited(command: Sequence[str], folder: Path, budget: Budget) -> FinishedProcess:
     """Run a program in a folder until it ends or exceeds a limit, and return how it ended.
 
     Parameters
@@ -91,7 +91,7 @@ def run_limited(command: Sequence[str], folder: Path, budget: Budget) -> Finishe
                 os.killpg(process.pid, signal.SIGKILL)
             _, status, usage = os.wait4(process.pid, 0)
             process.returncode = os.waitstatus_to_exitcode(status)
-    return Finished(
+    return FinishedProcess(
         process.returncode, exceeded, _end_of_log(folder / _LOG), usage.ru_utime + usage.ru_stime
     )
 

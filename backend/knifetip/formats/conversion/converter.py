@@ -21,7 +21,7 @@ from typing import Final, NamedTuple
 
 from knifetip.errors import DrawingTooLarge, NotADrawing, ReadError
 from knifetip.formats import cpu_limit
-from knifetip.formats.conversion.child_process import Budget, Finished, run_limited
+from knifetip.formats.conversion.child_process import Budget, FinishedProcess, run_limited
 from knifetip.formats.limits import Limits
 from knifetip.messages import Argument, Message, printable
 
@@ -39,7 +39,7 @@ _VERSION: Final = re.compile(r"\d+(?:\.\d+)+")
 
 
 class Program(NamedTuple):
-    """An installed program."""
+    """A program that converts files, with its path on this computer."""
 
     path: str  #: absolute path
     version: str  #: such as "10.00.0"; "" if the program does not state it
@@ -175,7 +175,7 @@ class Converter:
             raise conversion.refusal_of_nothing()
         return conversion
 
-    def _check(self, finished: Finished, data: bytes, kind: Message, budget: Budget) -> None:
+    def _check(self, finished: FinishedProcess, data: bytes, kind: Message, budget: Budget) -> None:
         """Raise an error if the program has exceeded a limit or stopped with an error."""
         names: dict[str, Argument] = {"what": kind, "program": self.title}
         fault = self.explain(finished.log, data)
@@ -204,7 +204,7 @@ def _temporary_folder() -> Iterator[Path]:
 
 
 def _exceeded_limit(
-    finished: Finished, fault: Fault, budget: Budget
+    finished: FinishedProcess, fault: Fault, budget: Budget
 ) -> tuple[str, dict[str, float]] | None:
     """Return the code and arguments of the limit that a program has exceeded; None for none."""
     ended_by = -finished.status

@@ -23,13 +23,7 @@ _OPEN_FILES: Final = 40
 
 
 def launch(arguments: Sequence[str]) -> None:
-    """Limit this process, and replace it by a program; return only if the program cannot be run.
-
-    Parameters
-    ----------
-    arguments
-        The arguments of this script.
-    """
+    """Limit this process, and replace it by a program; return only if the program cannot be run."""
     cpu, memory, file_size = map(int, arguments[:3])
     command = list(arguments[3:])
     # The program gets SIGXCPU at the soft limit, and is killed a second later.

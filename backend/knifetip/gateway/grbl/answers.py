@@ -121,7 +121,7 @@ class Report:
     work: Pose | None = None  #: WPos
     offset: Pose | None = None  #: WCO
     free: int | None = None  #: first figure of Bf: blocks free in the planner
-    room: int | None = None  #: second figure of Bf: bytes free in the receive buffer
+    free_bytes: int | None = None  #: second figure of Bf: bytes free in the receive buffer
     feed: float = 0.0
     number: int = 0  #: Ln
     axes: int = 0  #: number of axes in the last position field
@@ -153,7 +153,7 @@ def report(line: str, rotary: int = 3) -> Report | None:
     )
     door_open = state is State.DOOR and detail not in ("", "0")
     poses: dict[str, Pose] = {}
-    free, room, feed, number, axes, pressed = None, None, 0.0, 0, 0, ""
+    free, free_bytes, feed, number, axes, pressed = None, None, 0.0, 0, 0, ""
     override = None
     try:
         for field in fields:
@@ -163,7 +163,7 @@ def report(line: str, rotary: int = 3) -> Report | None:
                 axes = value.count(",") + 1
             elif key == "Bf":
                 blocks, _, bytes_free = value.partition(",")
-                free, room = int(blocks), int(bytes_free) if bytes_free else None
+                free, free_bytes = int(blocks), int(bytes_free) if bytes_free else None
             elif key in ("FS", "F"):
                 feed = float(value.split(",")[0])
                 if not math.isfinite(feed):
@@ -184,7 +184,7 @@ def report(line: str, rotary: int = 3) -> Report | None:
         work,
         offset,
         free,
-        room,
+        free_bytes,
         feed,
         number,
         axes,

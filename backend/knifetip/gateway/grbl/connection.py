@@ -208,7 +208,7 @@ class GrblConnection(Exchange):
             async with asyncio.timeout(self.silence if patience is None else patience):
                 code, info = await answer
         except TimeoutError:
-            raise self.fail(self.silent()) from None
+            raise self.fail(self.silence_error()) from None
         if code:
             if text and not text.startswith(b"$"):
                 # grblHAL refuses all further lines with the same error until an empty one.
@@ -304,7 +304,7 @@ class GrblConnection(Exchange):
             except TimeoutError:
                 limit = self._watchdog.heard + seconds
                 if not self.checking or clock.time() >= limit:
-                    raise self.silent() from None
+                    raise self.silence_error() from None
         self.raise_fault()
         assert self.status is not None
         return self.status

@@ -36,7 +36,7 @@ from knifetip.gateway.grbl.operating import GrblOperations
 from knifetip.gateway.grbl.polling import Polling
 from knifetip.gateway.grbl.receive_buffer import PendingLine
 from knifetip.gateway.interpreter import switches_output
-from knifetip.gateway.presupposed import Presupposed
+from knifetip.gateway.presupposed import PresupposedSettings
 from knifetip.gateway.transport import Transport, connect
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
@@ -165,7 +165,7 @@ class Grbl(GrblOperations):
         await self._read_capabilities()
         await self.verify_settings()
 
-    async def _read_presupposed(self, machine: Machine) -> Presupposed:
+    async def _read_presupposed(self, machine: Machine) -> PresupposedSettings:
         """Read the settings (``$$``)."""
         connection = self._connection
         found = settings.read(await connection.command(b"$$"))
@@ -174,7 +174,7 @@ class Grbl(GrblOperations):
                 number = b"$%d" % settings.ROTARY_AXES
                 found |= settings.read(await connection.command(number))
         connection.hard_limits = settings.has_hard_limits(found)
-        return Presupposed(settings.requirements(machine, self._capabilities, found), found)
+        return PresupposedSettings(settings.requirements(machine, self._capabilities, found), found)
 
     async def _read_capabilities(self) -> None:
         """Request axes, outputs and buffers of the controller (``$I``).

@@ -63,7 +63,7 @@ class Exchange:
         if self.fault is not None:
             raise self.fault
 
-    def silent(self) -> ControllerSilent:
+    def silence_error(self) -> ControllerSilent:
         """Return (not raise) a new error which states that the controller does not answer."""
         return ControllerSilent(
             "controller.silent", name=self.name, seconds=self.silence, due=self.buffer.due()

@@ -194,7 +194,6 @@ class ReceiveBuffer:
     def _compare_bytes(self, free: int, before: int) -> Count:
         """Compare the free bytes of the controller's buffer with the unanswered lines.
 
-        ``free``: free bytes of the buffer.
         ``before``: bytes sent before the status request; those sent later may not have arrived.
         """
         self._most_free = max(self._most_free, min(free, self.capacity + 1))

@@ -153,7 +153,7 @@ class Receiver:
         self.reports += 1
         exchange.status = self._status_of(report)
         self._watchdog.note_report()
-        count, repeats = exchange.buffer.compare(report.room)
+        count, repeats = exchange.buffer.compare(report.free_bytes)
         if exchange.fault is not None or exchange.recovering:
             return
         self._check_count(count, repeats)

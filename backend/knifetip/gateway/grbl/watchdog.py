@@ -22,7 +22,7 @@ _WAITS = re.compile(rb"M0?[013-9](?!\d)|^\$", re.IGNORECASE)
 _DWELL = re.compile(rb"G0?4(?!\d)[^P]*P\s*(\d+\.?\d*)", re.IGNORECASE)
 
 
-class Watched(Protocol):
+class WatchedConnection(Protocol):
     """The part of a connection to a controller that a watchdog uses."""
 
     buffer: ReceiveBuffer
@@ -47,7 +47,7 @@ class Watched(Protocol):
         """
         ...
 
-    def silent(self) -> ControllerSilent:
+    def silence_error(self) -> ControllerSilent:
         """Return (not raise) a new error which states that the controller does not answer."""
         ...
 
@@ -69,7 +69,7 @@ class Watchdog:
         The attribute may be changed at any time.
     """
 
-    def __init__(self, connection: Watched, silence: float, polling: Polling) -> None:
+    def __init__(self, connection: WatchedConnection, silence: float, polling: Polling) -> None:
         self._connection = connection
         self._silence = silence
         self.polling = polling
@@ -156,7 +156,7 @@ class Watchdog:
             self.restart()
         first = connection.buffer.first
         if now - self._last_sign > self._silence:
-            connection.fail(connection.silent())
+            connection.fail(connection.silence_error())
         elif status.state is State.ALARM and (due := connection.buffer.due()):
             connection.fail(
                 ControllerAlarm("controller.alarm-state", name=connection.name, due=due)

@@ -25,7 +25,7 @@ from knifetip.gateway.linuxcnc.operating import LinuxcncOperations
 from knifetip.gateway.linuxcnc.program_folder import ProgramFolder
 from knifetip.gateway.motion import Pose
 from knifetip.gateway.operations import AXES
-from knifetip.gateway.presupposed import Presupposed
+from knifetip.gateway.presupposed import PresupposedSettings
 from knifetip.gateway.takeover import Found
 from knifetip.gateway.travel import Excess, Travel
 from knifetip.gateway.whole_program.controller import take_control
@@ -100,11 +100,11 @@ class Linuxcnc(LinuxcncOperations):
         await super().close()
         self._folder.remove()
 
-    async def _read_presupposed(self, machine: Machine) -> Presupposed:
+    async def _read_presupposed(self, machine: Machine) -> PresupposedSettings:
         """Read the units of the joints and the INI file."""
         found, unknown = await self._connection.read_settings()
         self._limits = None if unknown else ini_settings.limits_of(machine, found)
-        return Presupposed(ini_settings.requirements(machine, found), found, unknown)
+        return PresupposedSettings(ini_settings.requirements(machine, found), found, unknown)
 
     # -- programs ---------------------------------------------------------------------------------
 

@@ -16,7 +16,7 @@ from math import inf
 from knifetip.gateway.motion import Pose
 from knifetip.gateway.presupposed import (
     Requirement,
-    between,
+    expect_between,
     not_above,
     not_below,
     number,
@@ -102,7 +102,7 @@ def _axis_requirements(machine: Machine, found: Mapping[str, str]) -> Iterator[R
             low = _number_of(found.get(f"{section}MIN_LIMIT"))
             if low is not None:
                 high = low + axis.high - axis.low
-                long_enough = between(high - _TRAVEL_ROUNDING, inf, high)
+                long_enough = expect_between(high - _TRAVEL_ROUNDING, inf, high)
                 yield _Entry(f"{section}MAX_LIMIT", "setting.short-travel", long_enough)
 
 

@@ -162,8 +162,6 @@ class RemoteShell:
     async def _request(self, text: str, prefix: str, patience: float = 0.0) -> str:
         """Send a request, and return its reply without the prefix and blanks around it.
 
-        ``text``: the request.
-        ``prefix``: beginning of the reply.
         ``patience``: time to wait for the reply (s), if it is more than the limit of silence.
         """
         # A caller that is cancelled must not leave a reply unread: it would be taken for the reply

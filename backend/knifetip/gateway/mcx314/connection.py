@@ -225,7 +225,7 @@ class BoardConnection(ProgramConnection[RunningProgram]):
         elif program is not None and fields["LOST"] == "1":
             self.fail(ControllerError("mcx314.gave-up", name=self.name, seconds=PATIENCE))
         elif program is not None and int(fields["PROGRAM"]) != program.number:
-            self.fail(self.discarded())
+            self.fail(self.discard_error())
         elif (
             self.observer is not None
             and program is not None
@@ -237,7 +237,7 @@ class BoardConnection(ProgramConnection[RunningProgram]):
         """Return a name for the program with a number, which no other program of the board has."""
         return f"{self._boot}/{number}"
 
-    def discarded(self) -> ControllerError:
+    def discard_error(self) -> ControllerError:
         """Return the error for a program that the board has discarded."""
         line = 0 if self.program is None else self.program.line
         return ControllerError("mcx314.stopped", name=self.name, line=line)
@@ -252,11 +252,6 @@ def is_unbegun(fields: Mapping[str, str]) -> bool:
 
     The first line of a program states its format, so a program that moves anything has executed a
     line before.
-
-    Parameters
-    ----------
-    fields
-        Words of the report, by their keys.
     """
     at_rest = fields.get("STATE") == "HOLD" and fields.get("STILL") == "1"
     return at_rest and fields.get("DONE") == "0" and fields.get("LINE") in ("0", "1")

@@ -22,7 +22,7 @@ from knifetip.gateway.mcx314.connection import (
     is_unbegun,
 )
 from knifetip.gateway.mcx314.frames import LONGEST
-from knifetip.gateway.mcx314.instructions import AXES, BadLine, Name, parse
+from knifetip.gateway.mcx314.instructions import AXES, BadLine, InstructionName, parse
 from knifetip.gateway.mcx314.interpreter import Mcx314Interpreter
 from knifetip.gateway.mcx314.operating import Mcx314Operations
 from knifetip.gateway.motion import Pose
@@ -80,7 +80,7 @@ class Mcx314(Mcx314Operations):
             except BadLine:
                 text = line[:40].decode("latin-1")
                 raise ControllerRejected("mcx314.unknown-line", line=number, text=text) from None
-            if instruction.name is Name.PULSES:
+            if instruction.name is InstructionName.PULSES:
                 stated = [instruction.words.get(letter, 0.0) for letter in AXES]
                 pairs = zip(stated, self._connection.pulses, strict=True)
                 if any(abs(one - other) > _EQUAL for one, other in pairs):
@@ -155,7 +155,7 @@ class Mcx314(Mcx314Operations):
             if isinstance(error, ControllerRejected) and not self._connection.recovering:
                 await self._connection.report()
                 if error.message.arguments.get("code") == NO_PROGRAM:
-                    error = self._connection.discarded()
+                    error = self._connection.discard_error()
             raise self._connection.fail(error) from None
 
     async def _next_report(self) -> None:

@@ -12,7 +12,7 @@ AXES = "XYZC"
 _WORD = re.compile(r"([XYZCIJV])(-?\d{1,9}(?:\.\d{1,6})?)")
 
 
-class Name(StrEnum):
+class InstructionName(StrEnum):
     """First words of instructions."""
 
     FORMAT = "MCX314"
@@ -28,10 +28,12 @@ class Name(StrEnum):
 
 
 #: Instructions that move axes along a path at a drive speed.
-SEGMENTS = frozenset({Name.LINE, Name.CLOCKWISE, Name.COUNTER_CLOCKWISE})
+SEGMENTS = frozenset(
+    {InstructionName.LINE, InstructionName.CLOCKWISE, InstructionName.COUNTER_CLOCKWISE}
+)
 
 #: Instructions that move axes.
-MOTIONS = SEGMENTS | {Name.GO}
+MOTIONS = SEGMENTS | {InstructionName.GO}
 
 
 class BadLine(Exception):
@@ -42,7 +44,7 @@ class BadLine(Exception):
 class Instruction:
     """One line of a program; a comment has no name."""
 
-    name: Name | None
+    name: InstructionName | None
     words: dict[str, float]  #: number of each word, by its letter
     joined: bool = False  #: begins without a stop after the segment before
     output: int = -1  #: output that it switches, -1 for none
@@ -75,20 +77,20 @@ def parse(line: str) -> Instruction:
         return COMMENT
     first, *rest = line.split(" ")
     try:
-        name = Name(first)
+        name = InstructionName(first)
     except ValueError:
         raise BadLine(line) from None
     match name:
-        case Name.FORMAT | Name.DWELL:
+        case InstructionName.FORMAT | InstructionName.DWELL:
             if len(rest) == 1 and rest[0].isdecimal() and len(rest[0]) <= 6:
                 return Instruction(name, {}, number=int(rest[0]))
-        case Name.OUT:
+        case InstructionName.OUT:
             if len(rest) == 2 and rest[0].isdecimal() and rest[1] in ("ON", "OFF"):
                 return Instruction(name, {}, output=int(rest[0]), on=rest[1] == "ON")
-        case Name.OSC:
+        case InstructionName.OSC:
             if len(rest) == 1 and rest[0] in ("ON", "OFF"):
                 return Instruction(name, {}, on=rest[0] == "ON")
-        case Name.END:
+        case InstructionName.END:
             if not rest:
                 return Instruction(name, {})
         case _:

@@ -5,7 +5,14 @@ from __future__ import annotations
 import math
 
 from knifetip.gateway.interpreter import EMPTY_BLOCK, Block, LineRefused
-from knifetip.gateway.mcx314.instructions import AXES, SEGMENTS, BadLine, Instruction, Name, parse
+from knifetip.gateway.mcx314.instructions import (
+    AXES,
+    SEGMENTS,
+    BadLine,
+    Instruction,
+    InstructionName,
+    parse,
+)
 from knifetip.gateway.motion import Move, Pose
 
 
@@ -37,15 +44,20 @@ class Mcx314Interpreter:
         except BadLine:
             raise LineRefused(2) from None
         match instruction.name:
-            case Name.OUT:
+            case InstructionName.OUT:
                 return Block(output=instruction.output, on=instruction.on)
-            case Name.OSC:
+            case InstructionName.OSC:
                 return Block(oscillation=instruction.on)
-            case Name.DWELL:
+            case InstructionName.DWELL:
                 return Block(dwell=instruction.number / 1e3)
-            case Name.END:
+            case InstructionName.END:
                 return Block(end=True)
-            case Name.GO | Name.LINE | Name.CLOCKWISE | Name.COUNTER_CLOCKWISE:
+            case (
+                InstructionName.GO
+                | InstructionName.LINE
+                | InstructionName.CLOCKWISE
+                | InstructionName.COUNTER_CLOCKWISE
+            ):
                 move = self._move(instruction)
                 self.position = move.end
                 return Block(move=move)
@@ -57,16 +69,16 @@ class Mcx314Interpreter:
         for axis, letter in enumerate(AXES):
             if letter in instruction.words:
                 value = instruction.words[letter] / self._pulses[axis]
-                pose[axis] = value if instruction.name is Name.GO else pose[axis] + value
+                pose[axis] = value if instruction.name is InstructionName.GO else pose[axis] + value
         end = (pose[0], pose[1], pose[2], pose[3])
         if instruction.name not in SEGMENTS:
             return Move(start, end)
         speed = max(instruction.words.get("V", 0.0), 1.0)
-        if instruction.name is Name.LINE:
+        if instruction.name is InstructionName.LINE:
             return Move(start, end, minutes=max(map(abs, instruction.ways)) / speed / 60.0)
         i, j = instruction.pulses("I"), instruction.pulses("J")
         x, y, *_ = instruction.ways
-        side = 1 if instruction.name is Name.COUNTER_CLOCKWISE else -1
+        side = 1 if instruction.name is InstructionName.COUNTER_CLOCKWISE else -1
         turn = math.atan2(y - j, x - i) - math.atan2(-j, -i)
         sweep = side * (side * turn % math.tau)
         centre = start[0] + i / self._pulses[0], start[1] + j / self._pulses[1]

@@ -95,12 +95,11 @@ def _search_grid(
     gap: float,
     others: F64_2,
     grid: BoxGrid,
-    one: OutI64_1,
-    other: OutI64_1,
+    pair_a: OutI64_1,
+    pair_b: OutI64_1,
     found: int,
 ) -> tuple[int, int, int]:
-    """Append the pairs of the boxes from row ``begin`` on to ``one`` and ``other``, which contain
-    ``found`` pairs.
+    """Append the pairs of the boxes from row ``begin`` on to the ``found`` pairs in two columns.
 
     The search ends early when the arrays are full, and after a row with more than ``_FEW`` pairs.
     The pairs of this row are not sorted; those of the other rows are.
@@ -132,14 +131,14 @@ def _search_grid(
                         continue
                     if r > r0 and cell_of(others[j, 1], grid.low_y, grid.size, tall) != r:
                         continue
-                    if found == len(one):
+                    if found == len(pair_a):
                         return i, done, -1
                     slot = found
                     if found - done < _FEW:
-                        while slot > done and _is_left(others, j, other[slot - 1]):
-                            other[slot] = other[slot - 1]
+                        while slot > done and _is_left(others, j, pair_b[slot - 1]):
+                            pair_b[slot] = pair_b[slot - 1]
                             slot -= 1
-                    one[found], other[slot] = i, j
+                    pair_a[found], pair_b[slot] = i, j
                     found += 1
         if found - done > _FEW:
             return i + 1, found, done
@@ -180,12 +179,11 @@ def _append_pairs(
     gap: float,
     tree: BoxTree,
     stack: OutI64_2,
-    one: OutI64_1,
-    other: OutI64_1,
+    pair_a: OutI64_1,
+    pair_b: OutI64_1,
     found: int,
 ) -> tuple[int, int]:
-    """Append the pairs of the boxes from row ``begin`` on to ``one`` and ``other``, which contain
-    ``found`` pairs.
+    """Append the pairs of the boxes from row ``begin`` on to the ``found`` pairs in two columns.
 
     Returns the number of rows that are finished, and the number of pairs.  The search ends early
     when the arrays are full.
@@ -214,9 +212,9 @@ def _append_pairs(
                     stack[depth, 1] = child
                     depth += 1
                     continue
-                if found == len(one):
+                if found == len(pair_a):
                     return i, done
-                one[found] = i
-                other[found] = child
+                pair_a[found] = i
+                pair_b[found] = child
                 found += 1
     return len(boxes), found

@@ -1,4 +1,4 @@
-"""mcx314: the language record of tables of segments for boards with the motion chip MCX314."""
+"""mcx314: the controller language of boards with the motion chip MCX314: tables of segments."""
 
 from knifetip.languages.language import Language
 

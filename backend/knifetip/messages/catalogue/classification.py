@@ -50,7 +50,8 @@ MESSAGES: Final[Entries] = {
         lines="count",
     ),
     "classification.corners": entry(
-        "at both ends, the edge continues round a corner into one other line, as a fold does not",
+        "at both ends, the edge continues round a corner into one other line, which a fold does "
+        "not do",
     ),
     "classification.cuts-panel-off": entry(
         "a cut at the position of the edge would separate a panel from its blank",

@@ -77,7 +77,7 @@ def write_program(
         texts.append("".join(f"{line}\n" for line in new_lines).encode("ascii"))
         sources.append(np.full(len(new_lines), -1, np.int32))
 
-    blending = _blending(tolerance)
+    blending = _blending_deviation(tolerance)
     append_lines(_header(machine, dialect, blending, notes))
     changes = np.flatnonzero(np.diff(toolpath.tool)) + 1
     edges = [0, *changes.tolist(), len(toolpath)]
@@ -107,7 +107,7 @@ def write_program(
     return Program(b"".join(texts), dialect.name, np.concatenate(sources))
 
 
-def _blending(tolerance: float) -> float:
+def _blending_deviation(tolerance: float) -> float:
     """Return the deviation that the controller may cause by rounding corners (mm).
 
     ``tolerance`` is the greatest deviation of the tip from the path (mm).

@@ -48,15 +48,7 @@ _PROXY_HEADERS = (
 
 
 def request_facts(scope: Scope, cookie: str) -> RequestFacts:
-    """Return method, path, headers and addresses of an ASGI request.
-
-    Parameters
-    ----------
-    scope
-        ASGI scope of the request.
-    cookie
-        Name of the session cookie.
-    """
+    """Return method, path, headers and addresses of an ASGI request."""
     request = Request(scope)
     headers = request.headers
     hosts = headers.getlist("host")
@@ -186,7 +178,6 @@ class Access:
         """Return whether a request that was accepted would still be accepted from its principal.
 
         ``facts``: headers of the request.
-        ``state``: state of the request, with its principal.
         """
         proof = await self._accounts.proof(facts, used=False)
         return find_access(self.rules, facts, time.time(), proof) == state["principal"]
@@ -205,13 +196,12 @@ class Access:
 
         ``request``, ``facts``: the request, and its method, path, headers and addresses.
         ``refused``: refusal of the request; None if the request is accepted.
-        ``ways``: ways to sign in to the server.
         """
         if refused is not None and refused.wrong_key:
             await asyncio.sleep(WRONG_KEY_DELAY)
             return _problem(refused)
         if facts.path == signin.PAIR_PATH and facts.method in ("GET", "POST"):
-            return await self._pair(request)
+            return await self._pair_device(request)
         if self._provider is not None:
             answer = await self._provider.answer(request, ways)
             if answer is not None:
@@ -236,7 +226,7 @@ class Access:
         own = facts.fetch_site in ("same-origin", "none")
         return signin.sign_in_page(ways, again="" if own else signin.retry_url(request))
 
-    async def _pair(self, request: Request) -> Response:
+    async def _pair_device(self, request: Request) -> Response:
         """Return the page for pairing a device, or pair the device with the code of a form."""
         if request.method == "GET":
             return signin.pairing_page()

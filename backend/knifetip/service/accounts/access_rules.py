@@ -248,7 +248,6 @@ def _is_listed(rules: AccessRules, facts: RequestFacts, host: Authority) -> bool
 
     ``rules``: settings of the access control.
     ``facts``: method, path, headers and addresses of the request.
-    ``host``: name and port in the Host header.
     """
     name, _ = host
     address, port = facts.server

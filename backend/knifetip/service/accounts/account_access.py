@@ -15,7 +15,7 @@ from knifetip.service.accounts.access_rules import Proof, RequestFacts, bearer_k
 from knifetip.service.accounts.key_store import is_secret
 from knifetip.service.accounts.provider_users import ProviderUser
 from knifetip.service.accounts.sign_in_throttle import SignInThrottle
-from knifetip.service.database.acting import DONE, REFUSED, Acting
+from knifetip.service.database.acting import DONE, REFUSED, ActingPrincipal
 from knifetip.service.database.key_limits import KeyLimits
 from knifetip.service.http.principal import SERVER_KEY, Principal, PrincipalKind
 from knifetip.service.http.scopes import AccessScope, scopes_of, scopes_of_role
@@ -185,7 +185,7 @@ class Accounts:
         user = self.store.users.authenticate(account, password)
         known = user is not None or self.store.users.exists(account)
         # A name that no user has is not recorded: it may be a password in the wrong field.
-        acting = Acting(
+        acting = ActingPrincipal(
             kind=PrincipalKind.USER,
             name=account if known else "",
             id="",
@@ -201,7 +201,7 @@ class Accounts:
     async def record_key_sign_in(self, address: str) -> None:
         """Write the entry of the audit log for a sign-in with the key of the server."""
         assert self.store is not None
-        acting = Acting(
+        acting = ActingPrincipal(
             kind=SERVER_KEY.kind, name=SERVER_KEY.name, id="", action="sign_in", peer=address
         )
         await self._run(self._threads, partial(self.store.audit.write, acting, DONE))
@@ -233,7 +233,7 @@ class Accounts:
         assert self.store is not None
         user = self.store.provider_users.record_sign_in(provider_user)
         token = self.store.sessions.open(user)
-        acting = Acting(
+        acting = ActingPrincipal(
             kind=PrincipalKind.USER,
             name=user.name,
             id="",
@@ -289,17 +289,17 @@ class Accounts:
             raise SignInSlowDown(pause)
         # Counted before the result, so that simultaneous attempts do not share one free attempt.
         self._throttle.failed(_PAIRING, sender, now)
-        found = await self._run(self._threads, lambda: self._pair(code, title, address))
+        found = await self._run(self._threads, lambda: self._pair_device(code, title, address))
         if found is None:
             raise SignInRefused("sign-in.wrong-code")
         self._throttle.succeeded(_PAIRING, sender)
         self.clear_cache()
         return found
 
-    def _pair(self, code: str, title: str, address: str) -> Pairing | None:
+    def _pair_device(self, code: str, title: str, address: str) -> Pairing | None:
         assert self.store is not None
         found = self.store.pairing.pair(code, title)
-        acting = Acting(
+        acting = ActingPrincipal(
             kind=PrincipalKind.DEVICE,
             name="" if found is None else found[0].title,
             id="",

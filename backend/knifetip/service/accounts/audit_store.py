@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sqlalchemy as sa
 
 from knifetip.service.database.account_tables import AuditEntry
-from knifetip.service.database.acting import Acting
+from knifetip.service.database.acting import ActingPrincipal
 from knifetip.service.database.engine import Database
 
 
@@ -30,7 +30,7 @@ class AuditStore:
     def __init__(self, database: Database) -> None:
         self._db = database
 
-    def write(self, acting: Acting, outcome: str) -> None:
+    def write(self, acting: ActingPrincipal, outcome: str) -> None:
         """Write the entry of a request that has stored nothing else."""
         # Set first: otherwise this transaction, too, would add an entry for its request.
         acting.written = True

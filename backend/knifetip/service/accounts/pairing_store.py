@@ -40,15 +40,7 @@ class PairingStore:
         self._db = database
 
     def new_code(self, machine: str, by: str = "") -> tuple[str, float]:
-        """Store a new code for a machine; return it with the time of its end (seconds since 1970).
-
-        Parameters
-        ----------
-        machine
-            Name of the machine.
-        by
-            Name of the administrator.
-        """
+        """Store a new code for a machine; return it with its end (seconds since 1970)."""
         code = "".join(secrets.choice(_CHARACTERS) for _ in range(CODE_LENGTH))
         now = self._db.clock()
         expires = now + CODE_LIFETIME

@@ -36,15 +36,7 @@ _NO_USER: Final = (
 
 
 def check_password(password: str, name: str = "") -> None:
-    """Raise ``RequestError`` if a new password is too short, too long or easily guessed.
-
-    Parameters
-    ----------
-    password
-        The password.
-    name
-        Name of its user.
-    """
+    """Raise ``RequestError`` if a new password is too short, too long or easily guessed."""
     if not SHORTEST <= len(password) <= LONGEST:
         raise RequestError(
             "user.bad-password", shortest=SHORTEST, longest=LONGEST, length=len(password)

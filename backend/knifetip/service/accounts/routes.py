@@ -28,7 +28,7 @@ from knifetip.service.accounts.models import (
 from knifetip.service.accounts.pairing_store import shown_code
 from knifetip.service.components import Service, ServiceDep
 from knifetip.service.database.account_tables import ApiKey, UserAccount
-from knifetip.service.database.acting import credited
+from knifetip.service.database.acting import credited_name
 from knifetip.service.database.key_limits import KeyLimits
 from knifetip.service.http.models import ListPage
 from knifetip.service.http.pages import page_of, set_next_page
@@ -141,7 +141,9 @@ def create_user(service: ServiceDep, request: Request, sent: UserIn) -> UserOut:
     As soon as the first administrator exists, requests from the server's computer need a key or a
     session too.
     """
-    row = service.store.users.add(sent.name, sent.password, AccessScope(sent.role), credited(""))
+    row = service.store.users.add(
+        sent.name, sent.password, AccessScope(sent.role), credited_name("")
+    )
     _accounts(request).clear_cache()
     return _user_out(row)
 
@@ -186,7 +188,7 @@ def create_key(service: ServiceDep, response: Response, sent: KeyIn) -> NewKeyOu
         service.store.library.definition(Shelf.MACHINES, machine)
     limits = KeyLimits(sent.customer, frozenset(sent.machines))
     row, secret = service.store.keys.add(
-        sent.title, sent.scopes, sent.expires, credited(""), limits
+        sent.title, sent.scopes, sent.expires, credited_name(""), limits
     )
     return _with_secret(response, row, secret)
 
@@ -230,7 +232,7 @@ def create_pairing_code(
     that browser, and sees only its jobs, until the device is revoked or unpaired.
     """
     service.store.library.definition(Shelf.MACHINES, name)
-    code, expires = service.store.pairing.new_code(name, credited(""))
+    code, expires = service.store.pairing.new_code(name, credited_name(""))
     response.headers["Cache-Control"] = "no-store"
     fields = {"code": shown_code(code), "machine": name, "expires": expires}
     return PairingCodeOut.model_validate(fields)

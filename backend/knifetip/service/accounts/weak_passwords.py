@@ -203,15 +203,7 @@ _SHORTEST_PART: Final = 3  #: letters of a name that count
 
 
 def weakness_of(password: str, name: str = "") -> Weakness | None:
-    """Return why a password is guessed easily; None if none of the reasons applies.
-
-    Parameters
-    ----------
-    password
-        The password.
-    name
-        Name of its user.
-    """
+    """Return why a password is guessed easily; None if none of the reasons applies."""
     if not password.strip():
         return "blank"
     text = password.casefold()

@@ -98,7 +98,7 @@ class DurableQueue:
         epoch
             Epoch of the job when this process took it.
         """
-        job = self._store.compiles.owned(id, epoch)
+        job = self._store.compiles.find_owned(id, epoch)
         if job is not None:
             self._compile(job)
 
@@ -134,7 +134,7 @@ class DurableQueue:
     def _is_compiling(self, workflow: str) -> bool:
         """Return whether a job is being compiled in a workflow, by this or another worker."""
         _, id, epoch = workflow.rsplit("-", 2)
-        return self._store.compiles.owned(id, int(epoch)) is not None
+        return self._store.compiles.find_owned(id, int(epoch)) is not None
 
     def stop(self) -> None:
         """Take no further jobs, and return when all compiles have ended."""

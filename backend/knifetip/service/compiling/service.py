@@ -194,11 +194,6 @@ class CompileService:
 
         Kernels are functions that a compile needs.  Returns 1 only if a compile for the machine can
         begin.
-
-        Parameters
-        ----------
-        machine
-            Name of the machine.
         """
         try:
             kernels = kernels_for(self.store.library.machine(machine))

@@ -54,7 +54,7 @@ class CompileStore:
         self._contents = contents
         self._transitions = transitions
 
-    def owned(self, id: str, epoch: int) -> Job | None:
+    def find_owned(self, id: str, epoch: int) -> Job | None:
         """Return the job that a worker is compiling in an epoch; None if that worker has lost it.
 
         Parameters
@@ -235,9 +235,9 @@ class CompileStore:
         epoch
             Epoch of the job when the worker took the job.
         """
-        owned = sa.and_(Job.id == id, Job.state == State.COMPILING, Job.epoch == epoch)
+        find_owned = sa.and_(Job.id == id, Job.state == State.COMPILING, Job.epoch == epoch)
         with self._db.writing() as session:
-            renewed = sa.update(Job).where(owned).values(lease=self._db.clock() + LEASE)
+            renewed = sa.update(Job).where(find_owned).values(lease=self._db.clock() + LEASE)
             return bool(rows(session, renewed))
 
     def answer(self, id: str, epoch: int, key: str) -> bool:

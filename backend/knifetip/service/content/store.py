@@ -196,7 +196,7 @@ class ContentStore:
         for name, data in zip(names, found[1:], strict=True):
             address = getattr(row, f"{name}_address")
             if address is not None:
-                setattr(row, name, self._checked(address, data, row.id))
+                setattr(row, name, self._checked_content(address, data, row.id))
         return row
 
     def value(self, table: type[Drawing] | type[Job], id: str, name: str, kind: str) -> bytes:
@@ -233,9 +233,9 @@ class ContentStore:
             raise NotFound("store.unknown", kind=kind, id=short(id))
         if found[0] is None:
             raise WrongState("store.no-column", kind=kind, id=id, column=name)
-        return self._checked(found[0], found[1], id)
+        return self._checked_content(found[0], found[1], id)
 
-    def _checked(self, address: str, data: bytes | None, owner: str) -> bytes:
+    def _checked_content(self, address: str, data: bytes | None, owner: str) -> bytes:
         """Return a content that has its address, from the database or the object store."""
         if data is None:
             if self._objects is None:

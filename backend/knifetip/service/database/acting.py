@@ -23,7 +23,7 @@ DONE, REFUSED, FAILED = "done", "refused", "failed"
 
 
 @dataclass(slots=True)
-class Acting:
+class ActingPrincipal:
     """A principal and the request that it has sent."""
 
     kind: str  #: kind of the principal
@@ -64,11 +64,11 @@ class Acting:
         )
 
 
-_acting: ContextVar[Acting | None] = ContextVar("acting", default=None)
+_acting: ContextVar[ActingPrincipal | None] = ContextVar("acting", default=None)
 
 
 @contextmanager
-def acting_as(acting: Acting) -> Iterator[None]:
+def acting_as(acting: ActingPrincipal) -> Iterator[None]:
     """Return a context in which changes are made on behalf of a principal."""
     token = _acting.set(acting)
     try:
@@ -77,7 +77,7 @@ def acting_as(acting: Acting) -> Iterator[None]:
         _acting.reset(token)
 
 
-def credited(name: str) -> str:
+def credited_name(name: str) -> str:
     """Return the name under which a change is recorded.
 
     It is the name of the account.  A name that the sender claims, such as that of the operator at a
@@ -100,7 +100,7 @@ def signature(actor: Actor) -> str:
     """Return the text that an event has for the person or process that caused it."""
     if actor.kind != ActorKind.OPERATOR:
         return str(actor)
-    return str(Actor(actor.kind, credited(actor.name)))
+    return str(Actor(actor.kind, credited_name(actor.name)))
 
 
 def acting_owner() -> str:
@@ -139,7 +139,7 @@ def set_subject(session: Session, kind: str, subject: str) -> None:
     session.info.setdefault("subject", (kind, subject))
 
 
-def add_audit_entry(session: Session, at: float) -> Acting | None:
+def add_audit_entry(session: Session, at: float) -> ActingPrincipal | None:
     """Add the entry of the audit log for the present request to its first transaction.
 
     Parameters

@@ -74,25 +74,13 @@ class ChangeNotifier:
                 self._callbacks.remove(entry)
 
     def notify(self, topics: Collection[str] = (ALL,)) -> None:
-        """Call the callbacks for a change that this process made, and notify other processes.
-
-        Parameters
-        ----------
-        topics
-            Topics of the change.
-        """
+        """Call the callbacks for a change that this process made, and notify other processes."""
         self.receive(topics)
         if self.send is not None:
             self.send(topics)
 
     def receive(self, topics: Collection[str]) -> None:
-        """Call the callbacks for a change of any process.
-
-        Parameters
-        ----------
-        topics
-            Topics of the change.
-        """
+        """Call the callbacks for a change of any process."""
         with self._lock:
             entries = list(self._callbacks)
         for callback, wanted in entries:

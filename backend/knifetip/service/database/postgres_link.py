@@ -99,13 +99,7 @@ class PostgresLink:
         return self._name
 
     def send(self, topics: Collection[str]) -> None:
-        """Notify the other processes of a change; returns at once.
-
-        Parameters
-        ----------
-        topics
-            Topics of the change.
-        """
+        """Notify the other processes of a change; returns at once."""
         with self._lock:
             self._topics.update(topics)
         self._wake()

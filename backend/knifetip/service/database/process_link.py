@@ -121,15 +121,7 @@ class FileLink:
 
     @classmethod
     def try_name(cls, database: str, name: str) -> FileLink | None:
-        """Return a link with a name, None if a running process has it.
-
-        Parameters
-        ----------
-        database
-            Path of the file of the database.
-        name
-            Name of the process.
-        """
+        """Return a link with a name, None if a running process has it."""
         folder = _state_folder(f"sqlite:///{database}")
         folder.mkdir(parents=True, exist_ok=True)
         file = re.sub(r"[^A-Za-z0-9._-]", lambda other: f"%{ord(other[0]):x}", name)

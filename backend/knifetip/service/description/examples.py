@@ -66,7 +66,7 @@ class Examples:
     def __init__(self, schemas: Mapping[str, Mapping[str, Any]]) -> None:
         self._schemas = schemas
 
-    def of_request(self, schema: Mapping[str, Any]) -> Any:
+    def request_body(self, schema: Mapping[str, Any]) -> Any:
         """Return an example of the body of a request, with its required fields."""
         name = schema.get("$ref", "").rpartition("/")[2]
         return _BODIES[name] if name in _BODIES else self._value(schema, "", whole=False)

@@ -44,7 +44,7 @@ class Description:
             _descriptions[self._operations] = describe(self._app, self._operations)
         return _descriptions[self._operations]
 
-    def versioned(self) -> dict[str, Any]:
+    def describe_version(self) -> dict[str, Any]:
         """Return the description with the paths of the current version, ``/api/v1/…``."""
         return versioned_paths(self.alias())
 
@@ -55,7 +55,7 @@ class Description:
         """
         # Making it takes a second, in which other requests are answered.
         described = await asyncio.to_thread(
-            self.versioned if is_versioned(request.scope) else self.alias
+            self.describe_version if is_versioned(request.scope) else self.alias
         )
         if principal_of(request).kind is PrincipalKind.LOCAL:
             described = with_optional_keys(described)
@@ -67,13 +67,6 @@ def describe(app: FastAPI, operations: Sequence[ScopedOperation]) -> dict[str, A
 
     The schema also describes the error responses of all routes, the codes of all messages, and who
     may send which request.
-
-    Parameters
-    ----------
-    app
-        The application.
-    operations
-        Its operations with their scopes.
     """
     described = get_openapi(
         title=app.title,
@@ -128,7 +121,7 @@ def _add_examples(described: dict[str, Any]) -> None:
                     parameter["example"] = name
             body = operation.get("requestBody", {}).get("content", {}).get(_JSON)
             if body is not None and "schema" in body:
-                body["example"] = examples.of_request(body["schema"])
+                body["example"] = examples.request_body(body["schema"])
             for status, response in operation["responses"].items():
                 answer = response.get("content", {}).get(_JSON)
                 if status.startswith("2") and answer is not None and "schema" in answer:

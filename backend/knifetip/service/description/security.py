@@ -25,15 +25,7 @@ _SCHEMES: Final = {
 
 
 def describe_scopes(described: dict[str, Any], operations: Iterable[ScopedOperation]) -> None:
-    """Add the security schemes, and the scopes of each operation, to an OpenAPI schema.
-
-    Parameters
-    ----------
-    described
-        The schema, which is changed.
-    operations
-        The operations with their scopes.
-    """
+    """Add the security schemes, and the scopes of each operation, to an OpenAPI schema."""
     described["components"]["securitySchemes"] = _SCHEMES
     for one in operations:
         operation = described["paths"].get(one.path, {}).get(one.method.lower())

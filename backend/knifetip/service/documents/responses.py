@@ -141,13 +141,6 @@ class Answer:
     async def send(self, id: str, document: Document[Row]) -> Response:
         """Return the response with a document; its status is 304 if the client has the document.
 
-        Parameters
-        ----------
-        id
-            Id of the drawing or the job.
-        document
-            Kind of the document.
-
         Raises
         ------
         NotFound

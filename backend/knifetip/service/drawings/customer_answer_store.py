@@ -73,7 +73,7 @@ class CustomerAnswerStore:
             session.execute(sa.delete(Row).where(Row.drawing == drawing))
 
     def taught(self, customer: str, other_than: str = "") -> list[TaughtDrawing]:
-        """Return what the newest drawings of a customer teach, the newest first.
+        """Return the answers of a customer that apply to its other drawings, newest drawing first.
 
         ``other_than`` is the id of a drawing that is left out.
         """

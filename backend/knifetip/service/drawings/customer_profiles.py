@@ -11,13 +11,6 @@ from knifetip.service.database.acting import acting_limits
 def customer_rules(service: Service, name: str) -> str:
     """Return the TOML text of a customer's profile, or "" for a profile of the library.
 
-    Parameters
-    ----------
-    service
-        The server.
-    name
-        Name of the profile.
-
     Raises
     ------
     LibraryError

@@ -66,7 +66,7 @@ def import_report(
     return pack(_with_rows(counts, map(with_defaults, wanted)))
 
 
-def cleaning(progress: Progress, block: bytes) -> bytes:
+def cleaning_json(progress: Progress, block: bytes) -> bytes:
     """Return the JSON of the cleaning report of a packed ``EdgeTable`` (schema ``CleaningOut``).
 
     Raises

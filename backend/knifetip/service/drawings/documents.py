@@ -66,7 +66,7 @@ def import_report_document(service: Service, outcome: str | None) -> Document[Dr
 
 def cleaning_document(service: Service) -> Document[Drawing]:
     """Return the document with the cleaning report of a drawing (schema ``CleaningOut``)."""
-    return _cleaned_document(service, "cleaning", document_tasks.cleaning)
+    return _cleaned_document(service, "cleaning", document_tasks.cleaning_json)
 
 
 def blanks_document(service: Service) -> Document[Drawing]:

@@ -68,7 +68,6 @@ def _select_edges(
     ``layer`` refers.
     ``rows_of``: rows of the edges of each entity, by the handle of the entity (its identifier in
     the file).
-    ``count``: number of edges of the drawing.
     Raises ``RequestError``: the override selects no edge or an edge that does not exist, or it does
     not select edges in exactly one of the three ways.
     """

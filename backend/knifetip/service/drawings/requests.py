@@ -183,7 +183,7 @@ def learned_unit(
 
 
 def record_uses(service: Service, row: Drawing, reading: Reading) -> None:
-    """Store what a drawing teaches about the drawings of its customer."""
+    """Store which answers about a drawing apply to later drawings of its customer."""
     given = "" if row.unit_learned else row.unit_given
     service.store.customer_answers.record(
         row.id, row.customer, row.name, row.sha256, reading.uses, given

@@ -37,7 +37,12 @@ from knifetip.service.http.routing import ScopedRouter, requires, unaudited
 from knifetip.service.http.scopes import AccessScope
 from knifetip.service.lifecycle.transitions import LEASE
 from knifetip.service.machines.station_models import ActivityIn, StationAnswer, StationIn
-from knifetip.service.machines.station_store import Asked, HeldJog, OperationResult, StationReport
+from knifetip.service.machines.station_store import (
+    HeldJog,
+    OperationResult,
+    RequestedOperation,
+    StationReport,
+)
 from knifetip.service.orders.job_answers import job_out
 from knifetip.service.orders.models import JobOut
 from knifetip.service.runs.stop_place import StopPlace
@@ -224,7 +229,7 @@ async def report_station(
         while True:
             # A disconnected gateway would never execute the operation.
             gone = service.stopping.is_set() or await request.is_disconnected()
-            asked: list[Asked] = []
+            asked: list[RequestedOperation] = []
             looked, jog = watched, None
             if not gone:
                 asked, looked, jog = await threads.reports(
@@ -281,7 +286,7 @@ def _store_report(service: Service, station: StationIn) -> bool:
 
 def _requests_of_persons(
     service: Service, machine: str
-) -> tuple[list[Asked], bool, HeldJog | None]:
+) -> tuple[list[RequestedOperation], bool, HeldJog | None]:
     """Return what the persons at a machine have requested.
 
     Returns the operations that wait for it, whether a person looks at it, and the jog that a person

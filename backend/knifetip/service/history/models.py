@@ -66,7 +66,7 @@ class StatisticsQuery(PeriodQuery):
 
 
 class StatisticsOut(BaseModel):
-    """Sums of the runs of a machine that ended in a period; a run is one stay of a job on it."""
+    """Sums of the runs of a machine that ended in a period; a job on it is one run."""
 
     model_config = ConfigDict(from_attributes=True)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from typing import Any, Final
+from typing import Any, Final, TypeGuard
 
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import Message, Scope, Send
@@ -35,13 +35,6 @@ def in_requested_language(scope: Scope, send: Send) -> Send:
     """Return a function that sends an answer in the language that a request accepts.
 
     Compressed answers, and those with more than ``LARGEST`` bytes, are sent as they are.
-
-    Parameters
-    ----------
-    scope
-        ASGI scope of the request.
-    send
-        Sends an ASGI message to the client.
     """
     language = requested_language(scope)
     head: Message | None = None  # of a JSON answer, until its body is known
@@ -114,7 +107,7 @@ def translate(data: Any, language: str) -> Any:
     }
 
 
-def _is_message(data: Any) -> bool:
+def _is_message(data: Any) -> TypeGuard[dict[str, Any]]:
     """Return whether JSON data is a message with its text, of a code that is known."""
     return (
         isinstance(data, dict)

@@ -22,7 +22,7 @@ from starlette.routing import BaseRoute, compile_path
 from starlette.types import Message, Receive, Scope, Send
 
 from knifetip.errors import LibraryError
-from knifetip.service.database.acting import DONE, FAILED, REFUSED, Acting, acting_as
+from knifetip.service.database.acting import DONE, FAILED, REFUSED, ActingPrincipal, acting_as
 from knifetip.service.http.answer_language import in_requested_language
 from knifetip.service.http.conditional import conditional
 from knifetip.service.http.parameters import IDEMPOTENCY_KEY
@@ -152,12 +152,12 @@ def endpoint_of(scope: Scope) -> Callable[..., Any] | None:
     return found
 
 
-def _acting(route: APIRoute, scope: Scope, principal: Principal) -> Acting:
+def _acting(route: APIRoute, scope: Scope, principal: Principal) -> ActingPrincipal:
     """Return the principal of a request with its operation, for events and the audit log."""
     values = [str(value) for value in scope.get("path_params", {}).values()]
     kind = scope["path"].removeprefix("/api/").partition("/")[0].removesuffix("s")
     client = scope.get("client")
-    return Acting(
+    return ActingPrincipal(
         kind=principal.kind.value,
         name=principal.name,
         id=principal.id,
@@ -173,7 +173,7 @@ def _outcome(status: int) -> str:
     return DONE if status < 400 else REFUSED if status < 500 else FAILED
 
 
-async def _write_entry(scope: Scope, acting: Acting, outcome: str) -> None:
+async def _write_entry(scope: Scope, acting: ActingPrincipal, outcome: str) -> None:
     """Write the entry of a request in the audit log, unless it has one or needs none."""
     if acting.audited and not acting.written:
         service = scope["app"].state.service

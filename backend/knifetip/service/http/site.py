@@ -62,13 +62,6 @@ class Site(StaticFiles):
 
         If the page has not been built, the response is a page that explains how to build it.
 
-        Parameters
-        ----------
-        path
-            Normalized path of the file.
-        scope
-            ASGI scope of the request.
-
         Raises
         ------
         HTTPException
@@ -93,13 +86,12 @@ class Site(StaticFiles):
         if is_asset and Path(path).suffix in _COMPRESSED:
             response.headers["Vary"] = "Accept-Encoding"
             if response.status_code == 200 and accepts_gzip(Headers(scope=scope)):
-                return await self._gzipped(path, response)
+                return await self._gzip_response(path, response)
         return response
 
-    async def _gzipped(self, path: str, plain: Response) -> Response:
+    async def _gzip_response(self, path: str, plain: Response) -> Response:
         """Return the response with a compressed file of the folder ``assets``.
 
-        ``path``: path of the file in the folder of the page.
         ``plain``: the response without compression, whose headers are kept.
         """
         content = self._compressed.get(path)

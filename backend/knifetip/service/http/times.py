@@ -52,7 +52,7 @@ def _shown(value: Any) -> Any:
     return rfc3339(value) if isinstance(value, int | float) else value
 
 
-def _accepted(value: Any) -> float:
+def _accepts(value: Any) -> float:
     found = seconds_of(value) if isinstance(value, str) else None
     if found is None:
         raise field_error("field.not-a-time")
@@ -82,4 +82,4 @@ Moment = Annotated[str, BeforeValidator(_shown), _SCHEMA]
 #: A time in an answer that may be missing: stored as 0, sent as null.
 OptionalMoment = Annotated[Moment | None, BeforeValidator(lambda value: value or None)]
 #: A time in a request; the value of the field is in seconds since 1970.
-MomentIn = Annotated[float, BeforeValidator(_accepted), _SCHEMA]
+MomentIn = Annotated[float, BeforeValidator(_accepts), _SCHEMA]

@@ -26,7 +26,7 @@ from knifetip.library.definition import (
 )
 from knifetip.library.schema import json_schema
 from knifetip.service.components import ServiceDep
-from knifetip.service.database.acting import credited
+from knifetip.service.database.acting import credited_name
 from knifetip.service.database.tables import LibraryVersion
 from knifetip.service.http.downloads import bytes_response
 from knifetip.service.http.models import ListPage
@@ -97,7 +97,6 @@ def get_schema(
 def _definition_out(service: ServiceDep, definition: Definition) -> DefinitionOut:
     """Return the API model of a definition.
 
-    ``service``: the server.
     ``definition``: a definition of a user or of knifetip's library.
     """
     shelf, name = definition.shelf, definition.name
@@ -212,7 +211,7 @@ def _add_routes(shelf: Shelf) -> None:
         row = service.store.library.save(
             definition,
             title,
-            VersionNote(credited(by)[:100], harmless(note)[:200]),
+            VersionNote(credited_name(by)[:100], harmless(note)[:200]),
             replace_any=replace_any,
         )
         response.status_code = 201 if row.version == 1 else 200

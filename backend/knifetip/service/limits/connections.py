@@ -107,7 +107,7 @@ class LimitedProtocol(H11Protocol):
 
     @property
     def is_idle(self) -> bool:
-        """Whether no request of this connection has been received and awaits its answer."""
+        """Whether all requests received on this connection have been answered."""
         return self.cycle is None or self.cycle.response_complete
 
     @property

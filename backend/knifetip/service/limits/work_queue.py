@@ -264,7 +264,7 @@ class WorkQueue:
             ticket = min(ready, key=lambda one: self._running[one.client])
             self._waiting.remove(ticket)
             self._running[ticket.client] += 1
-            execute = partial(ticket.context.run, self._timed, ticket.call)
+            execute = partial(ticket.context.run, self._measure_time, ticket.call)
             work = asyncio.get_running_loop().run_in_executor(self._threads, execute)
             work.add_done_callback(partial(self._end, ticket))
 
@@ -287,7 +287,7 @@ class WorkQueue:
             await asyncio.sleep(_LOOK)
         self._leave(ticket, visit)
 
-    def _timed(self, call: Callable[[], T]) -> T:
+    def _measure_time(self, call: Callable[[], T]) -> T:
         started = time.monotonic()
         try:
             return call()

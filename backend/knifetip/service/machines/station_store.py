@@ -77,7 +77,7 @@ class OperationResult:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class RequestedOperation:
     """An operation that is handed to a gateway, with its age."""
 
     id: str
@@ -172,15 +172,10 @@ class StationStore:
             if results:
                 note_change(session, ALL)
 
-    def hand_out(self, machine: str) -> list[Asked]:
+    def hand_out(self, machine: str) -> list[RequestedOperation]:
         """Return the operations that wait for a machine, oldest first, and mark them as handed out.
 
         Operations that are older than ``EXPIRY`` expire instead.
-
-        Parameters
-        ----------
-        machine
-            Name of the machine.
         """
         waiting = sa.select(Operation).where(
             Operation.machine == machine,
@@ -197,7 +192,7 @@ class StationStore:
                 # A negative age: the computer was started again since.
                 if 0.0 <= (age := now - row.asked) < EXPIRY:
                     row.handed = now
-                    found.append(Asked(row.id, age, row.request))
+                    found.append(RequestedOperation(row.id, age, row.request))
                 else:
                     _expire(row)
             return found
@@ -220,13 +215,7 @@ class StationStore:
     # -- for persons ----------------------------------------------------------------------------
 
     def get(self, machine: str) -> StationView:
-        """Return the state of a station, and record that a person looks at it.
-
-        Parameters
-        ----------
-        machine
-            Name of the machine.
-        """
+        """Return the state of a station, and record that a person looks at it."""
         now = self._db.timer()
         with self._db.reading() as session:
             row = session.get(Station, machine)
@@ -259,25 +248,13 @@ class StationStore:
         return row is not None and self._view(row, "", self._db.timer()).watched
 
     def state_hands_clear(self, machine: str) -> float:
-        """Store that hands are clear of a machine; return for how long the statement counts (s).
-
-        Parameters
-        ----------
-        machine
-            Name of the machine.
-        """
+        """Store that hands are clear of a machine; return for how long the statement counts (s)."""
         with self._db.writing(urgent=True) as session:
             _station(session, machine).hands_clear = self._db.timer()
         return HANDS_CLEAR
 
     def withdraw_hands_clear(self, machine: str) -> None:
-        """End the statement that hands are clear of a machine, if there is one.
-
-        Parameters
-        ----------
-        machine
-            Name of the machine.
-        """
+        """End the statement that hands are clear of a machine, if there is one."""
         with self._db.writing(urgent=True) as session:
             end_hands_clear(session, machine)
 
@@ -353,13 +330,6 @@ class StationStore:
     def renew(self, machine: str, id: str) -> Operation:
         """Store that a person still holds the button of a jog, and return the operation.
 
-        Parameters
-        ----------
-        machine
-            Name of the machine.
-        id
-            Id of the operation.
-
         Raises
         ------
         NotFound
@@ -397,13 +367,6 @@ class StationStore:
 
     def operation(self, machine: str, id: str) -> Operation:
         """Return an operation with its state; an operation that was not fetched in time expires.
-
-        Parameters
-        ----------
-        machine
-            Name of the machine.
-        id
-            Id of the operation.
 
         Raises
         ------
@@ -520,13 +483,6 @@ def end_hands_clear(session: Session, machine: str) -> None:
 
     It ends when a person withdraws it, and as a job starts or goes on: when the job has ended, a
     person takes the sheet from the table.
-
-    Parameters
-    ----------
-    session
-        Session with the transaction of the caller.
-    machine
-        Name of the machine.
     """
     _station(session, machine).hands_clear = NEVER_STATED
 

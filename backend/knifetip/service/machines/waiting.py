@@ -34,21 +34,21 @@ WaitingFor = Literal["", "confirmation", "sheet", "machine", "turn", "hold", "ch
 ABSENT = 6.0
 
 
-class Waiting(NamedTuple):
+class WaitReason(NamedTuple):
     """The reason why a job waits, as a field for programs and as a message for the operator."""
 
     waiting_for: WaitingFor = ""
     message: Message | None = None
 
 
-def waiting_of(store: Store, jobs: Sequence[Job]) -> list[Waiting]:
+def waiting_of(store: Store, jobs: Sequence[Job]) -> list[WaitReason]:
     """Return the reasons why jobs wait, one per job; queries the store only if a job is queued."""
     machines = {row.machine for row in jobs if row.state == State.QUEUED}
     queues = store.machines.queues(machines, ABSENT) if machines else {}
     stations = store.stations.views(machines) if machines else {}
     changes = store.library.changes([row for row in jobs if _can_be_outdated(row)])
     return [
-        Waiting("compile", Message("waiting.outdated", changes=changes[row.id]))
+        WaitReason("compile", Message("waiting.outdated", changes=changes[row.id]))
         if row.id in changes
         else _waiting(store, row, queues.get(row.machine), stations.get(row.machine))
         for row in jobs
@@ -60,20 +60,22 @@ def _can_be_outdated(row: Job) -> bool:
     return row.state in (State.READY, State.QUEUED) or row.confirmation == Confirmation.SHEET
 
 
-def _waiting(store: Store, row: Job, queue: Queue | None, station: StationView | None) -> Waiting:
+def _waiting(
+    store: Store, row: Job, queue: Queue | None, station: StationView | None
+) -> WaitReason:
     library = store.library
     if row.confirmation == Confirmation.AWAITED:
         machine, board = library.titles(row)
         code = "waiting.for-start" if _is_copy_unsent(row) else "waiting.unconfirmed-run"
         details = [_sheet_message(row), _tools_message(row)]
-        given: dict[str, str] = {}
+        given: dict[str, str | None] = {}
         if row.rest is not None and _is_copy_unsent(row):
             code, given = "waiting.for-rest", {"job": row.resumes}
         elif _is_copy_unsent(row):
             details.append(_unfinished_sheet_message(store.gateways.unfinished_sheet(row)))
         found = [detail for detail in details if detail is not None]
         message = Message(code, machine=machine, board=board, details=found, **given)
-        return Waiting("confirmation", message)
+        return WaitReason("confirmation", message)
     if row.confirmation == Confirmation.SHEET:
         message = Message(
             "waiting.for-sheet",
@@ -82,12 +84,12 @@ def _waiting(store: Store, row: Job, queue: Queue | None, station: StationView |
             board=library.titles(row)[1],
             sheet=_sheet_message(row),
         )
-        return Waiting("sheet", message)
+        return WaitReason("sheet", message)
     if row.state == State.HELD and row.awaits_end:
-        return Waiting("", Message("waiting.for-end", machine=library.titles(row)[0]))
+        return WaitReason("", Message("waiting.for-end", machine=library.titles(row)[0]))
     if row.state == State.QUEUED and queue is not None:
         return _queued(library, row, queue, station)
-    return Waiting()
+    return WaitReason()
 
 
 def _is_copy_unsent(row: Job) -> bool:
@@ -118,26 +120,28 @@ def _tools_message(row: Job) -> Message | None:
     return Message("waiting.tools", tools=tools) if tools else None
 
 
-def _queued(library: LibraryStore, row: Job, queue: Queue, station: StationView | None) -> Waiting:
+def _queued(
+    library: LibraryStore, row: Job, queue: Queue, station: StationView | None
+) -> WaitReason:
     title, _ = library.titles(row)
     if row.confirmation == Confirmation.GIVEN:
-        return Waiting("machine", Message("waiting.confirmed", machine=title))
+        return WaitReason("machine", Message("waiting.confirmed", machine=title))
     if row.check_refusal is not None:
         refused = Message("waiting.check-refused", machine=title, reason=row.check_refusal)
-        return Waiting("check", refused)
+        return WaitReason("check", refused)
     if row.on_hold:
-        return Waiting("hold", Message("waiting.on-hold", machine=title))
+        return WaitReason("hold", Message("waiting.on-hold", machine=title))
     if row.id != queue.first:
         taken = queue.ahead and _occupied_message(title, queue)
-        return Waiting("turn", taken or Message("waiting.for-turn", machine=title))
+        return WaitReason("turn", taken or Message("waiting.for-turn", machine=title))
     if queue.ahead:
-        return Waiting("machine", _occupied_message(title, queue))
+        return WaitReason("machine", _occupied_message(title, queue))
     if station is not None and station.alive:
         obstacle = _obstacle(station, title)
-        return Waiting("machine", obstacle or Message("waiting.for-machine", machine=title))
+        return WaitReason("machine", obstacle or Message("waiting.for-machine", machine=title))
     if not queue.connected:
-        return Waiting("machine", _no_gateway(library, row, title))
-    return Waiting("machine", Message("waiting.for-machine", machine=title))
+        return WaitReason("machine", _no_gateway(library, row, title))
+    return WaitReason("machine", Message("waiting.for-machine", machine=title))
 
 
 def _obstacle(station: StationView, title: str) -> Message | None:
@@ -154,7 +158,6 @@ def _obstacle(station: StationView, title: str) -> Message | None:
 def _occupied_message(title: str, queue: Queue) -> Message:
     """Return the message that a machine is occupied by another job.
 
-    ``title``: title of the machine.
     ``queue``: state of the queue of the machine; its field ``ahead`` is the id of the other job.
     """
     match queue.ahead_state:
@@ -167,12 +170,7 @@ def _occupied_message(title: str, queue: Queue) -> Message:
 
 
 def _no_gateway(library: LibraryStore, row: Job, title: str) -> Message:
-    """Return the message that a job waits because no gateway of its machine is connected.
-
-    ``library``: repository of machines.
-    ``row``: the job.
-    ``title``: title of its machine.
-    """
+    """Return the message that a job waits because no gateway of its machine is connected."""
     language = language_of(library, row)
     if language and language.no_driver:
         return Message("waiting.for-person", machine=title, advice=language.no_driver)
@@ -180,15 +178,7 @@ def _no_gateway(library: LibraryStore, row: Job, title: str) -> Message:
 
 
 def language_of(library: LibraryStore, row: Job) -> Language | None:
-    """Return the controller language of a job's machine; None if the library has no such machine.
-
-    Parameters
-    ----------
-    library
-        Repository of machines.
-    row
-        The job.
-    """
+    """Return the controller language of a job's machine; None if the library lacks the machine."""
     try:
         return find_language(library.machine(row.machine, row.machine_version).dialect)
     except LibraryError:

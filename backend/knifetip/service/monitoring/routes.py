@@ -98,7 +98,7 @@ def route_templates(routes: Iterable[BaseRoute]) -> Callable[[object], str | Non
 def add_numbers(metrics: Metrics, service: Service, clients: Clients) -> None:
     """Add the numbers of a server and of its database to its metrics."""
 
-    def process() -> dict[str, tuple[str, float]]:
+    def process_numbers() -> dict[str, tuple[str, float]]:
         size, busy = service.pool.size, service.pool.busy
         return {
             "event_listeners": ("Open streams of events.", clients.listeners.total()),
@@ -116,7 +116,7 @@ def add_numbers(metrics: Metrics, service: Service, clients: Clients) -> None:
             ),
         }
 
-    add_database(metrics.registry, service.store.database, process)
+    add_database(metrics.registry, service.store.database, process_numbers)
 
 
 @router.get("/metrics", include_in_schema=False)

@@ -63,15 +63,7 @@ class DetailsFilter:
 
 
 def contains(column: sa.SQLColumnExpression[str], text: str) -> sa.ColumnElement[bool]:
-    """Return the condition that a column contains a text, in upper or lower case.
-
-    Parameters
-    ----------
-    column
-        The column.
-    text
-        The text.
-    """
+    """Return the condition that a column contains a text, in upper or lower case."""
     lowered = text.lower()
     for letter in sorted(set(lowered)):
         # SQLite's function ``lower`` changes ASCII letters only.

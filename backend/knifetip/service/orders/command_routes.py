@@ -9,7 +9,7 @@ from knifetip.messages import Message
 from knifetip.model.verdict import Acceptance
 from knifetip.service.accounts.ownership import check_own_job, check_withdrawal
 from knifetip.service.components import ServiceDep
-from knifetip.service.database.acting import credited
+from knifetip.service.database.acting import credited_name
 from knifetip.service.http.parameters import CommandKey, JobId
 from knifetip.service.http.principal import PrincipalDep
 from knifetip.service.http.routing import ScopedRouter, requires
@@ -44,7 +44,7 @@ def accept_shortfalls(
         check_own_job(service, principal, id)
     chosen = chosen_shortfalls(exceptions)
     acceptance = Acceptance(
-        credited(exceptions.by), exceptions.reason, service.store.database.clock()
+        credited_name(exceptions.by), exceptions.reason, service.store.database.clock()
     )
     row = service.store.operators.accept(
         id,

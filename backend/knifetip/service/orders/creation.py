@@ -19,7 +19,7 @@ from knifetip.model.verdict import Acceptance
 from knifetip.planning.tool_steps import lacks_tool
 from knifetip.service.compiling.key import digest_of
 from knifetip.service.components import Service
-from knifetip.service.database.acting import credited
+from knifetip.service.database.acting import credited_name
 from knifetip.service.database.request_key import RequestKey, fingerprint
 from knifetip.service.database.tables import Drawing, Job
 from knifetip.service.drawings.customer_profiles import customer_rules
@@ -68,8 +68,8 @@ async def create_job(
 ) -> JobOut:
     """Create the job of an order, or find the one that was created under the same key.
 
-    It needs a place in the queue for the worker processes only if it is not
-    known yet whether questions about the drawing are open.
+    If it is not known yet whether questions about the drawing are open, a worker process finds them
+    first, and the request waits for its turn in the ``WorkQueue``.
 
     Parameters
     ----------
@@ -106,8 +106,8 @@ async def create_stored(
     """
     found = await service.orders.run(partial(_create_answered, service, order, key), client)
     while isinstance(found, str):
-        async with service.answered.lock_of(found):
-            if found not in service.answered:
+        async with service.answered_questions.lock_of(found):
+            if found not in service.answered_questions:
                 await service.work.run(partial(_require_answers, service, order), client)
         # The drawing may have been changed meanwhile.
         found = await service.orders.run(partial(_create_answered, service, order, key), client)
@@ -120,10 +120,10 @@ def _create_answered(service: Service, order: JobIn, key: RequestKey | None) -> 
     if row is None:
         prepared = _prepare(service, order)
         questions = prepared.questions_key
-        if questions not in service.answered:
+        if questions not in service.answered_questions:
             if not _is_answered_by_reading(prepared):
                 return questions
-            service.answered.add(questions)
+            service.answered_questions.add(questions)
         row = _store(service, prepared, key)
     return job_out(service.store, row)
 
@@ -176,7 +176,7 @@ def _prepare(service: Service, order: JobIn, *columns: str) -> PreparedOrder:
 def _require_answers(service: Service, order: JobIn) -> PreparedOrder:
     """Return an order about whose drawing no question is open, or raise ``OpenQuestions``."""
     prepared = _prepare(service, order)
-    if prepared.questions_key in service.answered:
+    if prepared.questions_key in service.answered_questions:
         return prepared
     prepared = _prepare(service, order, "content", "edges")
     drawing = prepared.drawing
@@ -193,7 +193,7 @@ def _require_answers(service: Service, order: JobIn) -> PreparedOrder:
     )
     if questions:
         raise OpenQuestions(questions)
-    service.answered.add(prepared.questions_key)
+    service.answered_questions.add(prepared.questions_key)
     return prepared
 
 
@@ -221,7 +221,8 @@ def _exceptions_of_order(service: Service, ordered: ExceptionsIn | None) -> Exce
         return None
     chosen = tuple(sorted(chosen_shortfalls(ordered)))
     return Exceptions(
-        chosen, Acceptance(credited(ordered.by), ordered.reason, service.store.database.clock())
+        chosen,
+        Acceptance(credited_name(ordered.by), ordered.reason, service.store.database.clock()),
     )
 
 
@@ -231,10 +232,8 @@ def _interpretation(service: Service, order: JobIn, drawing: Drawing) -> Interpr
     It is the stored interpretation (unit, profile, line types of edges), with the changes that the
     request contains.
 
-    ``service``: the server.
     ``order``: the request; it can contain a profile, line types of edges, and the choices for the
     job.
-    ``drawing``: the stored drawing.
     """
     interpretation = interpretation_of(drawing, drawing.overrides)
     if drawing.layout is not None:

@@ -11,7 +11,7 @@ from knifetip.model.job_options import JobOptions
 from knifetip.model.program_facts import ProgramFacts
 from knifetip.service.database.tables import Job
 from knifetip.service.machines.queue_estimate import Estimate, estimates
-from knifetip.service.machines.waiting import Waiting, waiting_of
+from knifetip.service.machines.waiting import WaitReason, waiting_of
 from knifetip.service.order_details.models import OrderDetailsOut, details_fields
 from knifetip.service.orders.models import JobEvent, JobOut
 from knifetip.service.orders.operator_actions import allowed_actions
@@ -45,7 +45,7 @@ def jobs_out(store: Store, rows: Sequence[Job]) -> list[JobOut]:
 
 def _job_out(
     row: Job,
-    waiting: Waiting,
+    waiting: WaitReason,
     message: Message | None,
     remaining: int,
     now: float,

@@ -86,7 +86,6 @@ def _apply_request(row: Job, state: State, allowed: set[OperatorAction]) -> None
     Resume is removed if the operator must first confirm the job or its next sheet, and replaced if
     a person must confirm the end of the program.
 
-    ``row``: the job.
     ``state``: state of the job, ``running`` or ``held``.
     ``allowed``: allowed actions; changed in place.
     """

@@ -451,7 +451,6 @@ class OperatorStore:
 
         A repeated request has no effect.
 
-        ``id``: id of a job that is on a table.
         ``action``: requested action: hold, resume, end or cancel.
         ``phase``: phase of the run that the job must have; None for any.
         ``hands_clear``: whether the operator states that hands are clear, which ``resume`` needs.
@@ -482,8 +481,6 @@ class OperatorStore:
     def _change(self, session: Session, id: str, **changes: Any) -> None:
         """Set columns of a job that the transaction of the caller has locked.
 
-        ``session``: session with the transaction of the caller.
-        ``id``: id of the locked job.
         ``**changes``: new values of columns, by name of the column.
         """
         statement = sa.update(Job).where(Job.id == id)
@@ -505,11 +502,7 @@ def _is_held(row: Job) -> bool:
 
 
 def _refused_request_error(row: Job, action: OperatorAction) -> WrongState:
-    """Return the error that a job does not allow the action in its present state.
-
-    ``row``: the job.
-    ``action``: action that the operator requested.
-    """
+    """Return the error that a job does not allow the action in its present state."""
     if row.requested_action == OperatorAction.CANCEL:
         return WrongState("job.cancelled-before-request", job=row.id, request=action)
     if action is OperatorAction.END:

@@ -8,7 +8,7 @@ import numpy as np
 
 from knifetip.errors import PlanError
 from knifetip.layout.archive import LayoutArchive
-from knifetip.layout.compose import Composed, Source, compose
+from knifetip.layout.compose import ComposedSheet, Source, compose
 from knifetip.model.dieline import Dieline
 from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.stage import Progress, Stage
@@ -95,7 +95,7 @@ def check_sheet(content: bytes, dieline: Dieline) -> None:
         raise PlanError("layout.overlap", copy=pair.copy + 1, other=pair.other + 1, area=pair.area)
 
 
-def _compose(archive: LayoutArchive) -> tuple[list[Source], Composed]:
+def _compose(archive: LayoutArchive) -> tuple[list[Source], ComposedSheet]:
     sources = [Source(*restore_drawing(block)) for block in archive.edges]
     return sources, compose(archive.layout, sources, archive.source_of)
 

@@ -80,7 +80,7 @@ class _Worker:
 
 
 @dataclass(slots=True, eq=False)
-class _Running:
+class _RunningTask:
     """A task that a worker executes; the times are of the clock of the pool (s)."""
 
     worker: _Worker
@@ -133,7 +133,7 @@ class ProcessPool:
         self._changed = threading.Condition()
         # All that follows is protected by ``_changed``.
         self._idle: list[_Worker] = []  # the one that was used last is the last
-        self._busy: list[_Running] = []
+        self._busy: list[_RunningTask] = []
         self._new: list[_Worker] = []  # that do not accept tasks yet
         self._starting = 0  # threads that start a process
         self._started = 0  # processes so far
@@ -199,7 +199,7 @@ class ProcessPool:
         _log.error("error %s: a task failed:\n%s", failure.incident, value)
         raise failure
 
-    def _take_worker(self, limit: float) -> _Running:
+    def _take_worker(self, limit: float) -> _RunningTask:
         """Wait for a process that may execute a task, and return it with that task.
 
         A process that another task leaves is as good as one that is started meanwhile.
@@ -211,7 +211,7 @@ class ProcessPool:
                 while not self._closed:
                     self._drop_dead()
                     if self._idle and len(self._busy) < self.size:
-                        running = _Running(self._idle.pop(), self._clock(), limit)
+                        running = _RunningTask(self._idle.pop(), self._clock(), limit)
                         self._busy.append(running)
                         return running
                     if self._failures > failures and not self._starting:
@@ -288,7 +288,7 @@ class ProcessPool:
         worker_end.close()
         return _Worker(process, parent_end)
 
-    def _execute(self, running: _Running, sent: object, watch: Watch) -> tuple[str, Any]:
+    def _execute(self, running: _RunningTask, sent: object, watch: Watch) -> tuple[str, Any]:
         """Send a task and return its outcome; let it run on alone if its caller cancels it."""
 
         def watch_alone() -> bool:
@@ -308,7 +308,7 @@ class ProcessPool:
         except (EOFError, OSError) as reason:
             if running.cancelled is not None:
                 raise  # by ``watch``; the process is well
-            raise self._lost(running) from reason
+            raise self._lost_task_error(running) from reason
         else:
             usable = True
             return outcome
@@ -316,22 +316,24 @@ class ProcessPool:
             if running.cancelled is None:
                 self._give_back(running, usable=usable)
 
-    def _cancel(self, running: _Running) -> None:
+    def _cancel(self, running: _RunningTask) -> None:
         """Let a task run to its end, on a thread of its own, and discard its result."""
         running.cancelled = self._clock()
-        threading.Thread(target=self._run_out, args=(running,), name="run-out", daemon=True).start()
+        threading.Thread(
+            target=self._end_cancelled_task, args=(running,), name="run-out", daemon=True
+        ).start()
 
-    def _run_out(self, running: _Running) -> None:
+    def _end_cancelled_task(self, running: _RunningTask) -> None:
         usable = False
         try:
-            self._outcome(running, lambda: self._may_run_out(running))
+            self._outcome(running, lambda: self._may_still_run(running))
             usable = True
         except (EOFError, OSError, DrawingTooLarge, TaskCancelled) as reason:
             _log.info("a cancelled task was ended: %s", reason or type(reason).__name__)
         finally:
             self._give_back(running, usable=usable)
 
-    def _may_run_out(self, running: _Running) -> bool:
+    def _may_still_run(self, running: _RunningTask) -> bool:
         """Return False if a cancelled task has run on for long while other tasks wait."""
         with self._changed:
             cancelled = [one for one in self._busy if one.cancelled is not None]
@@ -341,7 +343,7 @@ class ProcessPool:
                 return True
             return self._clock() - (running.cancelled or 0.0) < CANCELLED
 
-    def _outcome(self, running: _Running, goes_on: Callable[[], bool]) -> tuple[str, Any]:
+    def _outcome(self, running: _RunningTask, goes_on: Callable[[], bool]) -> tuple[str, Any]:
         """Wait for the outcome of a task.
 
         ``running``: the task; it gets the stage and the fraction that it reports.
@@ -369,14 +371,14 @@ class ProcessPool:
             if not goes_on():
                 raise TaskCancelled
 
-    def _lost(self, running: _Running) -> Exception:
+    def _lost_task_error(self, running: _RunningTask) -> Exception:
         """Return the error of a task whose process died."""
         if self._closed:
             return TaskCancelled()
         running.worker.process.join(5.0)
         return DrawingTooLarge("worker.died", code=running.worker.process.exitcode)
 
-    def _give_back(self, running: _Running, *, usable: bool) -> None:
+    def _give_back(self, running: _RunningTask, *, usable: bool) -> None:
         """Make the process of an ended task idle, or kill and replace it if it is not usable."""
         worker = running.worker
         with self._changed:

@@ -162,9 +162,6 @@ def _new_overrides(stored: Interpretation, interpretation: Interpretation) -> U8
     for an edge whose override is the same in both interpretations.  The result is None if the file
     must be read again: the unit, the profile or what earlier drawings taught differs, the
     interpretations have different numbers of edges, or an override was removed.
-
-    ``stored``: interpretation of the stored drawing.
-    ``interpretation``: interpretation that the drawing must have.
     """
     if any(
         getattr(stored, name) != getattr(interpretation, name)

@@ -360,7 +360,6 @@ def _result(
 ) -> CompileResult:
     """Convert the result of a compile to the form in which it is stored, and return it.
 
-    ``compiled``: result of the compile, with the program.
     ``handles`` (n,): handles of the n edges of the drawing.
     ``target``: the machine for which the program was made.
     ``line_type`` (n,): line types of the edges.

@@ -136,10 +136,8 @@ class QueueStore:
     ) -> None:
         """Store the priority and the rank with which a job is at a place among other jobs.
 
-        ``session``, ``row``: session of the transaction, and the job.
         ``others``: the other waiting jobs of the machine, in their order.
         ``index``: number of the other jobs before the place.
-        ``actor``: the operator.
         """
         before = others[index - 1] if index else None
         after = others[index] if index < len(others) else None

@@ -31,11 +31,6 @@ def items_with_own_results(field: str) -> Callable[[F], F]:
     """Return a decorator for an endpoint that refuses each item of a list in its body alone.
 
     The model of the body finds control characters in these items, see ``text_faults``.
-
-    Parameters
-    ----------
-    field
-        Name of the list.
     """
 
     def declare(endpoint: F) -> F:

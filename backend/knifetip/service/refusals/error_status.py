@@ -32,15 +32,7 @@ def status_of(error: errors.KnifetipError) -> int:
 
 
 def answer_status(error: errors.KnifetipError, method: str) -> int:
-    """Return the HTTP status of the answer to a request that an error ends.
-
-    Parameters
-    ----------
-    error
-        The error.
-    method
-        HTTP method of the request.
-    """
+    """Return the HTTP status of the answer to a request that an error ends."""
     # A name in a body that does not exist has the same status as an id that does not exist.
     unknown = error.message.code == "library.unknown"
     if isinstance(error, errors.LibraryError) and (unknown or method == "GET"):

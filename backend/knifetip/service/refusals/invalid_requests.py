@@ -63,13 +63,6 @@ def with_line(fault: Any, body: object) -> ErrorDetails:
     """Return an error of pydantic; one of the JSON parser gets the line and the column.
 
     FastAPI places it by the number of the character, which is no path, with Python's own words.
-
-    Parameters
-    ----------
-    fault
-        The error.
-    body
-        Body of the request.
     """
     loc = fault["loc"]
     if fault["type"] != "json_invalid" or not isinstance(loc[-1], int):

@@ -32,15 +32,7 @@ def text_faults(value: object) -> list[ErrorDetails]:
 
 
 def control_fault(place: Place, character: str) -> ErrorDetails:
-    """Return the error of a text with a control character.
-
-    Parameters
-    ----------
-    place
-        Path of the text.
-    character
-        Name of the control character.
-    """
+    """Return the error of a text with a control character."""
     return {
         "type": "field.control-character",
         "loc": place,

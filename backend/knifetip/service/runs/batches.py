@@ -34,13 +34,6 @@ def begins_batch(session: Session, row: Job) -> bool:
 
     It is, unless the job has completed a copy, or the run before on its machine was completed and
     used the same board.
-
-    Parameters
-    ----------
-    session
-        Session with a transaction.
-    row
-        The job.
     """
     if row.copies_done:
         return False

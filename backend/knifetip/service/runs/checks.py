@@ -58,15 +58,7 @@ class CheckList:
         self._library = library
 
     def checks_of(self, session: Session, row: Job) -> list[Check]:
-        """Return what a person checks before the next start of a job, in the order of the work.
-
-        Parameters
-        ----------
-        session
-            Session with a transaction.
-        row
-            The job.
-        """
+        """Return what a person checks before the next start of a job, in the order of the work."""
         machine = self._machine(row)
         left = unfinished_sheet(session, row)
         checks = [Check("board", self._board(row)), Check("sheet", _sheet_message(row, machine))]

@@ -158,13 +158,7 @@ def return_event(cause: Message, *, refused: bool) -> Message:
 
 
 def silent_gateway_message(gateway: str) -> Message:
-    """Return the message which states that a gateway has stopped responding.
-
-    Parameters
-    ----------
-    gateway
-        Name of the gateway.
-    """
+    """Return the message which states that a gateway has stopped responding."""
     return Message("job.gateway-lost", gateway=gateway)
 
 

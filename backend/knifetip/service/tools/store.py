@@ -179,9 +179,6 @@ def warning_message(use: ToolUse) -> Message | None:
 def _tool_use(session: Session, machine: str, station: Station, worked: float) -> ToolUse:
     """Return the use of the tool of a station.
 
-    ``session``: session of the caller.
-    ``machine``: name of the machine.
-    ``station``: the station.
     ``worked``: length that the station has worked in all its runs, with the one that is not
     finished (mm).
     """

@@ -98,7 +98,6 @@ def _may_see(only: str, machines: Sequence[str], kind: str, data: Mapping[str, A
 
     ``only``, ``machines``: customer and machines of the endpoint, which are those of the key that
     added it; empty for all.
-    ``kind``, ``data``: kind of the event, and the data of its job or drawing.
     """
     limits = KeyLimits(only, frozenset(machines))
     subject = data[kind]

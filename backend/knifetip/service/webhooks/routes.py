@@ -36,7 +36,7 @@ def _own_webhook(
     principal: PrincipalDep,
     id: Annotated[str, Path(max_length=200, description="Id of the webhook")],
 ) -> str:
-    """Return the id of a webhook that the sender may manage; other ones are unknown to it."""
+    """Return the id of a webhook if the sender may manage it; otherwise the answer is 404."""
     row = service.store.webhooks.get(id)
     if not _is_own(principal, row):
         raise unknown_webhook_error(id)

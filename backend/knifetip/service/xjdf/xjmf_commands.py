@@ -67,15 +67,7 @@ class _Refusal(Exception):
 
 
 async def answer_messages(context: MessageContext, message: XjmfMessage) -> XjmfAnswer:
-    """Execute a message and return the response; errors become return codes.
-
-    Parameters
-    ----------
-    context
-        The server and the sender.
-    message
-        The message.
-    """
+    """Execute a message and return the response; errors become return codes."""
     handler = _HANDLERS.get(message.family + message.name)
     if handler is None:
         text = f"{message.family}{message.name} is not supported. QueryKnownMessages lists what is."

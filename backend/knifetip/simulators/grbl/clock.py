@@ -67,7 +67,6 @@ class Clock:
         The time that is left at ``deadline`` is simulated by the next call.
 
         ``deadline``: real time at which to return (s, clock of ``loop``).
-        ``loop``: the running event loop.
         """
         table = self._table
         part = max(self._pending_time / 16.0, 1e-4)  # checks the clock from time to time

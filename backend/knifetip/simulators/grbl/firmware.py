@@ -66,15 +66,7 @@ class Firmware:
 
 
 def settings(machine: Machine, firmware: Firmware) -> dict[int, str]:
-    """Return the settings of the controller of a machine by their numbers, as ``$$`` reports them.
-
-    Parameters
-    ----------
-    machine
-        The machine, with whose file the settings agree.
-    firmware
-        Build of the firmware.
-    """
+    """Return the settings of a machine's controller by their numbers, as ``$$`` reports them."""
     fastest = max((station.speed for station in machine.stations), default=0)
     found = {
         10: "511" if firmware.grblhal else "3",

@@ -307,7 +307,6 @@ class Table(TableMachine):
 
         A line waits for the end of all motion, for a dwell, or for room in the planner.
 
-        ``block``: effect of the line.
         ``order``: number of the program line, from 1; 0 in check mode.
         """
         if block.waits:

@@ -23,7 +23,7 @@ from knifetip.simulators.mcx314.gateway_watchdog import GatewayWatchdog
 from knifetip.simulators.mcx314.outputs import joints_of
 from knifetip.simulators.mcx314.parts import BoardParts
 from knifetip.simulators.mcx314.program_queue import BoardProgram
-from knifetip.simulators.mcx314.record import BoardRecord, Switched
+from knifetip.simulators.mcx314.record import BoardRecord, SwitchedOutput
 from knifetip.simulators.mcx314.refusal import RequestRefused
 
 
@@ -137,7 +137,7 @@ class Board:
         return self._parts.outputs.oscillates
 
     @property
-    def switched(self) -> list[Switched]:
+    def switched(self) -> list[SwitchedOutput]:
         """All changes of outputs and of the oscillation."""
         return self._record.switched
 

@@ -71,7 +71,7 @@ class Chip:
     _next: _Drive | None = None
     _begun: float = 0.0
     _origin: list[int] = field(default_factory=list)
-    _refills: bool = False  # data of the next segment was written while one is driven
+    _has_next: bool = False  # data of the next segment was written while one is driven
     _late: bool = False
 
     # -- the bus ------------------------------------------------------------------------------
@@ -157,18 +157,18 @@ class Chip:
         elif code in _LINES or code in _ARCS or code in _BITS:
             self._interpolate(code)
         elif code == figures.CLEAR:
-            self._late = self._refills = False
+            self._late = self._has_next = False
         elif code == figures.STOP:
             self._drive = self._next = self._bits = None
             self._stack.clear()
-            self._refills = False
+            self._has_next = False
         else:
             raise ChipRefused(f"unknown command {code:#04x}")
 
     def _set(self, code: int, axes: list[int], value: int) -> None:
         if self._next is not None:
             raise ChipRefused("data of the next segment is overwritten")
-        self._refills = self._drive is not None
+        self._has_next = self._drive is not None
         for axis in axes:
             if code == figures.SET_SPEED:
                 if not 1 <= value <= figures.FASTEST:
@@ -222,7 +222,7 @@ class Chip:
             drive = _Drive(axes, *_arc(finish, centre, _ARCS[code], constant), float(rate))
         if len(drive.points) == 0:
             raise ChipRefused("a segment without pulses")
-        self._refills = False
+        self._has_next = False
         if self._drive is None:
             self._begin(drive, self.time)
         else:
@@ -270,7 +270,7 @@ class Chip:
         else:
             self._drive = self._bits = None
             self.stops += 1
-            self._late = self._refills
+            self._late = self._has_next
             slowest = self._axes[ended.axes[0]].start * self.multiple
             if ended.last > slowest * (1.0 + _FASTER):
                 raise ChipRefused(f"the drive stops at {ended.last:.0f} pulses/s without a ramp")

@@ -10,7 +10,7 @@ from collections import deque
 from collections.abc import Callable
 from enum import StrEnum
 
-from knifetip.gateway.mcx314.instructions import MOTIONS, Instruction, Name
+from knifetip.gateway.mcx314.instructions import MOTIONS, Instruction, InstructionName
 from knifetip.simulators.mcx314.outputs import OSCILLATION, joints_of
 from knifetip.simulators.mcx314.parts import BoardParts
 from knifetip.simulators.mcx314.planner import Planner, ProgramSegment
@@ -148,11 +148,11 @@ class Execution:
     def act(self, instruction: Instruction) -> None:
         """Execute an instruction that does not move, with the machine at rest."""
         match instruction.name:
-            case Name.OUT:
+            case InstructionName.OUT:
                 self._outputs.switch(instruction.output, instruction.on)
-            case Name.OSC:
+            case InstructionName.OSC:
                 self._outputs.switch(OSCILLATION, instruction.on)
-            case Name.DWELL:
+            case InstructionName.DWELL:
                 self.dwell = instruction.number / 1e3
             case _:
                 pass

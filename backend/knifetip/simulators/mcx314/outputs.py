@@ -5,7 +5,7 @@ from __future__ import annotations
 from knifetip.languages.mcx314 import figures
 from knifetip.simulators.mcx314.chip import Chip
 from knifetip.simulators.mcx314.feeder import Feeder
-from knifetip.simulators.mcx314.record import BoardRecord, Switched
+from knifetip.simulators.mcx314.record import BoardRecord, SwitchedOutput
 
 #: Number of the oscillation among the outputs.
 OSCILLATION = -1
@@ -44,5 +44,5 @@ class Outputs:
         else:
             self.on.discard(output)
         self._record.switched.append(
-            Switched(self._chip.time, output, on, joints_of(self._chip), self._feeder.driving)
+            SwitchedOutput(self._chip.time, output, on, joints_of(self._chip), self._feeder.driving)
         )

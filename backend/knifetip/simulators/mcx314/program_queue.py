@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass
 
-from knifetip.gateway.mcx314.instructions import AXES, MOTIONS, Instruction, Name
+from knifetip.gateway.mcx314.instructions import AXES, MOTIONS, Instruction, InstructionName
 from knifetip.languages.mcx314 import figures
 from knifetip.languages.mcx314.wiring import Wiring
 from knifetip.simulators.mcx314.refusal import RequestRefused, parse_or_refuse
@@ -96,19 +96,19 @@ class ProgramQueue:
     def _load_line(self, program: BoardProgram, number: int, text: str) -> None:
         instruction = parse_or_refuse(text, number)
         if number == 1 and (
-            instruction.name is not Name.FORMAT or instruction.number != figures.FORMAT
+            instruction.name is not InstructionName.FORMAT or instruction.number != figures.FORMAT
         ):
             raise RequestRefused("line", number, "format")
-        if instruction.name is Name.PULSES:
+        if instruction.name is InstructionName.PULSES:
             stated = [instruction.words.get(letter) for letter in AXES]
             if stated != [float(f"{scale:.6f}") for scale in self._wiring.pulses]:
                 raise RequestRefused("line", number, "pulses")
             program.scaled = True
-        elif instruction.name not in (None, Name.FORMAT):
+        elif instruction.name not in (None, InstructionName.FORMAT):
             if not program.scaled:
                 raise RequestRefused("line", number, "pulses")
             self._check_motion(number, instruction)
-        if (instruction.name is Name.END) != (number == program.lines):
+        if (instruction.name is InstructionName.END) != (number == program.lines):
             raise RequestRefused("line", number, "end")
         program.loaded = number
         self.items.append((number, instruction))
@@ -120,7 +120,7 @@ class ProgramQueue:
             raise RequestRefused("line", number, "axes")
         if any(abs(value) > figures.LARGEST for value in instruction.words.values()):
             raise RequestRefused("line", number, "range")
-        if instruction.name not in MOTIONS or instruction.name is Name.GO:
+        if instruction.name not in MOTIONS or instruction.name is InstructionName.GO:
             return
         fastest = figures.FASTEST * self._wiring.multiple
         if not self._wiring.multiple <= instruction.words.get("V", 0.0) <= fastest:

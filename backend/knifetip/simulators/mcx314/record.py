@@ -14,7 +14,7 @@ SAMPLES = 500_000
 
 
 @dataclass(frozen=True, slots=True)
-class Switched:
+class SwitchedOutput:
     """One change of an output or of the oscillation (-1)."""
 
     time: float
@@ -35,7 +35,7 @@ class BoardRecord:
     """
 
     interval: float
-    switched: list[Switched] = field(default_factory=list)
+    switched: list[SwitchedOutput] = field(default_factory=list)
     starved: int = 0  #: stops in a cut because the queue was empty
     refusals: list[str] = field(default_factory=list)  #: refusals of the chip
     _values: array[float] = field(default_factory=lambda: array("d"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from knifetip.gateway.mcx314.instructions import AXES, Instruction, Name
+from knifetip.gateway.mcx314.instructions import AXES, Instruction, InstructionName
 from knifetip.languages.mcx314.wiring import Wiring
 from knifetip.model.machine import Machine
 from knifetip.simulators.mcx314.feeder import rate_of_arc
@@ -38,12 +38,12 @@ class StretchBuilder:
     def motion(self, line: int, instruction: Instruction, start: Joints) -> ProgramSegment | None:
         """Return the stretch of a motion; None if the axes are there already."""
         speed = instruction.words.get("V", 0.0)
-        if instruction.name is Name.GO:
+        if instruction.name is InstructionName.GO:
             return self.rapid(line, instruction, start)
-        if instruction.name is Name.LINE:
+        if instruction.name is InstructionName.LINE:
             return ProgramSegment(line, start, instruction.ways, speed, instruction.joined)
         centre = instruction.pulses("I"), instruction.pulses("J")
-        side = 1 if instruction.name is Name.COUNTER_CLOCKWISE else -1
+        side = 1 if instruction.name is InstructionName.COUNTER_CLOCKWISE else -1
         return ProgramSegment(
             line,
             start,

@@ -64,7 +64,6 @@ def _split_by_depth(
     the group whose edges it follows for the greatest length.
 
     ``work``, ``rows``: tip paths of the program, and the indices of those of the station.
-    ``edges``: the edges that the station makes.
     """
     is_knife = operation in (OperationKind.CUT, OperationKind.HALF_CUT)
     if CutDepth not in context.chosen or not is_knife or len(edges) == 0:

@@ -67,11 +67,11 @@ def _order_in_groups(group: I64_1, first: F64_1, second: F64_1, count: int) -> A
 
 
 @inline_kernel
-def _comes_after(first: F64_1, second: F64_1, one: int, other: int) -> bool:
-    """Return whether row ``one`` has a greater key than row ``other``, in the order of
+def _comes_after(first: F64_1, second: F64_1, row_a: int, row_b: int) -> bool:
+    """Return whether row ``row_a`` has a greater key than row ``row_b``, in the order of
     ``order_in_groups``.
     """
-    a, b = first[one], first[other]
+    a, b = first[row_a], first[row_b]
     if a == b or (math.isnan(a) and math.isnan(b)):
-        a, b = second[one], second[other]
+        a, b = second[row_a], second[row_b]
     return a > b or (math.isnan(a) and not math.isnan(b))

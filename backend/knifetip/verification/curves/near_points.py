@@ -127,9 +127,9 @@ def near_points(points: F64_2, grid: PointGrid, most: int) -> Any:
 
 @kernel(allocates=False)
 def _search(
-    points: F64_2, grid: PointGrid, most: int, one: OutI64_1, other: OutI64_1, rank: OutU8_1
+    points: F64_2, grid: PointGrid, most: int, pair_a: OutI64_1, pair_b: OutI64_1, rank: OutU8_1
 ) -> Any:
-    """Write the near pairs to ``one`` and ``other``, and the cell of the second point of each,
+    """Write the near pairs to ``pair_a`` and ``pair_b``, and the cell of the second point of each,
     relative to the first one, to ``rank``.
 
     The cells are numbered by columns, from 0 at the lower left to 8 at the upper right.  Returns
@@ -155,16 +155,16 @@ def _search(
                     compared += 1
                     here = _cell_beside(grid, x, y, column, row, at_home, j)
                     if here >= 0:
-                        if used < len(one):
+                        if used < len(pair_a):
                             slot = used
                             while slot > begin and (
                                 rank[slot - 1] > here
-                                or (rank[slot - 1] == here and other[slot - 1] > j)
+                                or (rank[slot - 1] == here and pair_b[slot - 1] > j)
                             ):
-                                rank[slot], other[slot] = rank[slot - 1], other[slot - 1]
+                                rank[slot], pair_b[slot] = rank[slot - 1], pair_b[slot - 1]
                                 slot -= 1
-                            rank[slot], other[slot] = here, j
-                            one[used] = i
+                            rank[slot], pair_b[slot] = here, j
+                            pair_a[used] = i
                         used += 1
                     j = grid.following[j]
         if compared > most:

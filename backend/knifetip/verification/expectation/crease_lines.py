@@ -346,16 +346,17 @@ def _gaps_made(dash: Edges, gaps: F64, wheel_paths: F64, limit: float) -> tuple[
     return made, met
 
 
-def _group_dashes(count: int, one: I64, other: I64) -> I64:
+def _group_dashes(count: int, dash_a: I64, dash_b: I64) -> I64:
     """Return the number of the group of each of ``count`` dashes, (count,).
 
-    Dashes are in one group if pairs connect them: dash ``one[i]`` and dash ``other[i]``, (k,) each.
+    Dashes are in one group if pairs connect them: dash ``dash_a[i]`` and dash ``dash_b[i]``, (k,)
+    each.
     """
     name = np.arange(count)
     for _ in range(count):
         least = name.copy()
-        np.minimum.at(least, one, name[other])
-        np.minimum.at(least, other, name[one])
+        np.minimum.at(least, dash_a, name[dash_b])
+        np.minimum.at(least, dash_b, name[dash_a])
         least = least[least]
         if np.array_equal(least, name):
             break

@@ -87,17 +87,17 @@ def _joined_pairs(edges: Edges) -> tuple[I64, I64, F64, Bool]:
     return a[joined], b[joined], turn[joined], goes_on
 
 
-def _are_coincident(edges: Edges, one: I64, other: I64) -> Bool:
+def _are_coincident(edges: Edges, end_a: I64, end_b: I64) -> Bool:
     """Return the mask of the pairs of edge ends whose two edges coincide near these ends, (k,).
 
-    ``one`` and ``other`` are the indices of the two ends of each of k pairs.  The two ends of a
+    ``end_a`` and ``end_b`` are the indices of the two ends of each of k pairs.  The two ends of a
     pair lie at one point.
     """
-    size = np.minimum(edges.curve[one // 2, 5], edges.curve[other // 2, 5])
+    size = np.minimum(edges.curve[end_a // 2, 5], edges.curve[end_b // 2, 5])
     inward = np.minimum(size, _COINCIDENT_PROBE)
     points = [
         point_at(curve, np.where(end % 2 == 0, inward, curve[:, 5] - inward))
-        for end, curve in ((one, edges.curve[one // 2]), (other, edges.curve[other // 2]))
+        for end, curve in ((end_a, edges.curve[end_a // 2]), (end_b, edges.curve[end_b // 2]))
     ]
     result: Bool = np.hypot(*(points[0] - points[1]).T) <= JOIN_DISTANCE
     return result

@@ -315,30 +315,32 @@ def _search_points(points: F64, grid: PointGrid) -> tuple[I64, I64]:
     return a, b
 
 
-def angle_between(one: F64, other: F64, turn: float = 360.0) -> F64:
+def angle_between(direction_a: F64, direction_b: F64, turn: float = 360.0) -> F64:
     """Return the smaller angle between two directions, in degrees, from 0 to half of ``turn``.
 
-    ``one`` and ``other`` are arrays of directions (degrees), (n,), that are compared element by
-    element.  Directions that differ by a multiple of ``turn`` (degrees) are equal.
+    ``direction_a`` and ``direction_b`` are arrays of directions (degrees), (n,), that are compared
+    element by element.  Directions that differ by a multiple of ``turn`` (degrees) are equal.
     """
-    result: F64 = _angles_between(np.ascontiguousarray(one), np.ascontiguousarray(other), turn)
+    result: F64 = _angles_between(
+        np.ascontiguousarray(direction_a), np.ascontiguousarray(direction_b), turn
+    )
     return result
 
 
 @kernel
-def _angles_between(one: F64_1, other: F64_1, turn: float) -> Any:
+def _angles_between(direction_a: F64_1, direction_b: F64_1, turn: float) -> Any:
     """Return the result of ``angle_between``."""
-    angle = np.empty(len(one))
-    for row in range(len(one)):
-        angle[row] = angle_of_two(one[row], other[row], turn)
+    angle = np.empty(len(direction_a))
+    for row in range(len(direction_a)):
+        angle[row] = angle_of_two(direction_a[row], direction_b[row], turn)
     return angle
 
 
 @inline_kernel
-def angle_of_two(one: float, other: float, turn: float) -> float:
+def angle_of_two(direction_a: float, direction_b: float, turn: float) -> float:
     """Return the smaller angle between two directions (degrees); see ``angle_between``."""
     half = turn / 2.0
-    beyond = one - other + half
+    beyond = direction_a - direction_b + half
     if not 0.0 <= beyond < turn:
         beyond = beyond % turn
     return abs(beyond - half)

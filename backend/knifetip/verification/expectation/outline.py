@@ -132,25 +132,25 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     return cycle, swept, number[component // 2]
 
 
-def lowest_connected(one: I64, other: I64, count: int) -> I64:
+def lowest_connected(index_a: I64, index_b: I64, count: int) -> I64:
     """For each of the indices 0 to ``count`` - 1, return the lowest index connected to it,
     (count,).
 
-    ``one`` and ``other`` are the two indices of each of k connected pairs, (k,) each.  Indices may
-    also be connected through other indices; an index without pairs is its own result.
+    ``index_a`` and ``index_b`` are the two indices of each of k connected pairs, (k,) each.
+    Indices may also be connected through other indices; an index without pairs is its own result.
     """
-    result: I64 = _lowest_names(one, other, count)
+    result: I64 = _lowest_names(index_a, index_b, count)
     return result
 
 
 @kernel
-def _lowest_names(one: I64_1, other: I64_1, count: int) -> Any:
+def _lowest_names(index_a: I64_1, index_b: I64_1, count: int) -> Any:
     """Return the lowest index of each set of connected indices, (count,); see
     ``lowest_connected``.
     """
     name = np.arange(count)
-    for k in range(len(one)):
-        a, b = one[k], other[k]
+    for k in range(len(index_a)):
+        a, b = index_a[k], index_b[k]
         while name[a] != a:
             name[a] = name[name[a]]
             a = name[a]

@@ -133,7 +133,6 @@ def _convex_corners(bounds: CutOutlines, outer: I64, end: I64, edge: I64, count:
     ``bounds``, ``outer``: outlines of the cuts, and the indices of the cuts on outer contours.
     ``end``, ``edge`` (k,): k pairs of an end of a groove and a cut that this end touches: the index
     of the end, and the index of the cut in ``outer``.
-    ``count``: number of ends of grooves.
     """
     outward = np.zeros(count, np.bool_)
     order = np.argsort(end, kind="stable")

@@ -317,9 +317,9 @@ class _Interpretation:
 
     def _add_switch(self, number: int, lowers: int, *, spindle: bool = False) -> None:
         self._state.waited, self._state.unready = 0.0, False
-        self._switches.append((number, len(self._moves) - 1, lowers, self._beside(), spindle))
+        self._switches.append((number, len(self._moves) - 1, lowers, self._outputs_on(), spindle))
 
-    def _beside(self) -> list[bool]:
+    def _outputs_on(self) -> list[bool]:
         """Return whether the output of each station is on or unknown."""
         state = self._state
         return [

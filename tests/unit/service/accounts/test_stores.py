@@ -16,13 +16,13 @@ from knifetip.messages import Message
 from knifetip.service.accounts.audit_store import AuditFilter
 from knifetip.service.accounts.key_store import USE_INTERVAL
 from knifetip.service.accounts.session_store import IDLE, LIFETIME
-from knifetip.service.database.acting import DONE, Acting, acting_as, signature
+from knifetip.service.database.acting import DONE, ActingPrincipal, acting_as, signature
 from knifetip.service.http.scopes import AccessScope
 from knifetip.service.store import Store
 
 VIEWER, DESIGNER, OPERATOR, ADMIN, GATEWAY = list(AccessScope)[:5]
 PASSWORD = "four words of text"
-ANNA = Acting("user", "anna", "u1", "release_job", "job", "j1", "10.0.0.7")
+ANNA = ActingPrincipal("user", "anna", "u1", "release_job", "job", "j1", "10.0.0.7")
 
 
 class Clock:
@@ -191,8 +191,8 @@ def write(store: Store, subject: str, *, fails: bool = False) -> None:
 
 
 def test_an_entry_of_the_audit_log_is_in_the_transaction_of_its_request(store: Store) -> None:
-    def acting(subject: str = "") -> Acting:
-        return Acting("user", "anna", "u1", "order_job", "job", subject, "10.0.0.7")
+    def acting(subject: str = "") -> ActingPrincipal:
+        return ActingPrincipal("user", "anna", "u1", "order_job", "job", subject, "10.0.0.7")
 
     failing = acting()
     with acting_as(failing), pytest.raises(ZeroDivisionError):
@@ -212,7 +212,7 @@ def test_an_entry_of_the_audit_log_is_in_the_transaction_of_its_request(store: S
 
 def test_the_audit_log_is_searched_and_paged(store: Store, clock: Clock) -> None:
     for number in range(5):
-        acting = Acting("key", f"k{number % 2}", "", "scrap_job", "job", f"j{number}")
+        acting = ActingPrincipal("key", f"k{number % 2}", "", "scrap_job", "job", f"j{number}")
         store.audit.write(acting, DONE)
         clock.now += 1.0
     newest = store.audit.search(AuditFilter(), limit=2)
@@ -225,11 +225,11 @@ def test_the_audit_log_is_searched_and_paged(store: Store, clock: Clock) -> None
 
 
 def test_events_name_the_account_and_keep_the_claimed_name() -> None:
-    def who(claimed: str, acting: Acting | None) -> str:
+    def who(claimed: str, acting: ActingPrincipal | None) -> str:
         with nullcontext() if acting is None else acting_as(acting):
             return signature(Actor(ActorKind.OPERATOR, claimed))
 
-    local = Acting("local", "local", "", "release_job")
+    local = ActingPrincipal("local", "local", "", "release_job")
     assert who("", None) == "operator"
     assert who("Ben", local) == "operator Ben"
     assert who("", ANNA) == "operator anna"

@@ -9,7 +9,7 @@ import pytest
 import sqlalchemy as sa
 
 from knifetip.errors import KeyReused
-from knifetip.service.database.acting import Acting, acting_as
+from knifetip.service.database.acting import ActingPrincipal, acting_as
 from knifetip.service.database.request_key import RequestKey
 from knifetip.service.database.tables import Job
 from knifetip.service.store import Store
@@ -21,7 +21,7 @@ PRINCIPALS = (("user", "u1"), ("key", "u1"), ("server-key", ""), ("local", ""))
 
 def key_of(kind: str, id: str, fingerprint: str = "f") -> RequestKey:
     """Return the key "k" of a request that a principal sends."""
-    with acting_as(Acting(kind, "a name", id, "an action")):
+    with acting_as(ActingPrincipal(kind, "a name", id, "an action")):
         return RequestKey("k", fingerprint)
 
 

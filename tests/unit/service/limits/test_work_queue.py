@@ -16,7 +16,7 @@ import httpx
 import pytest
 
 from knifetip.errors import ServerBusy
-from knifetip.service.database.acting import Acting, acting_as, acting_principal
+from knifetip.service.database.acting import ActingPrincipal, acting_as, acting_principal
 from knifetip.service.limits import work_queue as queue
 from knifetip.service.limits.work_queue import Client, RequestIdentity, WorkQueue
 from knifetip.service.processes import tasks
@@ -66,7 +66,7 @@ async def test_a_waiting_call_runs_in_the_context_of_its_own_request() -> None:
         return acting_principal()
 
     async def request(user: str) -> str:
-        with acting_as(Acting("user", user, user, "create_job")):
+        with acting_as(ActingPrincipal("user", user, user, "create_job")):
             return await work.run(call)
 
     waiting = [asyncio.create_task(request(user)) for user in ("anna", "ben", "carla")]

@@ -15,7 +15,7 @@ from knifetip.model.sheet import Sheet
 from knifetip.service.database.tables import Job
 from knifetip.service.gateways.heartbeats import GatewayReport
 from knifetip.service.lifecycle.transitions import LEASE
-from knifetip.service.machines.waiting import ABSENT, Waiting, waiting_of
+from knifetip.service.machines.waiting import ABSENT, WaitReason, waiting_of
 from knifetip.service.processes.compile_result import CompileResult
 from knifetip.service.store import Store
 from tests.support.job_states import confirm
@@ -55,7 +55,7 @@ def claimed(store: Store) -> Job:
     return job
 
 
-def hint_of(waiting: Waiting) -> str:
+def hint_of(waiting: WaitReason) -> str:
     """Return the hint in the reason why a job waits."""
     assert waiting.message is not None
     return hint(waiting.message)
@@ -67,7 +67,7 @@ def shown(store: Store, job: Job) -> tuple[str, str, str]:
     return found.waiting_for, str(found.message), hint_of(found)
 
 
-def waits(store: Store, job: Job) -> Waiting:
+def waits(store: Store, job: Job) -> WaitReason:
     (found,) = waiting_of(store, [store.jobs.get(job.id)])
     return found
 
@@ -154,7 +154,7 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
     held = claimed(store)
     confirm(store, job.id)
     store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=0, waiting=True))
-    assert waits(store, job) == Waiting()
+    assert waits(store, job) == WaitReason()
     store.gateways.heartbeat(job.id, held.epoch, GatewayReport(line=90, copies_done=1, held=True))
     assert shown(store, job) == (
         "sheet",
@@ -163,7 +163,7 @@ def test_between_two_copies_the_next_sheet_is_asked_for(store: Store) -> None:
         "then confirm the new sheet. The machine then starts the next copy.",
     )
     confirm(store, job.id)
-    assert waits(store, job) == Waiting()
+    assert waits(store, job) == WaitReason()
 
 
 def test_a_board_and_a_machine_that_the_library_has_no_more_are_named(store: Store) -> None:

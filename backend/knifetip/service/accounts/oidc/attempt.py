@@ -26,24 +26,24 @@ class SignInAttempt:
     @property
     def state(self) -> str:
         """Text that the provider returns with the code."""
-        return self._derived("state")
+        return self._derived_key("state")
 
     @property
     def nonce(self) -> str:
         """Text that the provider writes into the ID token."""
-        return self._derived("nonce")
+        return self._derived_key("nonce")
 
     @property
     def verifier(self) -> str:
         """Text with which this server proves that it has begun the attempt (PKCE)."""
-        return self._derived("verifier")
+        return self._derived_key("verifier")
 
     @property
     def digest(self) -> str:
         """Text under which a finished attempt is stored, so that it cannot be used again."""
         return hashlib.sha256(f"used {self.cookie}".encode()).hexdigest()
 
-    def _derived(self, purpose: str) -> str:
+    def _derived_key(self, purpose: str) -> str:
         digest = hashlib.sha256(f"{purpose} {self.cookie}".encode()).digest()
         return base64.urlsafe_b64encode(digest).rstrip(b"=").decode("ascii")
 

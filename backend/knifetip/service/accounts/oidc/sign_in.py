@@ -31,15 +31,7 @@ class OidcSignIn:
     """Sends browsers to the provider, and finds the users of those that come back."""
 
     def __init__(self, settings: OidcSettings, open_session: OpenSession) -> None:
-        """Sign users of a provider in.
-
-        Parameters
-        ----------
-        settings
-            The provider.
-        open_session
-            Begins a session.
-        """
+        """Sign users of a provider in."""
         self.title = settings.title
         self._settings = settings
         self._provider = Provider(settings)

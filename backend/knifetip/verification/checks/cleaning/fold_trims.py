@@ -175,7 +175,6 @@ def _mark_doubtful_area(pieces: Edges, is_cut: I64, folds: Edges) -> _Contours:
 
     ``pieces``, ``is_cut``: pieces of cuts and of links that close gaps, and the indices of the
     pieces of cuts.
-    ``folds``: the folds that no cut divides.
     """
     outlines = find_outlines(pieces)
     loose = pieces.select(is_cut[outlines.loose[is_cut]])

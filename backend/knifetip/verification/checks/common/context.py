@@ -12,7 +12,7 @@ from knifetip.model.chosen_work import ChosenWork
 from knifetip.model.edge_figures import EdgeFigures
 from knifetip.model.job_options import CutDepth
 from knifetip.model.machine import Machine
-from knifetip.model.verdict import Unreached
+from knifetip.model.verdict import UnreachedAreas
 from knifetip.verification.checks.common.stretch_figures import record_greatest
 from knifetip.verification.columns import F64, I32
 from knifetip.verification.expectation.edges import Edges
@@ -97,7 +97,7 @@ class CheckContext:
     swivels: Swivels = field(default_factory=Swivels.none)
     #: rows of the dieline, positions (fraction of the edge), distances to the left of it (mm)
     samples: list[tuple[I32, F64, F64]] = field(default_factory=list)
-    unreached: list[Unreached] = field(
+    unreached: list[UnreachedAreas] = field(
         default_factory=list
     )  #: areas of each cutter, in sheet coordinates
 

@@ -144,7 +144,9 @@ def _report_track(
         tips[[0, -1]][:, outer].reshape(-1, 2), ends[[0, -1]][:, outer].reshape(-1, 2)
     )
     pressed = np.concatenate([check.curve[paths], touched])
-    missed = sum(_unpressed(check, int(each), pressed, permitted) for each in np.unique(edge))
+    missed = sum(
+        _unpressed_length(check, int(each), pressed, permitted) for each in np.unique(edge)
+    )
     s, beside = float(contact[worst]), float(far.max())
     depth = wheel.radius - math.sqrt(max(wheel.radius**2 - s * s, 0.0))
     bend = (s * s - beside**2) / (2.0 * beside)
@@ -175,7 +177,7 @@ def _creases_near(creases: Edges, points: F64, distance: float) -> F64:
     return result
 
 
-def _unpressed(check: StationCheck, edge: int, pressed: F64, permitted: float) -> float:
+def _unpressed_length(check: StationCheck, edge: int, pressed: F64, permitted: float) -> float:
     """Return the length of a crease that no contact presses within the tolerance (mm).
 
     ``pressed`` are the lines and arcs along which the wheel presses the board, (m, 6).

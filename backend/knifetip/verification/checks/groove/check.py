@@ -247,7 +247,6 @@ class GrooveCheck(StationCheck):
 
         ``overlaps``: overlaps of the tip paths with the n edges.
         ``final``: mask of the overlaps of the deepest passes.
-        ``blade``: the V-cutter.
         ``limit`` (n,) mm: greatest permitted error of the distance, for each edge.
         """
         size = np.abs(np.diff(overlaps.place)[:, 0])
@@ -291,7 +290,6 @@ class GrooveCheck(StationCheck):
         folded by that angle.
 
         ``overlaps``: overlaps of the tip paths with the edges.
-        ``blade``: the V-cutter.
         """
         required = self.context.board.fold_angle
         angle = 2.0 * math.degrees(math.atan(blade.slope))

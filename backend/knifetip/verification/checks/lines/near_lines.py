@@ -211,9 +211,9 @@ def _sides(edges: Edges, reach: float, caliper: float) -> _Sides:
     return _Sides(edge[order], other[order], place[point[order]], distance[order], pitch)
 
 
-def _adjacent(edges: Edges, one: I64, other: I64) -> Bool:
+def _adjacent(edges: Edges, edge_a: I64, edge_b: I64) -> Bool:
     """Return the mask of the k pairs of edges with a common end, (k,)."""
     ends = edges.ends.reshape(-1, 2, 2)
-    gap = ends[one][:, :, None] - ends[other][:, None, :]
+    gap = ends[edge_a][:, :, None] - ends[edge_b][:, None, :]
     result: Bool = np.hypot(gap[..., 0], gap[..., 1]).min(axis=(1, 2)) <= _TOUCH
     return result

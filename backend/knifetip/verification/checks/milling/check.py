@@ -177,7 +177,6 @@ class _MillingCheck(MillingWork):
 
         Also records the deviations of the centre from its expected paths.
 
-        ``pieces``: expected paths of the centre.
         ``is_through`` (n,): mask of the centre's n actual paths on which the disc goes through the
         board.
         Returns three arrays, (k,) each: index of the edge of each stretch, and the start and the

@@ -128,8 +128,9 @@ def _angle_beside_arc(angle: F64, arcs: F64) -> F64:
 def is_beside_arc(points: F64, edge: F64, reach: F64) -> Bool:
     """Return whether each of n points lies in the sector of its arc, seen from the centre, (n,).
 
-    The result is True for lines, and at the centre itself.  For an ellipse the sector is wider by
-    the greatest distance between the directions of a point and of the contact with the arc.
+    The result is True for lines, and at the centre itself.  For an elliptic disc the sector is
+    widened by the greatest angle between the direction of a point from the centre and the direction
+    of the point at which the disc touches the arc.
 
     Parameters
     ----------

@@ -17,7 +17,7 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.kernels import I64_1, kernel
-from knifetip.model.verdict import Unreached
+from knifetip.model.verdict import UnreachedAreas
 from knifetip.verification.columns import F64, I64
 from knifetip.verification.curves.curve import azimuth_at, point_at
 from knifetip.verification.expectation.edges import JOIN_DISTANCE, pairs_within
@@ -31,7 +31,9 @@ _EXTRA_DISTANCE: Final = 0.05
 _RIM_TOLERANCE: Final = 0.1
 
 
-def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach: F64) -> Unreached:
+def unreached_areas(
+    bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach: F64
+) -> UnreachedAreas:
     """Return the areas of waste between untouched stretches of cuts and the disc, in sheet
     coordinates.
 
@@ -49,7 +51,7 @@ def unreached_areas(bounds: CutOutlines, edge: I64, begin: F64, end: F64, reach:
     long = bounds.closing[edge] & (end - begin > JOIN_DISTANCE)
     edge, begin, end = edge[long], begin[long], end[long]
     if len(edge) == 0 or reach.min() <= 0.0:
-        return Unreached()
+        return UnreachedAreas()
     forward = ~bounds.board_left[edge]
     curve = edges.curve[edge]
     start = point_at(curve, np.where(forward, begin, end))
@@ -153,7 +155,7 @@ def _trace_loops(onward: I64_1) -> Any:
     return order[:place], first[: loops + 1]
 
 
-def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
+def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> UnreachedAreas:
     """Return the loops that enclose more than ``MIN_AREA``, and the area that each encloses (mm²).
 
     A clockwise loop is the outline of a part inside an unreached area.  It is joined to the loop
@@ -164,7 +166,7 @@ def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
     ``first`` (l + 1,): index of the first line or arc of each of l loops, followed by n.
     """
     if len(first) < 2:
-        return Unreached()
+        return UnreachedAreas()
     owner = np.repeat(np.arange(len(first) - 1), np.diff(first))
     origin = ends[first[:-1], 0][owner]
     a, b = ends[:, 0] - origin, ends[:, 1] - origin
@@ -186,9 +188,9 @@ def _enclosing_loops(ends: F64, bulge: F64, first: I64) -> Unreached:
             loops[outer] = _join_loops(loops[outer], (ends[rows], bulge[rows]))
             area[outer] += area[inner]
     if not loops:
-        return Unreached()
+        return UnreachedAreas()
     sizes = [len(loop[1]) for loop in loops.values()]
-    return Unreached(
+    return UnreachedAreas(
         np.concatenate([loop[0] for loop in loops.values()]),
         np.concatenate([loop[1] for loop in loops.values()]),
         np.concatenate([[0], np.cumsum(sizes)]),
@@ -229,7 +231,9 @@ def _join_loops(outer: tuple[F64, F64], inner: tuple[F64, F64]) -> tuple[F64, F6
     )
 
 
-def merge_unreached(parts: Sequence[Unreached], placement: tuple[float, float]) -> Unreached:
+def merge_unreached(
+    parts: Sequence[UnreachedAreas], placement: tuple[float, float]
+) -> UnreachedAreas:
     """Return one list of all areas of waste that the cutters of a machine cannot reach.
 
     The areas in ``parts``, one record for each cutter, are in sheet coordinates.  The returned
@@ -237,9 +241,9 @@ def merge_unreached(parts: Sequence[Unreached], placement: tuple[float, float]) 
     subtracted.  The areas are listed one after the other; areas that overlap are not united.
     """
     if not parts:
-        return Unreached()
+        return UnreachedAreas()
     pieces = np.cumsum([0] + [len(part.bulge) for part in parts])
-    return Unreached(
+    return UnreachedAreas(
         np.concatenate([part.ends for part in parts]) - np.array(placement),
         np.concatenate([part.bulge for part in parts]),
         np.concatenate(

@@ -36,7 +36,7 @@ def lowest_tip(moves: MoveColumns, row: int) -> float:
 
 
 @inline_kernel
-def _goes(start: F64_2, end: F64_2, row: int) -> bool:
+def _moves_head(start: F64_2, end: F64_2, row: int) -> bool:
     """Return whether a move moves X, Y or C, or one of them is unknown."""
     moved: bool = start[row, 0] != end[row, 0] or start[row, 1] != end[row, 1]
     return moved or start[row, 3] != end[row, 3]
@@ -134,7 +134,7 @@ def mark_board_moves(
             if moves.inside[row]:
                 marks[row] |= RAPID_IN_BOARD
             low = station >= 0 and lowest_tip(moves, row) < needed - HEIGHT_TOLERANCE
-            if low and _goes(moves.start, moves.end, row):
+            if low and _moves_head(moves.start, moves.end, row):
                 marks[row] |= LOW_RAPID
         elif moves.inside[row] and not unknown:
             if _is_steep(moves, tools, row) and (

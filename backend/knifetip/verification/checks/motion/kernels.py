@@ -103,7 +103,7 @@ def feed_seconds(
 
 
 @kernel(allocates=False)
-def _reached(
+def _record_extremes(
     start: F64_2,
     end: F64_2,
     centre: F64_2,
@@ -151,7 +151,7 @@ def reached_positions(start: F64_2, end: F64_2, centre: F64_2, sweep: F64_1) -> 
     low, high = np.empty(end.shape), np.empty(end.shape)
     reached = np.empty((2, end.shape[1]))
     for row in range(len(start)):
-        _reached(start, end, centre, sweep, row, reached)
+        _record_extremes(start, end, centre, sweep, row, reached)
         for axis in range(end.shape[1]):
             low[row, axis], high[row, axis] = reached[0, axis], reached[1, axis]
     return low, high
@@ -188,7 +188,7 @@ def within_limits(
                 ):
                     good[row] = False
             continue
-        _reached(start, end, centre, sweep, row, reached)
+        _record_extremes(start, end, centre, sweep, row, reached)
         for axis in range(end.shape[1]):
             low, high = limits[axis, 0], limits[axis, 1]
             if (

@@ -175,24 +175,24 @@ def gap_links(cuts: Edges, tips: I64, longest: float) -> F64:
 
 
 @kernel
-def _neighbour_mask(one: I64_1, other: I64_1, points: F64_2, first: I64_1) -> Any:
+def _neighbour_mask(point_a: I64_1, point_b: I64_1, points: F64_2, first: I64_1) -> Any:
     """Return the mask of the pairs of points that are relative neighbours, (k,).
 
     Two points are relative neighbours if no third point is nearer to each of the two than they are
     to each other.  Only points that are paired with the pair's first point are tried as the third.
 
-    ``one``, ``other`` (k,): first and second point of each pair, as indices into ``points``; the
-    pairs are sorted by ``one``.
+    ``point_a``, ``point_b`` (k,): first and second point of each pair, as indices into ``points``;
+    the pairs are sorted by ``point_a``.
     ``points`` (n, 2) mm: the points.
     ``first`` (n + 1,): index of the first pair of each point, followed by the number of pairs.
     """
-    kept = np.ones(len(one), np.bool_)
-    for k in range(len(one)):
-        ax, ay = points[one[k], 0], points[one[k], 1]
-        bx, by = points[other[k], 0], points[other[k], 1]
+    kept = np.ones(len(point_a), np.bool_)
+    for k in range(len(point_a)):
+        ax, ay = points[point_a[k], 0], points[point_a[k], 1]
+        bx, by = points[point_b[k], 0], points[point_b[k], 1]
         apart = (ax - bx) ** 2 + (ay - by) ** 2
-        for place in range(first[one[k]], first[one[k] + 1]):
-            x, y = points[other[place], 0], points[other[place], 1]
+        for place in range(first[point_a[k]], first[point_a[k] + 1]):
+            x, y = points[point_b[place], 0], points[point_b[place], 1]
             if max((x - ax) ** 2 + (y - ay) ** 2, (x - bx) ** 2 + (y - by) ** 2) < apart:
                 kept[k] = False
                 break

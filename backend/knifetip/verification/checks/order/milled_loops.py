@@ -126,7 +126,6 @@ def _release_paths(
 
     ``points`` (n, 3, 2) mm: middle, start and end of each tip path, sorted by the x of the middle.
     ``line``, ``row`` (n,): program line of each tip path, and the path's place in ``released``.
-    ``loops``: closed paths of discs.
     ``shifts`` (4, 2) mm: shifts of the points that must lie in a loop, too.
     """
     first = np.searchsorted(points[:, 0, 0].copy(), loops.box[:, 0].copy())

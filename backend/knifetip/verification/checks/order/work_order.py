@@ -132,7 +132,6 @@ def _check_cuts(context: CheckContext, cuts: Edges, loose: _Rule, spans: WorkedS
     a cut stretch counts as loose once all pieces on which the stretch lies are released.  Pieces
     shorter than ``GAP_LENGTH`` are ignored if the stretch also lies on a longer piece.
 
-    ``cuts``: all cuts.
     ``loose``: the faces into which the cuts divide the sheet, and the line that releases each face.
     ``spans``: stretches of cuts that the tools have cut.
     """
@@ -153,7 +152,6 @@ def _check_milled_loops(
     """Add a finding for each cut that is milled inside a closed path that an earlier line closes;
     return the indices of these cuts.
 
-    ``cuts``: all cuts.
     ``work``: all tip paths.
     ``spans``: stretches of cuts that the tools have cut.
     ``reported``: indices of the cuts that get no further finding.
@@ -175,7 +173,6 @@ def _check_contours(
     Cuts that are connected with each other count as one: they may be cut until the last of the
     pieces beside them hangs on necks only.
 
-    ``cuts``: all cuts.
     ``hanging``: the faces into which the cuts and links across necks divide the sheet, and the line
     from which each face hangs on necks or bridges only.
     ``spans``: stretches of cuts that the tools have cut.
@@ -263,7 +260,6 @@ def _check_other_edges(
 ) -> None:
     """Add a finding for each crease, groove, half-cut or perforation that is made too late.
 
-    ``cuts``: all cuts.
     ``work``: all tip paths; those of routers and lasers are skipped here.
     ``spans``: stretches of cuts that the tools have cut; their tip paths are skipped, too.
     ``rules``: the program lines after which the faces must not be worked.  Of several rules that a
@@ -376,7 +372,6 @@ def _freeing_lines(order: I64_1, complete: F64_1, face: I64_2, count: int) -> An
     ``order`` (p,): indices of p pieces of cuts and links, in descending order of ``complete``.
     ``complete`` (p,): program line that completes each piece.
     ``face`` (p, 2): indices of the two faces beside each piece.
-    ``count``: number of faces.
     """
     free = np.full(count, math.inf)
     parent = np.arange(count)

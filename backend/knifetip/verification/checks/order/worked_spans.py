@@ -265,7 +265,6 @@ def _completing_lines(
 
     See ``completing_lines`` for the line of a piece that is never completed or never touched.
 
-    ``count``: number of cuts.
     ``rest`` mm: longest uncut length that does not hold the part.
     ``reach`` mm: radius of the widest cutter, 0 if there are only knives.
     """

@@ -202,7 +202,6 @@ def _fill_columns(
 
     ``line``, ``letter``, ``value`` (n,): program line of each word, its letter as an ASCII code,
     and its number.
-    ``count``: number of blocks.
     ``group_of`` (2, 1000): modal group of the codes of G words, and of those of M words; -1 for
     none.
     ``axis``, ``column`` (256,): for each letter its column in ``position``, and its row in
