@@ -357,13 +357,13 @@ def test_a_full_queue_refuses_uploads_and_accepts_heartbeats(
 ) -> None:
     gate = threading.Event()
     gate.set()
-    timed = WorkQueue._timed
+    timed = WorkQueue._measure_time
 
     def slow(self: WorkQueue, call: Callable[[], Any]) -> Any:
         gate.wait(30.0)
         return timed(self, call)
 
-    monkeypatch.setattr(queue.WorkQueue, "_timed", slow)
+    monkeypatch.setattr(queue.WorkQueue, "_measure_time", slow)
     monkeypatch.setattr(client.service, "work", WorkQueue(1, 3))
     job = order_job(client, upload_drawing(client, square())["id"], release=True)
     wait_for_state(client, job["id"], "queued")

@@ -27,8 +27,8 @@ def occupied(client: LocalClient, monkeypatch: pytest.MonkeyPatch) -> Iterator[N
     """Occupy the only thread and the only place of the queue for worker processes."""
     gate = threading.Event()
     work = WorkQueue(1, 1)
-    timed = work._timed
-    monkeypatch.setattr(work, "_timed", lambda call: (gate.wait(60.0), timed(call))[1])
+    timed = work._measure_time
+    monkeypatch.setattr(work, "_measure_time", lambda call: (gate.wait(60.0), timed(call))[1])
     monkeypatch.setattr(client.service, "work", work)
 
     def upload(side: float) -> int:

@@ -148,11 +148,11 @@ def test_a_cancelled_task_is_killed_only_when_others_have_waited_for_it() -> Non
     with pytest.raises(TaskCancelled):
         pool.run(crew_tasks.hang, limit=100.0, watch=lambda *_: False)
     now[0] = 30.0
-    assert pool._may_run_out(pool._busy[0])  # nobody waits
+    assert pool._may_still_run(pool._busy[0])  # nobody waits
     now[0] = 4.0
     waiting = Asking(pool, crew_tasks.process_id)
     until(lambda: pool._waiting)
-    assert pool._may_run_out(pool._busy[0])  # it may still end
+    assert pool._may_still_run(pool._busy[0])  # it may still end
     now[0] = 6.0
     assert waiting.result() not in (0, before)
     assert gone(before)
