@@ -6,7 +6,8 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 # pip, carried out by uv where that runs.
 INSTALL := $(BIN)/python backend/install.py
-PYTEST := $(BIN)/python -m pytest -c backend/pyproject.toml --rootdir .
+# pytest keeps the test modules as it has compiled them, also where Python may not write bytecode.
+PYTEST := PYTHONDONTWRITEBYTECODE= $(BIN)/python -m pytest -c backend/pyproject.toml --rootdir .
 # What `make test` leaves to `make test-all`: long campaigns, and most random examples (ADR 140).
 SELECTED := -m "not long" --hypothesis-profile=quick
 HOST   ?= 127.0.0.1
@@ -14,8 +15,8 @@ PORT   ?= 8080
 SPEED  ?= 4
 DATA   ?= .data/knifetip.sqlite
 
-.PHONY: help install dev page wheel image shop run test test-all failed slowest lint check bench system lock licences \
-	tables sbom audit client clean
+.PHONY: help install dev page wheel image shop run test test-page test-modules test-all failed slowest lint \
+	lint-python lint-page bench system lock licences tables sbom audit client clean
 
 help:
 	@echo "make run      build what is missing and serve http://$(HOST):$(PORT)"
@@ -81,22 +82,37 @@ run:
 system:
 	@sh tests/system.sh
 
-lint: dev page
+lint: lint-python lint-page
+
+lint-python: dev
 	$(BIN)/ruff check backend tests
 	$(BIN)/ruff check --config backend/pyproject.toml frontend/build.py
 	$(BIN)/ruff format --check backend tests
 	cd backend && ../$(BIN)/mypy
 	cd backend && ../$(BIN)/lint-imports
+
+lint-page: dev page
 	$(BIN)/python frontend/build.py lint
 
-test: dev page system lint
+test-page: lint-page
 	$(BIN)/python frontend/build.py test
+
+# Compiles the test modules once, which each process of pytest would otherwise do by itself.
+test-modules: dev
+	@$(PYTEST) tests -n 0 -q --collect-only > /dev/null || true
+
+# Each of the first two steps is divided into parts that run side by side: the downloads, then mypy
+# beside what else comes before the tests.
+test:
+	@$(MAKE) --no-print-directory -j3 dev page system
+	@$(MAKE) --no-print-directory -j2 lint-python test-page test-modules
 	@# 1 says that tests failed; any other code, that the tests did not run to their end.
 	$(PYTEST) tests $(SELECTED) || { [ $$? -eq 1 ] && $(MAKE) --no-print-directory failed; }
 
-# backend/docs/slowest-tests.md: on what `make test` spends its CPU time.
+# backend/docs/slowest-tests.md: on what `make test` spends its CPU time; ROOM=tests/browser
+# measures a part of the tests anew.
 slowest: dev page
-	$(PYTEST) tests $(SELECTED) -n 1 -p tests.support.cpu_time
+	$(PYTEST) $(or $(ROOM),tests) $(SELECTED) -n 1 -p tests.support.cpu_time
 
 test-all:
 	$(MAKE) test SELECTED=

@@ -20,7 +20,12 @@ _CACHE = Path(".pytest_cache/v/cache/lastfailed")
 def failed_tests(cache: Path) -> list[str]:
     """Return the ids of the tests that failed last, without the names of their groups."""
     stored = json.loads(cache.read_text()) if cache.exists() else {}
-    return [re.sub(r"@[\w-]+$", "", id) for id in stored]
+    return [without_group(id) for id in stored]
+
+
+def without_group(id: str) -> str:
+    """Return the id of a test without the name of its group, which pytest-xdist adds."""
+    return re.sub(r"@[\w-]+$", "", id)
 
 
 if __name__ == "__main__":

@@ -7,8 +7,9 @@ from pathlib import Path
 from playwright.sync_api import Page
 
 AXE = Path(__file__).resolve().parents[2] / "frontend/node_modules/axe-core/axe.min.js"
+# Of rules that pass, one node each is listed; their number is enough here.
 RUN = """async () => {
-  const { passes, violations } = await axe.run(document, { resultTypes: ["violations", "passes"] });
+  const { passes, violations } = await axe.run(document, { resultTypes: ["violations"] });
   return [passes.length, violations.map(({ id, help, nodes }) =>
     `${id}: ${help}: ${nodes.map((node) => node.html.slice(0, 120)).join(" | ")}`)];
 }"""

@@ -172,7 +172,14 @@ def run_stages(data: bytes) -> tuple[Drawing, Dieline]:
     return drawing, line
 
 
-@pytest.mark.parametrize("name", DRAWINGS)
+#: The one that takes longest, several times as long as the next one.
+LONGEST = "beginning all but in one point"
+
+
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=[pytest.mark.long] * (name == LONGEST)) for name in DRAWINGS],
+)
 def test_a_hostile_drawing_is_cleaned_within_the_time_limit(name: str) -> None:
     data = DRAWINGS[name]()
     start = time.process_time()

@@ -16,12 +16,15 @@ from tempfile import gettempdir
 from typing import Any
 
 import httpx
+import pytest
 import uvicorn
 from fastapi import FastAPI
 
 from knifetip.server.app import create_app
 from knifetip.service.accounts.access_rules import AccessRules
 from knifetip.service.components import Service
+from knifetip.service.processes.pool import ProcessPool
+from knifetip.service.processes.warm_up import WarmUp
 from knifetip.service.settings import Settings
 from tests.support.writers import dxf_text as text
 
@@ -39,17 +42,29 @@ class LocalClient(httpx.Client):
         return service_of(self.app)
 
 
+class _Prepared(WarmUp):
+    """A warm-up without work: `make test` has compiled all kernels.
+
+    The real one starts a worker process (1 s of CPU time), which most tests do not need.
+    """
+
+    def start(self, pool: ProcessPool) -> None:
+        pass
+
+
 @contextmanager
 def run_server(settings: Settings, rules: AccessRules | None = None) -> Iterator[LocalClient]:
-    """Run a server in a thread; yield a client that is connected to it."""
+    """Run a server in a thread, without looking for kernels; yield a client connected to it."""
     app = create_app(settings, rules)
     server = uvicorn.Server(
         uvicorn.Config(app, port=0, log_level="error", timeout_graceful_shutdown=1)
     )
     thread = threading.Thread(target=server.run)
-    thread.start()
-    while not server.started and thread.is_alive():
-        time.sleep(0.02)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("knifetip.server.app.WarmUp", _Prepared)
+        thread.start()
+        while not server.started and thread.is_alive():
+            time.sleep(0.02)
     port = server.servers[0].sockets[0].getsockname()[1]
     client = LocalClient(base_url=f"http://127.0.0.1:{port}", timeout=60.0, trust_env=False)
     client.app = app
@@ -144,9 +159,12 @@ class Running:
 
     def __init__(self, database: Path, **more: object) -> None:
         options = {"samples": False, **more}
+        # Imports take less time without garbage collection, as in the command.
         code = (
+            "import gc\ngc.disable()\n"
             "from knifetip.server.embedded import serve\n"
             "from knifetip.service.settings import Settings\n"
+            "gc.enable()\n"
             f"serve(Settings(port=0, database='sqlite:///{database}', **{options!r}))"
         )
         self.process = subprocess.Popen(
