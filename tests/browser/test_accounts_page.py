@@ -14,6 +14,7 @@ from playwright.sync_api import Browser, FilePayload, Page, expect
 from knifetip.service.database.account_tables import UserAccount
 from knifetip.service.http.scopes import ROLES, AccessScope
 from tests.browser.shop import PASSWORD, Shop, add_users, open_shop, signed_in
+from tests.browser.steps import go_to
 from tests.support.hostile_names import HOSTILE_NAMES, acting
 from tests.support.serving.server import square
 
@@ -49,7 +50,9 @@ def test_a_role_can_use_its_controls_only(
                 "title", f"{reason} You are signed in as {role} ({role})."
             )
             expect(page.get_by_test_id("role-reason").filter(has_text=reason)).to_be_visible()
-        for name in ("copies", "cancel", "machine-select"):
+        expect(page.get_by_test_id("cancel")).to_be_enabled(enabled=designs)
+        go_to(page, "sheet")
+        for name in ("copies", "machine-select"):
             expect(page.get_by_test_id(name)).to_be_enabled(enabled=designs)
         for width, height in ((1440, 900), (1024, 768), (820, 1180), (390, 844)):
             page.set_viewport_size({"width": width, "height": height})
@@ -197,8 +200,9 @@ def test_the_owner_of_a_drawing_shares_it(browser: Browser, shop: Shop, screensh
         file = FilePayload(name="own.dxf", mimeType="image/vnd.dxf", buffer=square(side=91.0))
         page.get_by_test_id("file-input").set_input_files(file)
         expect(page.get_by_role("heading", name="own.dxf")).to_be_visible()
+        drawing = page.url.partition("#")[2].split("/")[2]
+        go_to(page, "lines")
         place = page.url.partition("#")[2]
-        drawing = place.split("/")[2]
         box = page.get_by_test_id("share-drawing")
         expect(box).not_to_be_checked()
         page.screenshot(path=screenshots / "share-drawing.png")

@@ -33,7 +33,7 @@ def upload(api: httpx.Client, name: str, width: float, **details: str) -> str:
 
 
 def open_drawing(page: Page, drawing: str, name: str) -> None:
-    page.evaluate("(id) => { location.hash = `#/drawings/${id}` }", drawing)
+    page.evaluate("(id) => { location.hash = `#/drawings/${id}/sheet` }", drawing)
     expect(page.get_by_role("heading", name=name)).to_be_visible(timeout=60_000)
 
 
@@ -44,8 +44,8 @@ def choose(page: Page, board: str) -> None:
 
 def expect_no_board(page: Page) -> None:
     expect(page.get_by_test_id("board-select")).to_have_value("")
-    expect(page.get_by_test_id("compile")).to_be_disabled()
-    expect(page.get_by_text("Choose the board.")).to_be_visible()
+    expect(page.get_by_test_id("compile")).to_be_hidden()
+    expect(page.get_by_test_id("choose-board")).to_have_text("Choose the board")
 
 
 def test_the_board_is_not_taken_over_from_another_drawing(page: Page, api: httpx.Client) -> None:

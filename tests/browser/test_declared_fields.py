@@ -7,6 +7,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.test_edge_options import select_left_edge
+from tests.browser.steps import choose_board, open_details
 from tests.support.serving.server import upload_drawing
 from tests.support.writers import dxf_text as text
 
@@ -17,17 +18,17 @@ def test_a_note_and_a_feed_are_sent_and_figures_are_shown(page: Page) -> None:
     address = page.url.partition("#")[0]
     with httpx.Client(base_url=address, timeout=60.0) as client:
         drawing = upload_drawing(client, text.dxf(text.rectangle(310, 210, (8, "CUT")), units=4))
-    page.goto(f"{address}#/drawings/{drawing['id']}")
+    page.goto(f"{address}#/drawings/{drawing['id']}/process")
     expect(page.get_by_test_id("canvas")).to_be_visible()
     page.wait_for_timeout(1500)
     select_left_edge(page)
     page.get_by_test_id("edge-edge_feeds-factor").fill("0.5")
     expect(page.get_by_test_id("edge-choices")).to_contain_text("Feed factor: 0.5")
     page.get_by_test_id("option-program_note").fill("grain up")
-    page.get_by_test_id("board-select").click()
-    page.get_by_role("option", name="E-flute").click()
+    choose_board(page, "E-flute")
     page.get_by_test_id("compile").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Ready to send", timeout=120_000)
+    open_details(page)
     expect(page.get_by_test_id("figure-lowest_travel")).to_contain_text("Lowest travel")
     expect(page.get_by_test_id("fact-program_bytes")).to_contain_text("Size of the program")
     expect(page.get_by_test_id("changed-program_note")).to_contain_text("grain up")

@@ -17,6 +17,7 @@ import httpx
 import pytest
 from playwright.sync_api import Browser, FilePayload, Page, Route, expect
 
+from tests.browser.steps import choose_board, go_to
 from tests.support.writers import dxf_text as text
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
@@ -47,14 +48,13 @@ def drawing(api: httpx.Client) -> str:
 
 
 def open_drawing(page: Page, drawing: str) -> None:
-    page.evaluate("(id) => { location.hash = `#/drawings/${id}` }", drawing)
+    page.evaluate("(id) => { location.hash = `#/drawings/${id}/lines` }", drawing)
     expect(page.get_by_role("heading", name="folds.dxf")).to_be_visible(timeout=60_000)
     expect(page.get_by_test_id("legend-crease")).to_be_visible()
 
 
 def select_board(page: Page) -> None:
-    page.get_by_test_id("board-select").click()
-    page.get_by_role("option", name="Corrugated, E-flute 1.6 mm").click()
+    choose_board(page, "Corrugated, E-flute 1.6 mm")
 
 
 def test_a_tab_shows_changes_of_another_tab_without_a_reload(
@@ -103,6 +103,7 @@ def test_an_order_of_an_outdated_drawing_is_refused(
     report = page.get_by_test_id("report")
     expect(report).to_contain_text("Your change was not saved: the drawing was changed elsewhere")
     expect(report).to_contain_text("1 edge now has another line type")
+    go_to(page, "lines")
     expect(page.get_by_test_id("legend-half-cut")).to_be_visible()
     assert len(api.get("/api/jobs?limit=500").json()) == jobs
     page.get_by_test_id("compile").click()

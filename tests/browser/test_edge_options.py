@@ -9,6 +9,7 @@ import httpx
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.browser.steps import choose_board
 from tests.support.serving.server import upload_drawing
 from tests.support.writers import dxf_text as text
 
@@ -32,7 +33,7 @@ def select_left_edge(page: Page) -> None:
 def test_start_direction_and_passes_are_chosen_and_sent(page: Page, screenshots: Path) -> None:
     with httpx.Client(base_url=page.url.partition("#")[0], timeout=60.0) as client:
         drawing = upload_drawing(client, text.dxf(text.rectangle(300, 200, (8, "CUT")), units=4))
-    page.goto(f"{page.url.partition('#')[0]}#/drawings/{drawing['id']}")
+    page.goto(f"{page.url.partition('#')[0]}#/drawings/{drawing['id']}/process")
     expect(page.get_by_test_id("canvas")).to_be_visible()
     page.wait_for_timeout(1500)
     select_left_edge(page)
@@ -52,8 +53,7 @@ def test_start_direction_and_passes_are_chosen_and_sent(page: Page, screenshots:
     listed.filter(has_text="Passes: 2").get_by_role("button", name=re.compile("Remove")).click()
     expect(listed).to_have_count(2)
 
-    page.get_by_test_id("board-select").click()
-    page.get_by_role("option", name="E-flute").click()
+    choose_board(page, "E-flute")
     page.get_by_test_id("compile").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Ready to send", timeout=120_000)
     address, _, place = page.url.partition("#")

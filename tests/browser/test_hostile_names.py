@@ -87,8 +87,12 @@ def test_hostile_names_in_the_library_are_text(
         expect(page.get_by_test_id("station-page")).to_be_visible()
         assert_text_only(page, screenshots / f"hostile-station-{width}.png")
     page.set_viewport_size({"width": 1440, "height": 900})
-    page.goto(f"{server.url}/#/drawings/{drawing}")
-    for choice in ("machine-select", "board-select", "profile-select"):
+    for step, choice in (
+        ("sheet", "machine-select"),
+        ("sheet", "board-select"),
+        ("lines", "profile-select"),
+    ):
+        page.goto(f"{server.url}/#/drawings/{drawing}/{step}")
         page.get_by_test_id(choice).click()
         expect(page.get_by_role("option", name=names[0], exact=True)).to_be_attached()
         page.get_by_role("option", name=200 * "W", exact=True).click()

@@ -12,6 +12,7 @@ from playwright.sync_api import FilePayload, Locator, Page, expect
 
 from knifetip.dxf.samples import samples
 from tests.browser.accessibility import record_view
+from tests.browser.steps import go_to
 from tests.support.writers import dxf_text as text
 from tests.support.writers.pdf_text import pages
 
@@ -75,16 +76,24 @@ def upload_files(page: Page, *files: tuple[str, bytes]) -> None:
     )
     # Reading the first file takes longer: the server starts its processes.
     expect(page.get_by_role("heading", name=files[-1][0])).to_be_visible(timeout=60_000)
+    expect(page).to_have_url(re.compile("/drawings/[^/]+/"))
+    go_to(page, "lines")
 
 
 def replace_drawing(page: Page, name: str, content: bytes) -> None:
     """Close the open drawing and upload another one."""
-    page.get_by_test_id("close-drawing").click()
+    page.get_by_test_id("to-work").click()
     upload_files(page, (name, content))
 
 
 def questions(page: Page) -> Locator:
     return page.get_by_test_id("question")
+
+
+def expect_questions(page: Page, count: int) -> None:
+    """Expect a number of questions, of which one is shown."""
+    expect(page.get_by_test_id("step-lines")).to_contain_text(str(count))
+    expect(questions(page)).to_have_count(1)
 
 
 def screenshot(page: Page) -> bytes:
@@ -151,7 +160,7 @@ def test_one_answer_about_swapped_rules_shows_and_decides_both(
 def test_each_question_is_answered_by_one_click_and_undone_in_one_step(page: Page) -> None:
     upload_files(page, ("silent.dxf", AMBIGUOUS))
     page.get_by_test_id("unit-in").click()
-    expect(questions(page)).to_have_count(2)
+    expect_questions(page, 2)
     # Hovering over an answer shows its effect.
     page.mouse.move(5, 5)
     still = screenshot(page)
@@ -159,19 +168,19 @@ def test_each_question_is_answered_by_one_click_and_undone_in_one_step(page: Pag
     answer.hover()
     assert screenshot(page) != still
     answer.click()
-    expect(questions(page)).to_have_count(1)
+    expect_questions(page, 1)
     # With the keyboard only; then the next question has the focus.
     page.keyboard.press("Control+z")
-    expect(questions(page)).to_have_count(2)
+    expect_questions(page, 2)
     expect(answer).to_be_enabled()
     answer.press("Enter")
-    expect(questions(page)).to_have_count(1)
+    expect_questions(page, 1)
     expect(questions(page).locator("[data-answer]").first).to_be_focused()
     page.keyboard.press("Enter")
     expect(page.get_by_test_id("questions")).to_be_hidden()
     for left in (1, 2):
         page.keyboard.press("Control+z")
-        expect(questions(page)).to_have_count(left)
+        expect_questions(page, left)
     page.keyboard.press("Control+z")
     expect(page.get_by_test_id("unit-in")).to_be_visible()
 
@@ -196,7 +205,7 @@ def test_corrections_become_a_profile_that_classifies_the_next_drawing(
     upload_files(page, ("first-of-acme.dxf", AMBIGUOUS))
     page.get_by_test_id("unit-in").click()
     questions(page).first.get_by_test_id("answer-crease").click()
-    expect(questions(page)).to_have_count(1)
+    expect_questions(page, 1)
     questions(page).first.get_by_test_id("answer-half-cut").click()
     expect(page.get_by_test_id("questions")).to_be_hidden()
 
@@ -230,8 +239,9 @@ def test_corrections_become_a_profile_that_classifies_the_next_drawing(
     expect(page.get_by_test_id("legend-half-cut")).to_be_hidden()
 
     # In the first drawing the undo steps are gone; the saved profile remains.
-    page.get_by_test_id("close-drawing").click()
-    page.get_by_test_id("drawing-row").filter(has_text="first-of-acme.dxf").first.click()
+    page.get_by_test_id("to-work").click()
+    page.get_by_role("link", name="first-of-acme.dxf").first.click()
+    go_to(page, "lines")
     expect(page.get_by_test_id("profile-select")).to_have_value("Acme & Söhne")
     expect(page.get_by_test_id("undo")).to_be_disabled()
 
@@ -346,7 +356,7 @@ def test_lengths_in_the_report_add_up_and_its_rows_select_edges(
     expect(page.get_by_test_id("report-dropped")).to_have_count(0)
     expect(page.get_by_test_id("report-merged")).to_have_count(2)
     # The other file of the same upload was read.
-    page.get_by_test_id("close-drawing").click()
+    page.get_by_test_id("to-work").click()
     expect(page.get_by_test_id("drawing-row").filter(has_text="first.dxf").first).to_be_visible()
 
 

@@ -27,6 +27,7 @@ def test_the_operator_is_asked_once_and_recorded(
     page: Page, server: Running, machine: OwnMachine
 ) -> None:
     job = machine.order()
+    page.get_by_test_id("to-machines").click()
     form, shown = page.get_by_test_id("operator-form"), page.get_by_test_id("operator")
     expect(form).to_be_visible()
     form.get_by_test_id("operator-name").fill("  Ada  Lovelace ")

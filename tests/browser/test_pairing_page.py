@@ -36,8 +36,8 @@ def tablet(browser: Browser, shop: Shop) -> Iterator[Page]:
 
 
 def open_devices(page: Page) -> None:
-    page.evaluate("() => { location.hash = '#/' }")
-    devices = page.get_by_test_id("paired-devices")
+    page.evaluate("() => { location.hash = '#/machines' }")
+    devices = page.get_by_test_id(f"machine-{MACHINE}").get_by_test_id("paired-devices")
     expect(devices).to_be_visible()
     devices.locator("summary").click()
 
@@ -94,6 +94,6 @@ def test_a_tablet_is_paired_and_revoked(
 @pytest.mark.parametrize("role", ["viewer", "designer", "operator"])
 def test_only_administrators_pair_devices(browser: Browser, shop: Shop, role: str) -> None:
     with signed_in(browser, shop, role) as page:
-        page.evaluate("() => { location.hash = '#/' }")
-        expect(page.get_by_test_id("open-station")).to_be_visible()
+        page.evaluate("() => { location.hash = '#/machines' }")
+        expect(page.get_by_test_id("open-station").first).to_be_visible()
         expect(page.get_by_test_id("paired-devices")).to_have_count(0)

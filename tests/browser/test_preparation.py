@@ -30,7 +30,7 @@ def test_the_banner_shows_the_progress_and_disappears_when_the_server_is_prepare
 
     banner = page.get_by_test_id("preparation")
     # The server of these tests has compiled all kernels.
-    expect(page.get_by_test_id("welcome")).to_be_visible()
+    expect(page.get_by_test_id("work")).to_be_visible()
     expect(banner).to_be_hidden()
 
     page.route("**/api/v1/service", answer)
@@ -43,7 +43,7 @@ def test_the_banner_shows_the_progress_and_disappears_when_the_server_is_prepare
     expect(banner).to_contain_text("180 of 240 software modules")
     expect(banner.get_by_role("progressbar")).to_have_attribute("aria-valuenow", "75")
     # Files can be opened during the preparation.
-    expect(page.get_by_test_id("choose-file-large")).to_be_enabled()
+    expect(page.get_by_test_id("choose-file")).to_be_enabled()
 
     compiled = PARTS
     expect(banner).to_be_hidden()

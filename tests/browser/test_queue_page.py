@@ -47,6 +47,7 @@ def queue(
     machine, other, drawings = machines
     jobs = [machine.order(drawing) for drawing in drawings]
     page.evaluate("localStorage.setItem('knifetip.operator', 'Mia')")
+    page.get_by_test_id("to-machines").click()
     try:
         expect(rows_of(page, machine)).to_have_count(3)
         yield Queue(machine, other, jobs, page.get_by_test_id(f"queue-of-{machine.name}"))

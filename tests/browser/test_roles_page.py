@@ -96,7 +96,7 @@ def go(page: Page, address: str) -> None:
 
 
 def open_drawing(page: Page, workplace: Workplace) -> None:
-    go(page, f"drawings/{workplace.open_question}")
+    go(page, f"drawings/{workplace.open_question}/lines")
     # The length is shown as soon as the edges are loaded, which can then be selected.
     expect(page.get_by_test_id("question")).to_contain_text("120")
     page.keyboard.press("Control+a")
@@ -107,6 +107,16 @@ def open_drawing(page: Page, workplace: Workplace) -> None:
 def open_job(page: Page, workplace: Workplace) -> None:
     go(page, f"drawings/{workplace.shop.drawing}/jobs/{workplace.shop.job}")
     expect(page.get_by_test_id("send")).to_be_visible()
+
+
+def open_sheet(page: Page, workplace: Workplace) -> None:
+    go(page, f"drawings/{workplace.shop.drawing}/sheet")
+    expect(page.get_by_test_id("copies")).to_be_visible()
+
+
+def open_process(page: Page, workplace: Workplace) -> None:
+    go(page, f"drawings/{workplace.shop.drawing}/process")
+    expect(page.get_by_test_id("option-feed_factor")).to_be_visible()
 
 
 def open_drawings(page: Page, workplace: Workplace) -> None:
@@ -142,7 +152,11 @@ EDGES: Final = "PATCH /drawings/{id}/edges"
 CHANGE: Final = "PATCH /drawings/{id}"
 #: Controls by test id or, with a preceding "button ", by their names.
 VIEWS: Final = (
-    View("drawings", open_drawings, {"choose-file": "POST /drawings"}),
+    View(
+        "drawings",
+        open_drawings,
+        {"choose-file": "POST /drawings", "button Delete": "DELETE /drawings/{id}"},
+    ),
     View(
         "drawing",
         open_drawing,
@@ -154,10 +168,14 @@ VIEWS: Final = (
             "unit-in": CHANGE,
             "profile-select": CHANGE,
             "edit-profile": "PUT /profiles/{name}",
-            "copies": "POST /jobs",
-            "machine-select": "POST /jobs",
         },
     ),
+    View(
+        "sheet",
+        open_sheet,
+        {"copies": "POST /jobs", "machine-select": "POST /jobs", "board-select": "POST /jobs"},
+    ),
+    View("process", open_process, {"option-feed_factor": "POST /jobs"}),
     View(
         "job",
         open_job,

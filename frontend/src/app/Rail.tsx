@@ -131,13 +131,7 @@ function Place({ href, at, label, hint = label, off = null, testId, children }: 
           <span>{label}</span>
         </a>
       ) : (
-        <span
-          className={css.railPlace}
-          role="link"
-          aria-disabled="true"
-          data-off
-          data-testid={testId}
-        >
+        <span className={css.railPlace} data-off data-testid={testId}>
           {children}
           <span>{label}</span>
         </span>

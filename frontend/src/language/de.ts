@@ -1605,6 +1605,7 @@ export const de = {
   "stepBar.step": "{title}: {mark}",
   "stepBar.stepsOfThisDrawing": "Schritte dieser Zeichnung",
   "mainAction.answerQuestions": "{questions, plural, one {# Frage} other {# Fragen}} beantworten",
+  "mainAction.toTheStation": "Zur Station",
   "mainAction.chooseTheBoard": "Material wählen",
   "sheetStep.boardAndMachine": "Material und Maschine",
   "sheetStep.sheetAndCopies": "Bogen und Stückzahl",

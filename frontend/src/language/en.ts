@@ -1548,6 +1548,7 @@ export const en = {
   "stepBar.step": "{title}: {mark}",
   "stepBar.stepsOfThisDrawing": "Steps of this drawing",
   "mainAction.answerQuestions": "Answer {questions, plural, one {# question} other {# questions}}",
+  "mainAction.toTheStation": "Go to the station",
   "mainAction.chooseTheBoard": "Choose the board",
   "sheetStep.boardAndMachine": "Board and machine",
   "sheetStep.sheetAndCopies": "Sheet and copies",

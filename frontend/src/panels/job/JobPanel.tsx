@@ -296,6 +296,9 @@ const LOOKS: Readonly<
   },
 };
 
+const titleOf = (word: OfficeCommand): string =>
+  word === "release" ? translate("jobPanel.sendJobToMachine") : LOOKS[word].title;
+
 /** What a designer may ask for, too, before a job is queued. */
 const OF_DESIGNERS: readonly OfficeCommand[] = ["recompile", "cancel"];
 
@@ -312,11 +315,12 @@ function Controls({ job }: { job: Job }) {
     OF_DESIGNERS.includes(word) && isBeforeQueue(job) ? reasons.designer : reasons.operator;
   const busy = useUiStore((ui) => ui.busy);
   const [asking, setAsking] = useState<PanelCommand | null>(null);
-  const words = commandsOf(job).filter((word): word is PanelCommand => word !== "release");
+  const all = commandsOf(job);
+  const words = all.filter((word): word is PanelCommand => word !== "release");
   // The job may change while the dialog is open: close it when the command is no longer possible.
   const open = asking !== null && words.includes(asking) ? confirmationBefore(job, asking) : null;
-  if (words.length === 0) return null;
-  const refused = words.find((word) => reasonAgainst(word) !== null);
+  if (all.length === 0) return null;
+  const refused = all.find((word) => reasonAgainst(word) !== null);
   const send = (word: PanelCommand) => {
     if (confirmationBefore(job, word) === null) void command(job.id, word);
     else setAsking(word);
@@ -353,7 +357,7 @@ function Controls({ job }: { job: Job }) {
       })}
       {refused !== undefined && (
         <Note flex="1 0 100%" data-testid="role-reason">
-          {`${LOOKS[refused].title}: ${reasonAgainst(refused)}`}
+          {`${titleOf(refused)}: ${reasonAgainst(refused)}`}
         </Note>
       )}
     </Group>

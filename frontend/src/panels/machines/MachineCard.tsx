@@ -47,11 +47,11 @@ export function MachineCard({ machine }: { machine: Machine }) {
       </Flex>
       <OnTable machine={machine.name} />
       <MachineQueue machine={machine.name} title={title} />
+      <PairedDevices machine={machine.name} />
       <Section title={translate("machineCard.toolsAndConnection")} open={false} flush>
         <Note component="div" px={8} pb={6}>
           {translate("machinePanel.controllerLanguage", { title, language: machine.language })}
         </Note>
-        <PairedDevices machine={machine.name} />
         <MachineTools machine={machine} />
       </Section>
     </Paper>

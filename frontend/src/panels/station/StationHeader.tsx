@@ -5,6 +5,7 @@ import { IconPlugConnected, IconPlugConnectedX } from "@tabler/icons-react";
 import type { Job, Machine, Station } from "../../api/client";
 import { formatFixed, withMinusSign } from "../../language/numbers";
 import { translate } from "../../language/translate";
+import { useMe } from "../../state/accounts/accounts";
 import { AXES, ageText, titleOf, turnsTools } from "../../state/station/station";
 import { OperatorButton } from "../accounts/OperatorForm";
 import { LanguageMenu } from "../shared/LanguageMenu";
@@ -21,6 +22,7 @@ export function StationHeader({ machine, station, job, reached }: Props) {
   const { title, tone } = reached
     ? titleOf(station, job)
     : { title: translate("stationHeader.noConnection"), tone: "red" as const };
+  const paired = useMe()?.kind === "device";
   const connected = reached && station?.connected === true;
   return (
     <header className={css.header}>
@@ -50,7 +52,8 @@ export function StationHeader({ machine, station, job, reached }: Props) {
         <Group gap={8}>
           <OperatorButton />
           <LanguageMenu />
-          <Anchor href="#/">{translate("stationHeader.allDrawings")}</Anchor>
+          {/* Elsewhere the rail leads there. */}
+          {paired && <Anchor href="#/">{translate("stationHeader.allDrawings")}</Anchor>}
         </Group>
       </div>
     </header>

@@ -14,7 +14,7 @@ import { useRefusal } from "../../state/accounts/accounts";
 import { command, compile } from "../../state/actions";
 import { useOpenQuestions } from "../../state/drawing/useSteps";
 import { isCompiling, isQueued } from "../../state/job/jobs";
-import { useDrawing, useJob, useMachines } from "../../state/queries";
+import { useDrawing, useJob } from "../../state/queries";
 import { stationAddress } from "../../state/routes";
 import { type Step, useUiStore } from "../../state/store";
 
@@ -114,8 +114,6 @@ function Send({ job }: { job: Job }) {
 }
 
 function ToStation({ job }: { job: Job }) {
-  const { data: machines } = useMachines();
-  const machine = machines?.find(({ name }) => name === job.machine)?.title || job.machine;
   return (
     <Button
       fullWidth
@@ -125,7 +123,7 @@ function ToStation({ job }: { job: Job }) {
       rightSection={<IconArrowRight size={17} aria-hidden />}
       data-testid="main-station"
     >
-      {translate("waitsAtMachine.stationOf", { machine })}
+      {translate("mainAction.toTheStation")}
     </Button>
   );
 }
