@@ -6,8 +6,8 @@ import httpx
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.test_edge_options import select_left_edge
 from tests.browser.steps import choose_board, open_details
+from tests.browser.test_edge_options import select_left_edge
 from tests.support.serving.server import upload_drawing
 from tests.support.writers import dxf_text as text
 

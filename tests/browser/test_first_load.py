@@ -35,7 +35,7 @@ def test_the_start_page_fetches_neither_canvas_nor_other_views(
     expect(page.get_by_test_id("machine-status")).to_contain_text("Demo table")
     fetched = page.evaluate(TRANSFERRED)
     assert 100_000 < fetched <= MOST
-    later = re.compile("three-|Canvas|\w+Page-")
+    later = re.compile(r"three-|Canvas|\w+Page-")
     assert [name for name in scripts if later.match(name)] == []
     page.goto(f"{server.url}/#/library")
     expect(page.get_by_test_id("library")).to_be_visible()

@@ -19,8 +19,8 @@ LINE = AddedLine(kind="line", start=(10.0, 50.0), end=(90.0, 50.0), type="crease
 CIRCLE = AddedCircle(kind="circle", centre=(50.0, 20.0), radius=5.0, type="cut")
 
 
-def read(**options: float | None) -> Drawing:
-    return pipeline.read(square(**options))
+def read(side: float = 100.0, units: int | None = 4) -> Drawing:
+    return pipeline.read(square(side=side, units=units))
 
 
 def moved(drawing: Drawing, edge: int, x: float, y: float) -> MovedEnd:
@@ -38,7 +38,8 @@ def test_added_edges_follow_the_edges_of_the_file() -> None:
     assert edited.lengths[4] == 80.0
     assert {edited.layers[row] for row in edited.layer[4:]} == {LAYER}
     for row in (5, 6):
-        centre, _, _, radius = ezdxf.math.bulge_to_arc(*edited.ends[row], edited.bulge[row])
+        start, end = (ezdxf.math.Vec2(point) for point in edited.ends[row].tolist())
+        centre, _, _, radius = ezdxf.math.bulge_to_arc(start, end, float(edited.bulge[row]))
         assert (centre.x, centre.y, radius) == pytest.approx((50.0, 20.0, 5.0))
 
 

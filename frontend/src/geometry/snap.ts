@@ -6,11 +6,11 @@ import { buildPickIndex } from "./pick";
 import type { Point, Segments } from "./records";
 
 /** Kinds of points; one of an earlier kind is preferred. */
-const KINDS = ["end", "middle", "centre"] as const;
+const KINDS: readonly Snapped["kind"][] = ["end", "middle", "centre"];
 
 export interface Snapped extends Point {
   /** What the point is: "edge" for another point of an edge, "free" if no edge is near. */
-  readonly kind: (typeof KINDS)[number] | "edge" | "free";
+  readonly kind: "end" | "middle" | "centre" | "edge" | "free";
 }
 
 /** The point within `reach` mm of a place; the place itself if there is none. */
@@ -35,7 +35,7 @@ export function buildSnap(
     for (const at of tree?.search(x - reach, y - reach, x + reach, y + reach) ?? []) {
       const point = points[at] as Snapped;
       const distance = Math.hypot(point.x - x, point.y - y);
-      const rank = KINDS.findIndex((kind) => kind === point.kind) * reach + distance;
+      const rank = KINDS.indexOf(point.kind) * reach + distance;
       if (distance > reach || rank >= least) continue;
       least = rank;
       found = point;

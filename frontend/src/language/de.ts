@@ -198,7 +198,7 @@ export const de = {
   "pairedDevices.revoke2": "Sperren",
   "pairedDevices.openPairOnTheDevice":
     "Auf dem Gerät <b>{origin}/pair</b> öffnen und <output>{code}</output> eingeben, bis {expires}. Der Code gilt für ein Gerät, das diese Maschine danach starten und bewegen darf.",
-  // panels/drafting/DraftTools.tsx und DraftBar.tsx
+  // app/DraftTools.tsx und panels/drafting/DraftBar.tsx
   "draftTools.whatAClickDoes": "Was ein Klick auf die Zeichnung tut",
   "draftTools.selectEdges": "Kanten auswählen",
   "draftTools.measureKey": "Messen (M)",

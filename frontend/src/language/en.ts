@@ -196,7 +196,7 @@ export const en = {
   "pairedDevices.revoke2": "Revoke",
   "pairedDevices.openPairOnTheDevice":
     "Open <b>{origin}/pair</b> on the device and enter <output>{code}</output> until {expires}. The code is for one device, which may then start and move this machine.",
-  // panels/drafting/DraftTools.tsx and DraftBar.tsx
+  // app/DraftTools.tsx and panels/drafting/DraftBar.tsx
   "draftTools.whatAClickDoes": "What a click on the drawing does",
   "draftTools.selectEdges": "Select edges",
   "draftTools.measureKey": "Measure (M)",

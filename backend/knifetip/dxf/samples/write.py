@@ -93,6 +93,9 @@ def _save_bytes(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
             max(high[0] - low[0], high[1] - low[1]),
             ((low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0),
         )
+    # ezdxf adds them in the order of a set, which differs between two processes.
+    for name in sorted(document.entitydb.dxf_types_in_use()):
+        document.classes.add_class(name)
     text = StringIO()
     document.write(text)
     return text.getvalue().encode("utf-8")

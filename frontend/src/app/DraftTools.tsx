@@ -9,13 +9,13 @@ import {
   IconVectorSpline,
 } from "@tabler/icons-react";
 import { type ComponentType, useRef } from "react";
-import appCss from "../../app/app.module.css";
-import { useRovingFocus } from "../../app/roving";
-import { translate } from "../../language/translate";
-import { useRefusal } from "../../state/accounts/accounts";
-import { type Tool, useDrafting } from "../../state/drafting/drafting";
-import { useDrawing } from "../../state/queries";
-import overlayCss from "../drawing/overlay.module.css";
+import { translate } from "../language/translate";
+import overlayCss from "../panels/drawing/overlay.module.css";
+import { useRefusal } from "../state/accounts/accounts";
+import { type Tool, useDrafting } from "../state/drafting/drafting";
+import { useDrawing } from "../state/queries";
+import css from "./app.module.css";
+import { useRovingFocus } from "./roving";
 
 const BUTTONS: readonly {
   tool: Tool | null;
@@ -40,7 +40,7 @@ export function DraftTools() {
   return (
     <div
       ref={bar}
-      className={`${overlayCss.float} ${appCss.tools}`}
+      className={`${overlayCss.float} ${css.tools}`}
       role="toolbar"
       aria-orientation="vertical"
       aria-label={translate("draftTools.whatAClickDoes")}
