@@ -16,6 +16,7 @@ import { NO_FILTER, type WorkFilter, WorkFilters } from "../panels/work/WorkFilt
 import { WorkTable } from "../panels/work/WorkTable";
 import { useOrders } from "../state/queries";
 import { groupByFile, PROGRESS } from "../state/work/orders";
+import { prefetch } from "./views";
 
 /** Pause after which a search begins (ms). */
 const PAUSE = 250;
@@ -42,7 +43,7 @@ export function WorkPage() {
       </main>
     );
   return (
-    <main className={panels.page} data-testid="work">
+    <main className={panels.page} data-testid="work" onPointerEnter={() => prefetch("drawing")}>
       <header className={panels.head}>
         <Title order={1} fz={22}>
           {translate("workPage.work")}

@@ -25,8 +25,6 @@ export const de = {
   "errors.tryAgainIfTheError":
     "Noch einmal versuchen. Bleibt der Fehler, die Ursache im Protokoll des Servers suchen.",
   // app/App.tsx
-  "app.jobQueueAndMachine": "Auftrag, Warteschlange und Maschine",
-  "app.drawingsLineTypesAndImport": "Zeichnungen, Linienarten und Import",
   "app.thereIsNoSuchPage": "Diese Seite gibt es nicht",
   // app/DrawingError.tsx
   "drawingError.thisDrawingCannotBeOpened": "Diese Zeichnung kann nicht geöffnet werden",
@@ -73,14 +71,9 @@ export const de = {
   "statusBar.fileUnits": "Dateieinheiten",
   "statusBar.xY": "X {x}  Y {y} {unit}",
   // app/TopBar.tsx
-  "topBar.knifetipShowAllDrawings": "knifetip: alle Zeichnungen zeigen",
-  "topBar.viewsAndAccount": "Ansichten und Konto",
-  "topBar.showOrHideTheLeft": "Linke Seitenleiste ein- oder ausblenden (Taste [)",
   "topBar.undoTheLastChangeCtrl": "Letzte Änderung rückgängig machen (Strg Z)",
   "topBar.redoTheUndoneChangeCtrl": "Rückgängig gemachte Änderung wiederholen (Strg Umschalt Z)",
-  "topBar.endedJobsStatisticsAndTools": "Beendete Aufträge, Statistik und Werkzeuge",
   "topBar.keyboardAndMouseShortcuts": "Tastatur- und Mausbefehle (?)",
-  "topBar.showOrHideTheRight": "Rechte Seitenleiste ein- oder ausblenden (Taste ])",
   // app/WebGlError.tsx
   "webGlError.theDrawingCannotBeDisplayed": "Die Zeichnung kann nicht angezeigt werden",
   "webGlError.toSeeTheDrawingTurn":
@@ -100,14 +93,6 @@ export const de = {
   "welcome.dropADielineFileHere": "Stanzzeichnung hier ablegen",
   "welcome.dxfSvgCf2PdfHpgl":
     "DXF, SVG, CF2, PDF, HPGL oder LightBurn. knifetip erkennt Schnitte, Rillen und Nuten, berechnet die Werkzeugbahnen für die Maschine und prüft das Programm, bevor sich die Maschine bewegt.",
-  "welcome.n1Open": "1. Öffnen",
-  "welcome.dropADrawingFileOr": "Eine Zeichnung ablegen oder aus der Liste wählen.",
-  "welcome.n2Prepare": "2. Vorbereiten",
-  "welcome.chooseAMachineAndA":
-    "Maschine und Material wählen, das Maschinenprogramm vorbereiten und sehen, wie weit es von der Zeichnung abweicht.",
-  "welcome.n3Send": "3. Senden",
-  "welcome.sendTheJobToThe":
-    "Den Auftrag an die Maschine senden. Der Bediener prüft dort den Tisch und startet ihn. Den Fortschritt verfolgen.",
   // app/ZoomControls.tsx
   "zoomControls.zoomInKey": "Vergrößern (Taste +)",
   "zoomControls.zoomOutKey": "Verkleinern (Taste −)",
@@ -246,12 +231,6 @@ export const de = {
   "documentPanel.thisProfileWasDeletedThe":
     "Dieses Profil wurde gelöscht. Die Zeichnung verwendet noch seine Regeln.",
   // panels/drawing/DrawingsPanel.tsx
-  "drawingsPanel.drawings": "Zeichnungen",
-  "drawingsPanel.thereAreNoDrawingsYet":
-    "Noch keine Zeichnungen. Eine Zeichnung (DXF, SVG, CF2, PDF, HPGL oder LightBurn) auf diese Seite ziehen.",
-  "drawingsPanel.questions": "{questions, plural, one {# Frage} other {# Fragen}}",
-  "drawingsPanel.unitUnknown": "Einheit unbekannt",
-  "drawingsPanel.edges": "{width} · {segments, plural, one {# Kante} other {# Kanten}}",
   "drawingsPanel.openDrawingFiles": "Zeichnungen öffnen",
   // panels/drawing/EdgeQuestion.tsx
   "edgeQuestion.edges": "{rows, plural, one {# Kante} other {# Kanten}}",
@@ -263,8 +242,6 @@ export const de = {
   "followingEdges.typeByAnswer": "{type}, wenn die Antwort {answer} ist",
   // panels/drawing/EdgeTooltip.tsx
   "edgeTooltip.layerInFile": "Layer in der Datei",
-  "edgeTooltip.objectInFile": "Objekt in der Datei",
-  "edgeTooltip.edgeNumber": "(Kante Nummer {row})",
   "edgeTooltip.reasonForLineType": "Grund der Linienart",
   "edgeTooltip.deviationFromDrawing": "Abweichung von der Zeichnung",
   "edgeTooltip.overcutLength": "Länge des Überschnitts",
@@ -544,7 +521,6 @@ export const de = {
   "historyPage.whatToShow": "Ansicht des Verlaufs",
   "historyPage.machine": "Maschine",
   "historyPage.allMachines": "Alle Maschinen",
-  "historyPage.backToTheDrawing": "Zurück zur Zeichnung",
   "historyPage.board": "Material",
   "historyPage.allBoards": "Alles Material",
   "historyPage.state": "Zustand",
@@ -645,10 +621,6 @@ export const de = {
   "machineChip.theKnifetipServerDoesNot":
     "Der knifetip-Server antwortet nicht. Die Seite versucht weiter, ihn zu erreichen.",
   "machineChip.loadingTheListOfMachines": "Liste der Maschinen wird geladen",
-  "machineChip.isConnected": "{title} ist verbunden",
-  "machineChip.isNotConnectedSoIts":
-    "{title} ist nicht verbunden; ihre Aufträge warten in der Warteschlange.",
-  "machineChip.serverNotReachable": "Server nicht erreichbar",
   "machineChip.offline": "nicht verbunden",
   "machineChip.free": "frei",
   "machineChip.waiting": "wartet",
@@ -660,14 +632,9 @@ export const de = {
   "machinePanel.xTo": "X {x} bis {x2}",
   "machinePanel.yTo": "Y {y} bis {y2}",
   "machinePanel.mmHigh": "{top, number, ::group-off} mm hoch",
-  "machinePanel.machineAndTools": "Maschine, Werkzeuge",
-  "machinePanel.openStationPage": "Station öffnen",
-  "machinePanel.machinesAndBoards": "Maschinen und Material",
   "machinePanel.webhooks": "Webhooks",
   "machinePanel.controllerLanguage": "{title}, Steuerungssprache {language}",
   "machinePanel.keepOutZonesWhichNo": "Sperrzonen, die kein Werkzeug berühren darf",
-  "machinePanel.connected": "Verbunden",
-  "machinePanel.notConnected": "Nicht verbunden",
   // panels/job/MachineQueue.tsx
   "machineQueue.queueOf": "Warteschlange: {title}",
   "machineQueue.waiting": "{ids, plural, one {# wartet} other {# warten}}",
@@ -686,9 +653,6 @@ export const de = {
   "machineQueue.priority": "Priorität",
   "machineQueue.moveToMachine": "Auf andere Maschine",
   // panels/job/QueuePanel.tsx
-  "queuePanel.otherJobs": "Andere Aufträge",
-  "queuePanel.thereAreNoJobsYet":
-    "Noch keine Aufträge. Für einen Auftrag eine Zeichnung öffnen und ihr Programm vorbereiten.",
   "queuePanel.copies": "{copies, number} Exemplare",
   "queuePanel.machineTime": "Maschinenzeit {seconds}",
   "queuePanel.progressOf": "Fortschritt von {drawingName}",
@@ -743,9 +707,6 @@ export const de = {
   "verdictCard.machineTime": "Maschinenzeit",
   "verdictCard.andMoreFindings":
     "… und {findings, plural, one {# weiterer Befund} other {# weitere Befunde}}.",
-  "verdictCard.programMatchesTheDrawing": "Programm entspricht der Zeichnung",
-  "verdictCard.programMatchesTheDrawingExcept":
-    "Programm entspricht der Zeichnung, bis auf {exceptions, plural, one {# angenommene Einschränkung} other {# angenommene Einschränkungen}}",
   "verdictCard.programHasErrorsAndCannot": "Programm hat Fehler und kann nicht gesendet werden",
   "verdictCard.toolCannotMakeEveryLine": "Das Werkzeug kann nicht jede Linie wie gezeichnet machen",
   "verdictCard.error": "Fehler",
@@ -908,11 +869,6 @@ export const de = {
   "orderDetailsForm.due": "Fällig",
   "orderDetailsForm.notes": "Notizen",
   // panels/order/OrderPanel.tsx
-  "orderPanel.answerOtherFirst":
-    "{open, plural, one {Zuerst die offene Frage beantworten.} other {Zuerst die # offenen Fragen beantworten.}}",
-  "orderPanel.chooseTheBoard": "Material wählen.",
-  "orderPanel.chooseAMachine": "Maschine wählen.",
-  "orderPanel.newJob": "Neuer Auftrag",
   "orderPanel.machine": "Maschine",
   "orderPanel.chooseAMachine2": "Maschine wählen",
   "orderPanel.leastLiftInTurnsMm":

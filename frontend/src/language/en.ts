@@ -25,8 +25,6 @@ export const en = {
   "errors.tryAgainIfTheError":
     "Try again. If the error persists, look for its cause in the log of the server.",
   // app/App.tsx
-  "app.jobQueueAndMachine": "Job, queue and machine",
-  "app.drawingsLineTypesAndImport": "Drawings, line types and import",
   "app.thereIsNoSuchPage": "There is no such page",
   // app/DrawingError.tsx
   "drawingError.thisDrawingCannotBeOpened": "This drawing cannot be opened",
@@ -73,14 +71,9 @@ export const en = {
   "statusBar.fileUnits": "file units",
   "statusBar.xY": "X {x}  Y {y} {unit}",
   // app/TopBar.tsx
-  "topBar.knifetipShowAllDrawings": "knifetip: show all drawings",
-  "topBar.viewsAndAccount": "Views and account",
-  "topBar.showOrHideTheLeft": "Show or hide the left panel (key [)",
   "topBar.undoTheLastChangeCtrl": "Undo the last change (Ctrl Z)",
   "topBar.redoTheUndoneChangeCtrl": "Redo the undone change (Ctrl Shift Z)",
-  "topBar.endedJobsStatisticsAndTools": "Ended jobs, statistics and tools",
   "topBar.keyboardAndMouseShortcuts": "Keyboard and mouse shortcuts (?)",
-  "topBar.showOrHideTheRight": "Show or hide the right panel (key ])",
   // app/WebGlError.tsx
   "webGlError.theDrawingCannotBeDisplayed": "The drawing cannot be displayed",
   "webGlError.toSeeTheDrawingTurn":
@@ -100,14 +93,6 @@ export const en = {
   "welcome.dropADielineFileHere": "Drop a dieline file here",
   "welcome.dxfSvgCf2PdfHpgl":
     "DXF, SVG, CF2, PDF, HPGL or LightBurn. knifetip recognises cuts, creases and grooves, calculates the tool paths for your machine, and checks the program before the machine moves.",
-  "welcome.n1Open": "1. Open",
-  "welcome.dropADrawingFileOr": "Drop a drawing file, or choose a drawing from the list.",
-  "welcome.n2Prepare": "2. Prepare",
-  "welcome.chooseAMachineAndA":
-    "Choose a machine and a board, prepare the machine program, and see how far it deviates from the drawing.",
-  "welcome.n3Send": "3. Send",
-  "welcome.sendTheJobToThe":
-    "Send the job to the machine. The operator checks the table there and starts it. Follow the progress.",
   // app/ZoomControls.tsx
   "zoomControls.zoomInKey": "Zoom in (key +)",
   "zoomControls.zoomOutKey": "Zoom out (key −)",
@@ -244,12 +229,6 @@ export const en = {
   "documentPanel.thisProfileWasDeletedThe":
     "This profile was deleted. The drawing still uses the rules of the deleted profile.",
   // panels/drawing/DrawingsPanel.tsx
-  "drawingsPanel.drawings": "Drawings",
-  "drawingsPanel.thereAreNoDrawingsYet":
-    "There are no drawings yet. Drop a drawing (DXF, SVG, CF2, PDF, HPGL or LightBurn) on this page.",
-  "drawingsPanel.questions": "{questions, plural, one {# question} other {# questions}}",
-  "drawingsPanel.unitUnknown": "unit unknown",
-  "drawingsPanel.edges": "{width} · {segments, plural, one {# edge} other {# edges}}",
   "drawingsPanel.openDrawingFiles": "Open drawing files",
   // panels/drawing/EdgeQuestion.tsx
   "edgeQuestion.edges": "{rows, plural, one {# edge} other {# edges}}",
@@ -261,8 +240,6 @@ export const en = {
   "followingEdges.typeByAnswer": "{type} if the answer is {answer}",
   // panels/drawing/EdgeTooltip.tsx
   "edgeTooltip.layerInFile": "Layer in file",
-  "edgeTooltip.objectInFile": "Object in file",
-  "edgeTooltip.edgeNumber": "(edge number {row})",
   "edgeTooltip.reasonForLineType": "Reason for line type",
   "edgeTooltip.deviationFromDrawing": "Deviation from drawing",
   "edgeTooltip.overcutLength": "Overcut length",
@@ -530,7 +507,6 @@ export const en = {
   "historyPage.whatToShow": "View of the history",
   "historyPage.machine": "Machine",
   "historyPage.allMachines": "All machines",
-  "historyPage.backToTheDrawing": "Back to the drawing",
   "historyPage.board": "Board",
   "historyPage.allBoards": "All boards",
   "historyPage.state": "State",
@@ -629,9 +605,6 @@ export const en = {
   "machineChip.theKnifetipServerDoesNot":
     "The knifetip server does not respond. The page keeps trying to connect.",
   "machineChip.loadingTheListOfMachines": "Loading the list of machines",
-  "machineChip.isConnected": "{title} is connected",
-  "machineChip.isNotConnectedSoIts": "{title} is not connected, so its jobs wait in the queue.",
-  "machineChip.serverNotReachable": "Server not reachable",
   "machineChip.offline": "offline",
   "machineChip.free": "free",
   "machineChip.waiting": "waiting",
@@ -643,14 +616,9 @@ export const en = {
   "machinePanel.xTo": "X {x} to {x2}",
   "machinePanel.yTo": "Y {y} to {y2}",
   "machinePanel.mmHigh": "{top, number, ::group-off} mm high",
-  "machinePanel.machineAndTools": "Machine and tools",
-  "machinePanel.openStationPage": "Open station page",
-  "machinePanel.machinesAndBoards": "Machines and boards",
   "machinePanel.webhooks": "Webhooks",
   "machinePanel.controllerLanguage": "{title}, controller language {language}",
   "machinePanel.keepOutZonesWhichNo": "Keep-out zones, which no tool may touch",
-  "machinePanel.connected": "Connected",
-  "machinePanel.notConnected": "Not connected",
   // panels/job/MachineQueue.tsx
   "machineQueue.queueOf": "Queue of {title}",
   "machineQueue.waiting": "{ids, number} waiting",
@@ -669,9 +637,6 @@ export const en = {
   "machineQueue.priority": "Priority",
   "machineQueue.moveToMachine": "Move to machine",
   // panels/job/QueuePanel.tsx
-  "queuePanel.otherJobs": "Other jobs",
-  "queuePanel.thereAreNoJobsYet":
-    "There are no jobs yet. To create a job, open a drawing and prepare its program.",
   "queuePanel.copies": "{copies, number} copies",
   "queuePanel.machineTime": "machine time {seconds}",
   "queuePanel.progressOf": "Progress of {drawingName}",
@@ -724,9 +689,6 @@ export const en = {
   "verdictCard.machineTime": "Machine time",
   "verdictCard.andMoreFindings":
     "… and {findings, plural, one {# more finding} other {# more findings}}.",
-  "verdictCard.programMatchesTheDrawing": "Program matches the drawing",
-  "verdictCard.programMatchesTheDrawingExcept":
-    "Program matches the drawing, except for {exceptions, plural, one {# accepted shortfall} other {# accepted shortfalls}}",
   "verdictCard.programHasErrorsAndCannot": "Program has errors and cannot be sent",
   "verdictCard.toolCannotMakeEveryLine": "Tool cannot make every line as drawn",
   "verdictCard.error": "Error",
@@ -886,11 +848,6 @@ export const en = {
   "orderDetailsForm.due": "Due",
   "orderDetailsForm.notes": "Notes",
   // panels/order/OrderPanel.tsx
-  "orderPanel.answerOtherFirst":
-    "{open, plural, one {Answer the open question first.} other {Answer the # open questions first.}}",
-  "orderPanel.chooseTheBoard": "Choose the board.",
-  "orderPanel.chooseAMachine": "Choose a machine.",
-  "orderPanel.newJob": "New job",
   "orderPanel.machine": "Machine",
   "orderPanel.chooseAMachine2": "Choose a machine",
   "orderPanel.leastLiftInTurnsMm":

@@ -1,6 +1,6 @@
 /** Question for the line type of some edges; the most likely answer first. */
 
-import { Flex, Kbd, Text } from "@mantine/core";
+import { Flex, Text } from "@mantine/core";
 import { useMemo } from "react";
 import type { Question } from "../../api/client";
 import { translate } from "../../language/translate";
@@ -117,9 +117,9 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
             >
               <Swatch type={type} />
               {LINE_STYLES[type].title}
-              <Kbd size="xs" ml={likely ? 0 : "auto"} aria-hidden>
+              <Figure ml={likely ? 0 : "auto"} fz={11} aria-hidden>
                 {LINE_STYLES[type].key}
-              </Kbd>
+              </Figure>
               {likely && (
                 <Figure ml="auto">{translate("edgeQuestion.mostLikely", { percent })}</Figure>
               )}
