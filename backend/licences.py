@@ -36,17 +36,19 @@ HEAD = """# Licences of the packages in knifetip
 
 knifetip itself is under the Apache License 2.0. `make licences` writes this page from the locks; a test compares them.
 
-**psycopg is under the LGPL 3.0.** It is the driver of PostgreSQL, and the only copyleft library of the server. knifetip
-imports it as an unchanged, separate package, which the LGPL permits for programs under any licence. What that means:
+**psycopg and fpdf2 are under the LGPL 3.0.** They are the driver of PostgreSQL and the writer of job tickets, and the only copyleft
+libraries of the server. knifetip imports them as unchanged, separate packages, which the LGPL permits for programs under any licence.
+What that means:
 
 - Who *uses* knifetip, also inside a company or as a service for others, has no duty.
-- Who *passes on* knifetip with psycopg, for example a container image, passes on the licence text of psycopg and where
-  its source is (<https://github.com/psycopg/psycopg>), and permits the receiver to replace psycopg by a changed version. In an
-  image that is `pip install` over the package in `/opt/knifetip`.
-- Changes of psycopg itself, if passed on, are under the LGPL. The code of knifetip is not affected.
+- Who *passes on* knifetip with them, for example a container image, passes on their licence text and where their source is
+  (<https://github.com/psycopg/psycopg>, <https://github.com/py-pdf/fpdf2>), and permits the receiver to replace them by changed
+  versions. In an image that is `pip install` over the packages in `/opt/knifetip`.
+- Changes of these packages themselves, if passed on, are under the LGPL. The code of knifetip is not affected.
 
 certifi is under the MPL 2.0, which requires the same for changes of its files only. The font Inter is under the OFL 1.1: it
-must not be sold by itself.
+must not be sold by itself. The same holds for the fonts DejaVu in job tickets, whose licence is beside them
+(`knifetip/handover/fonts`).
 
 The container image contains the packages of the server, of the extras and of the page. Its base image (Debian and
 Python) has licences of its own.

@@ -23,10 +23,13 @@ from knifetip.model.unit import UnitHint
 
 #: Number of bytes in which a program writes its name in a comment.
 _HEAD: Final = 512
+#: Comment of our own files.
+OWN_COMMENT: Final = "DXF by knifetip, lengths in mm"
 #: Comments before the first section, the name of the program, and the kind of the hint.
 _COMMENTS: Final = (
     (re.compile(rb"\A\s*999[ \t]*\r?\nDXF created by Inkscape\b"), "Inkscape", "written in mm"),
     (re.compile(rb"\A\s*999[ \t]*\r?\nDXF from OpenSCAD\b"), "OpenSCAD", "modelled in mm"),
+    (re.compile(rb"\A\s*999[ \t]*\r?\nDXF by knifetip\b"), "knifetip", "written in mm"),
 )
 #: Variables in the header of a file by pstoedit, and its extent: 3000 pt (mm), in 6 digits.
 _PSTOEDIT: Final = frozenset({"$ACADVER", "$FILLMODE", "$SPLFRAME", "$EXTMIN", "$EXTMAX"})

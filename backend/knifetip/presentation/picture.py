@@ -15,7 +15,7 @@ from knifetip.presentation.edges import EdgeTable
 #: Number of edges that a picture shows; the shortest of further edges are left out.
 _MOST: Final = 3000
 #: Colours that are legible on light and on dark backgrounds, as in the drawings of the page.
-_COLOURS: Final = {
+COLOURS: Final = {
     LineType.CUT: "#d9534f",
     LineType.CREASE: "#2fa36b",
     LineType.V_GROOVE: "#8f6ae6",
@@ -61,7 +61,7 @@ def _picture(ends: F64, bulge: F64, length: F64, line_type: U8) -> str:
     points = (ends - low) * (scale, -scale) + (0.0, size[1] * scale)
     radius = np.abs(arc.radius(points[:, 0], points[:, 1], bulge))
     paths = []
-    for kind, colour in _COLOURS.items():
+    for kind, colour in COLOURS.items():
         rows = np.flatnonzero(line_type == kind).tolist()
         steps = "".join(_edge_path_data(points[row], radius[row], bulge[row]) for row in rows)
         if steps:

@@ -60,8 +60,8 @@ def test_every_licence_is_stated_and_the_copyleft_one_is_explained() -> None:
     rows = ROW.findall(text)
     assert all(licence.strip() for _, _, licence in rows)
     copyleft = {name for name, _, licence in rows if re.search(r"\bA?L?GPL", licence)}
-    assert copyleft == {"psycopg", "psycopg-binary"}
-    assert "**psycopg is under the LGPL 3.0.**" in text
+    assert copyleft == {"fpdf2", "psycopg", "psycopg-binary"}
+    assert "**psycopg and fpdf2 are under the LGPL 3.0.**" in text
 
 
 def python(**package: object) -> str:

@@ -62,7 +62,7 @@ def write_dxf(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
     for layer, paths in sheet:
         if not all(np.isfinite(column).all() for column in (paths.start, paths.end, paths.bulge)):
             raise GeometryError("layer.not-finite", layer=layer.name)
-    with _fixed_dates():
+    with fixed_dates():
         return _save_bytes(sheet)
 
 
@@ -132,7 +132,7 @@ def _add_paths(model: Modelspace, layer: str, paths: Paths) -> None:
 
 
 @contextmanager
-def _fixed_dates() -> Iterator[None]:
+def fixed_dates() -> Iterator[None]:
     """Return a context manager within which ezdxf writes fixed dates and identifiers."""
     previous = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True

@@ -21,6 +21,7 @@ from knifetip.messages.catalogue import (
     drawing,
     dry_run,
     edge_choice,
+    export,
     field,
     figure,
     gateway,
@@ -47,6 +48,7 @@ from knifetip.messages.catalogue import (
     server,
     setting,
     sheet,
+    ticket,
     unit,
     verification,
     waiting,
@@ -102,6 +104,8 @@ _AREAS: Final = (
     xjdf,
     output,
     doctor,
+    ticket,
+    export,
 )
 
 MESSAGES: Final[Entries] = {code: found for area in _AREAS for code, found in area.MESSAGES.items()}

@@ -21,6 +21,7 @@ from knifetip.messages.german import (
     drawing,
     dry_run,
     edge_choice,
+    export,
     field,
     figure,
     gateway,
@@ -47,6 +48,7 @@ from knifetip.messages.german import (
     server,
     setting,
     sheet,
+    ticket,
     unit,
     verification,
     waiting,
@@ -103,6 +105,8 @@ _AREAS: Final = (
     xjdf,
     output,
     doctor,
+    ticket,
+    export,
 )
 
 GERMAN: Final = Language(
