@@ -100,6 +100,16 @@ class JobClient:
         """
         return self._answer("GET", f"{_path(id)}/export").content
 
+    def ticket(self, id: str, language: str) -> bytes:
+        """Return the job ticket of a job as PDF, in the language with a tag.
+
+        Raises
+        ------
+        JobError
+            The server cannot be reached or refuses the request.
+        """
+        return self._answer("GET", f"{_path(id)}/ticket.pdf", params={"language": language}).content
+
     def ids(self) -> Iterator[str]:
         """Yield the ids of all jobs of the server, newest first."""
         cursor: dict[str, Any] = {}

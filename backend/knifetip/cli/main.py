@@ -46,6 +46,7 @@ COMMANDS: Final[dict[str, _Command]] = {
     "user": _Command("account", "Add, list and change the users of a server's database."),
     "key": _Command("account", "Create, list and revoke the API keys of a server's database."),
     "export": _Command("export", "Write jobs of a server to zip files."),
+    "ticket": _Command("ticket", "Write the job ticket of a job of a server to a PDF file."),
     "serve": _Command(
         "service", "Run the server with its page, a compile worker and a simulated machine."
     ),

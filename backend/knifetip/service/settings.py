@@ -268,7 +268,13 @@ class Settings(CompilingSettings):
     public_url: str = Field(
         default="",
         description="URL of this server for browsers, such as https://knifetip.example behind a "
-        "proxy; the provider sends browsers back to it. Default: that of each request",
+        "proxy; the provider sends browsers back to it, and job tickets contain it. Default: that "
+        "of each request",
+    )
+    fonts: Annotated[Texts, FileOnly()] = Field(
+        default=(),
+        description="Files of TrueType or OpenType fonts for letters of job tickets that the fonts "
+        "of knifetip lack, such as Chinese; several with spaces between them",
     )
     max_rate: int = Field(
         default=200,

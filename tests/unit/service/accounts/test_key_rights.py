@@ -86,6 +86,24 @@ def refusals(client: httpx.Client, *requests: tuple[str, str, Any]) -> list[int]
     return [client.request(method, path, json=body).status_code for method, path, body in requests]
 
 
+def test_a_key_of_another_customer_sees_neither_ticket_nor_export(keys: Keys) -> None:
+    shop = keys(DESIGNER)
+    drawing = upload_drawing(shop, square(), customer="acme")["id"]
+    job = order_job(shop, drawing, machine="demo-table", customer="acme")["id"]
+    other, own = (
+        keys(AccessScope.VIEWER, customer="other"),
+        keys(AccessScope.VIEWER, customer="acme"),
+    )
+    requests = (
+        ("GET", f"/api/jobs/{job}/ticket.pdf", None),
+        ("GET", f"/api/drawings/{drawing}/export?format=svg", None),
+        ("GET", f"/api/jobs/{job}/toolpath/export?format=svg", None),
+    )
+    assert refusals(other, *requests) == [404, 404, 404]
+    # 409: the job is not compiled.
+    assert refusals(own, *requests) == [200, 200, 409]
+
+
 def test_a_key_that_orders_commands_its_own_jobs_and_no_machine(keys: Keys) -> None:
     erp, shop = keys(ORDER), keys(AccessScope.OPERATOR)
     drawing = upload_drawing(erp, square())["id"]

@@ -27,9 +27,9 @@ from tests.support.serving.server import (
 LEAST = {
     "viewer": """
         list_drawings get_drawing get_edges get_picture get_import_report get_cleaning get_file
-        list_pages get_blanks list_layouts get_layout
+        export_drawing list_pages get_blanks list_layouts get_layout
         list_jobs list_orders get_job get_job_events get_verdict get_toolpath get_earlier_exceptions
-        export_job get_metrics
+        export_toolpath get_ticket export_job get_metrics
         get_confirmation get_queue get_tracks list_history get_statistics get_events
         list_machines get_machine get_station get_operation list_machine_tools list_tool_events
         list_formats list_boards get_board list_tools list_library get_schema
