@@ -222,6 +222,10 @@ const putDefinition = (
     }),
   );
 
+/** Formats of exported files. */
+export const EXPORT_FORMATS = ["pdf", "svg", "dxf", "png"] as const;
+export type ExportFormat = (typeof EXPORT_FORMATS)[number];
+
 export const service = {
   drawing: (id: string, signal?: AbortSignal): Promise<Drawing> =>
     dataOf(api.GET("/api/v1/drawings/{id}", { params: byId(id), ...uncached(signal) })),
@@ -407,6 +411,12 @@ export const service = {
     return toolpathOf((await api.GET("/api/v1/jobs/{id}/toolpath", init)).data as ArrayBuffer);
   },
   programUrl: (id: string) => `/api/v1/jobs/${encodeURIComponent(id)}/program`,
+  ticketUrl: (id: string, language: string) =>
+    `/api/v1/jobs/${encodeURIComponent(id)}/ticket.pdf?language=${language}`,
+  pathExportUrl: (id: string, format: ExportFormat) =>
+    `/api/v1/jobs/${encodeURIComponent(id)}/toolpath/export?format=${format}`,
+  drawingExportUrl: (id: string, format: ExportFormat) =>
+    `/api/v1/drawings/${encodeURIComponent(id)}/export?format=${format}`,
 
   status: (signal?: AbortSignal): Promise<ServiceStatus> =>
     dataOf(api.GET("/api/v1/service", uncached(signal))),

@@ -589,6 +589,17 @@ export const de = {
   "acceptForm.deviation":
     "{count, plural, one {# Linie weicht von der gezeichneten Kurve ab} other {# Linien weichen von der gezeichneten Kurve ab}}",
   "acceptForm.other": "{count, plural, one {# Linie} other {# Linien}}: {kind}",
+  // panels/handover/Handover.tsx
+  "handover.jobTicket": "Auftragszettel",
+  "handover.exportDrawing": "Exportieren",
+  "handover.exportPath": "Werkzeugbahn exportieren",
+
+  // panels/handover/ExportMenu.tsx
+  "exportMenu.pdf": "PDF (wahre Größe)",
+  "exportMenu.svg": "SVG (wahre Größe)",
+  "exportMenu.dxf": "DXF (mit Layern)",
+  "exportMenu.png": "PNG-Bild",
+
   // panels/job/JobPanel.tsx
   "jobPanel.showTheDrawingWithoutAJob": "Die Zeichnung ohne Auftrag zeigen",
   "jobPanel.openJob": "Geöffneter Auftrag",

@@ -573,6 +573,17 @@ export const en = {
   "acceptForm.deviation":
     "{count, plural, one {# line differs from the drawn curve} other {# lines differ from the drawn curve}}",
   "acceptForm.other": "{count, plural, one {# line} other {# lines}}: {kind}",
+  // panels/handover/Handover.tsx
+  "handover.jobTicket": "Job ticket",
+  "handover.exportDrawing": "Export",
+  "handover.exportPath": "Export tool path",
+
+  // panels/handover/ExportMenu.tsx
+  "exportMenu.pdf": "PDF (true size)",
+  "exportMenu.svg": "SVG (true size)",
+  "exportMenu.dxf": "DXF (with layers)",
+  "exportMenu.png": "PNG picture",
+
   // panels/job/JobPanel.tsx
   "jobPanel.showTheDrawingWithoutAJob": "Show the drawing without a job",
   "jobPanel.openJob": "Open job",

@@ -14,6 +14,7 @@ import { formatSize, formatUnitless } from "../../state/format";
 import { useDrawing, useProfiles } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Refusal } from "../accounts/Permitted";
+import { DrawingExport } from "../handover/Handover";
 import { CustomerField } from "../order/CustomerField";
 import css from "../shared/panels.module.css";
 import { LinkButton } from "../shared/parts";
@@ -79,6 +80,7 @@ export function DocumentPanel() {
       {profiles && <ProfileChoice drawing={drawing} profiles={profiles} />}
       <CustomerField drawing={drawing} />
       <ShareControl drawing={drawing} />
+      <DrawingExport drawing={drawing} />
     </Section>
   );
 }

@@ -36,6 +36,7 @@ import { useBoardTitle, useEdges, useJob } from "../../state/queries";
 import { showDrawing } from "../../state/routes";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
+import { JobHandover } from "../handover/Handover";
 import { OrderCard } from "../order/OrderDetails";
 import { ConfirmDialog } from "../shared/ConfirmDialog";
 import css from "../shared/panels.module.css";

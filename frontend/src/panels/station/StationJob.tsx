@@ -20,6 +20,7 @@ import type { HandsClear } from "../../state/station/handsClear";
 import { commandJob } from "../../state/station/operations";
 import { recompileNote } from "../../state/station/toolCheck";
 import type { WornToolsState } from "../../state/station/wornTools";
+import { TicketButton } from "../handover/Handover";
 import { RemainingCopies } from "../job/RemainingCopies";
 import { RestPanel } from "../job/RestPanel";
 import { StateBadge } from "../job/StateBadge";
@@ -78,6 +79,7 @@ export function StationJob(props: Props) {
       </Text>
       <Text c="ink.2">{`${translate("stationJob.copies", { copies: job.copies })}${job.seconds > 0 ? ` · ${translate("stationJob.each", { seconds: formatDuration(job.seconds) })}` : ""}`}</Text>
       <OrderCard job={job} />
+      <TicketButton job={job} size="lg" />
       {isOnTable(job) && <Run job={job} />}
       <FeedOverride machine={machine} station={station} job={job} reached={reached} />
       {job.actions.includes("resume") && <HandsClearButton hands={hands} reached={reached} />}
