@@ -78,6 +78,7 @@ export function JobPanel() {
         <Controls job={job} />
         {canContinue(job) && <Rest key={job.id} job={job} />}
         <OrderCard job={job} />
+        <JobHandover job={job} />
         {/* Buttons that hand a job over (ticket, export) are rows here. */}
         {hasProgram(job) && (
           <Button
