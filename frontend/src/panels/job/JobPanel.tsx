@@ -79,7 +79,6 @@ export function JobPanel() {
         {canContinue(job) && <Rest key={job.id} job={job} />}
         <OrderCard job={job} />
         <JobHandover job={job} />
-        {/* Buttons that hand a job over (ticket, export) are rows here. */}
         {hasProgram(job) && (
           <Button
             component="a"
