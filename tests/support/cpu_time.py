@@ -26,15 +26,16 @@ _PAGE = _ROOT / "backend" / "docs" / "slowest-tests.md"
 _MEASURED = _ROOT / "build" / "cpu-time.json"
 _HEAD = """# The slowest tests
 
-CPU time of the {count} slowest of {all} tests of `make test`, with fixtures that they are the first
-to use. `make slowest` measures all tests one after the other and writes this page; `make slowest
-ROOM=tests/browser` measures those of one folder anew, and keeps the times of the others.
+CPU time of the {count} slowest of {all} measured tests of `make test`, with the fixtures that
+they are the first to use. `make slowest` measures all tests one after the other and writes this
+page; `make slowest ROOM=tests/browser` measures those of one folder anew, and keeps the times of
+the others.
 
 | CPU time (s) | test |
 |-------------:|------|
 """
 _ROOMS = """
-All tests together take {total:.0f} s, without the collection of the tests:
+They take {total:.0f} s together, without the collection of the tests:
 
 | CPU time (s) | tests | folder |
 |-------------:|------:|--------|
