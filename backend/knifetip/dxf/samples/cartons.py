@@ -14,7 +14,6 @@ from knifetip.dxf.samples.contours import (
     CREASE,
     CUT,
     V_GROOVE,
-    closed_contour,
     four_quarters,
     oblong,
     rectangle,
@@ -26,6 +25,7 @@ from knifetip.dxf.samples.contours import (
 from knifetip.dxf.samples.tuck_end import tuck_end_carton
 from knifetip.dxf.samples.write import Layer, write_dxf
 from knifetip.geometry.path import Paths
+from knifetip.geometry.rounded_contour import closed_contour
 
 
 def samples() -> dict[str, bytes]:

@@ -10,7 +10,6 @@ import numpy as np
 from knifetip.dxf.samples.contours import (
     CREASE,
     CUT,
-    closed_contour,
     separate_lines,
     sheet_corners,
     shifted_paths,
@@ -20,6 +19,7 @@ from knifetip.dxf.samples.contours import (
 from knifetip.dxf.samples.write import Layer
 from knifetip.geometry.columns import F64
 from knifetip.geometry.path import Paths
+from knifetip.geometry.rounded_contour import closed_contour
 
 _GLUE = 15.0  #: width of the glue flap
 _TUCK = 16.0  #: height of a tuck flap
