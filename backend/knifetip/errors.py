@@ -8,6 +8,7 @@
     │   └── NoSuchUnit            the given name is not a unit of length
     ├── ProfileError              a classification profile cannot be read
     ├── LibraryError              no such machine, board, tool or profile, or its file is invalid
+    ├── ImpossibleCarton          a carton style cannot have these dimensions
     ├── GeometryError             a calculation has no valid result for a shape
     │   ├── ZeroLengthEdge        an edge of zero length, which has no direction
     │   └── DegenerateArc         an arc whose radius or sweep is zero or not a number
@@ -162,6 +163,10 @@ class ProfileError(KnifetipError):
 
 class LibraryError(KnifetipError):
     """Raised when a machine, board, tool or profile does not exist or its file is invalid."""
+
+
+class ImpossibleCarton(KnifetipError):
+    """Raised when a carton style cannot have the dimensions; ``source`` names the parameter."""
 
 
 class GeometryError(KnifetipError):

@@ -14,8 +14,8 @@ Templates are those of ``str.format``, with these formats:
 ``{size:MB}``            a number of bytes in mebibytes
 ``{unit:unit}``          the name of a unit of length
 ``{tool:tool}``          the name of a tool
-``{type:type}``          the name of a line type; also ``state``, ``stage``, ``request``, ``shelf``
-                         and ``kind``
+``{type:type}``          the name of a line type; also ``state``, ``stage``, ``request``, ``shelf``,
+                         ``kind`` and ``parameter``
 =======================  =======================================================================
 
 Numbers are written in the form of the language, with characters between thousands and without an
@@ -42,7 +42,7 @@ from knifetip.messages.message import Message, from_json
 from knifetip.messages.numbers import Position, write_number
 
 #: Formats that name a word in an argument.  Words without a name are written as they are.
-NAMED: Final = ("unit", "tool", "type", "state", "stage", "request", "shelf", "kind")
+NAMED: Final = ("unit", "tool", "type", "state", "stage", "request", "shelf", "kind", "parameter")
 
 
 def render(message: Message, language: str = ENGLISH.tag) -> str:

@@ -9,6 +9,7 @@ from typing import Final
 
 from knifetip.messages.catalogue import (
     account,
+    carton,
     check,
     classification,
     cleaning,
@@ -74,6 +75,7 @@ _AREAS: Final = (
     edge_choice,
     sheet,
     layout,
+    carton,
     program,
     rs274,
     hpgl,

@@ -9,6 +9,7 @@ from typing import Final
 
 from knifetip.messages.german import (
     account,
+    carton,
     check,
     classification,
     cleaning,
@@ -75,6 +76,7 @@ _AREAS: Final = (
     edge_choice,
     sheet,
     layout,
+    carton,
     program,
     rs274,
     hpgl,

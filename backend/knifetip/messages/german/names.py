@@ -109,6 +109,13 @@ NAMES: Final[Names] = {
         "lift": "Werkzeug heben",
         "feed_override": "Vorschub ändern",
     },
-    "shelf": {"machine": "Maschine", "board": "Material", "tool": "Werkzeug", "profile": "Profil"},
+    "shelf": {
+        "machine": "Maschine",
+        "board": "Material",
+        "tool": "Werkzeug",
+        "profile": "Profil",
+        "carton": "Schachtelform",
+    },
+    "parameter": {"length": "Länge", "width": "Breite", "depth": "Höhe", "tuck": "Einstecklasche"},
     "kind": {"drawing": "Zeichnung", "job": "Auftrag"},
 }
