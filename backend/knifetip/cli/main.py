@@ -32,6 +32,7 @@ COMMANDS: Final[dict[str, _Command]] = {
         "drawing", "Show which edges cleaning merges, shortens, joins or drops.", True
     ),
     "samples": _Command("drawing", "Write the sample cartons as DXF files."),
+    "carton": _Command("carton", "Draw a carton of a standard style as a DXF file."),
     "program": _Command("program", "Compile a drawing to a verified machine program.", True),
     "verify": _Command(
         "program", "Verify that a program cuts and creases what a drawing shows.", True

@@ -108,7 +108,8 @@ def _model(
         else:
             builders[name] = partial(_take_value, name)
             option = typer.Option(help=f"{field.description}.", **_limits(field.metadata))
-            parameters.append(_parameter(name, Annotated[field.annotation, option], field.default))
+            default = inspect.Parameter.empty if field.is_required() else field.default
+            parameters.append(_parameter(name, Annotated[field.annotation, option], default))
 
     def build_record(values: dict[str, Any]) -> Table:
         return kind(**{name: build(values) for name, build in builders.items()})
