@@ -46,6 +46,21 @@ def svg_outline(drawing: Drawing) -> str:
     return _picture(drawing.ends, drawing.bulge, drawing.lengths, line_type)
 
 
+def svg_edges(ends: F64, bulge: F64, line_type: U8) -> str:
+    """Return a picture of n edges, in the colours of their line types.
+
+    Parameters
+    ----------
+    ends : (n, 2, 2)
+        Start and end point of each edge (mm).
+    bulge : (n,)
+        tan(sweep / 4) of each edge.
+    line_type : (n,)
+        LineType of each edge.
+    """
+    return _picture(ends, bulge, arc.length(ends[:, 0], ends[:, 1], bulge), line_type)
+
+
 def _picture(ends: F64, bulge: F64, length: F64, line_type: U8) -> str:
     """Return the picture of n edges; the arguments are columns of ``EdgeTable``."""
     shown = np.flatnonzero(line_type != LineType.IGNORED)

@@ -23,6 +23,7 @@ from knifetip.service.accounts import routes as accounts
 from knifetip.service.accounts.access import Access, ProviderSignIn
 from knifetip.service.accounts.access_rules import AccessRules
 from knifetip.service.accounts.account_access import Accounts
+from knifetip.service.cartons import routes as cartons
 from knifetip.service.compiling.service import CompileService
 from knifetip.service.components import Service, ServiceDep
 from knifetip.service.content.objects import folder_of
@@ -90,8 +91,8 @@ from knifetip.service.xjdf import routes as xjdf
 _log = logging.getLogger("knifetip.api")
 
 _ROUTES = (
-    drawings, customer_answers, layouts, jobs, job_commands, orders, confirmation, queues, rest,
-    history, events, machines, tools, library, definitions, profiles, webhooks, xjdf, gateway,
+    drawings, customer_answers, cartons, layouts, jobs, job_commands, orders, confirmation, queues,
+    rest, history, events, machines, tools, library, definitions, profiles, webhooks, xjdf, gateway,
     accounts, handover,
 )  # fmt: skip
 

@@ -126,8 +126,9 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "request.one-drawing": entry(
-        "An order needs either a file or the id of a stored drawing.",
-        "Send either the file (form part or JSON field file) or the field drawing, not both.",
+        "An order needs a file, the id of a stored drawing or a carton.",
+        "Send one of them only: the file (form part or JSON field file), the field drawing or the "
+        "field carton.",
     ),
     "request.not-marked": entry(
         "The request lacks the header X-Knifetip, which protects the server against requests "

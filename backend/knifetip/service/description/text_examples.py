@@ -116,6 +116,7 @@ _REQUESTS: Final[Mapping[tuple[str, str], Any]] = {
 _PROGRAM: Final = "(knifetip)\nG21 G90 G17\nG0 Z5.000\n"
 #: Examples of answers by the id of the operation.
 _ANSWERS: Final[Mapping[str, str]] = {
+    "get_carton_picture": _SVG,
     "get_picture": _SVG,
     "get_program": _PROGRAM,
     "get_gateway_program": _PROGRAM,

@@ -138,15 +138,16 @@ async def place_order_with_file(
 ) -> OrderOut:
     """Store a drawing and create a job for it.
 
-    The request is a form with the file and the order as JSON, or JSON with the file in base64 or
-    with the id of a stored drawing.  The drawing and the job get the details of the order.  If a
-    user must first answer questions about the drawing, the status is 409 and the drawing is kept:
-    it is listed by the ``external_id`` of the order.  A repetition with the same
-    ``Idempotency-Key`` creates the job as soon as the questions are answered.
+    The request is a form with the file and the order as JSON, or JSON with the file in base64, with
+    the id of a stored drawing, or with a carton that the server draws.  The drawing and the job
+    get the details of the order.  If a user must first answer questions about the drawing, the
+    status is 409 and the drawing is kept: it is listed by the ``external_id`` of the order.  A
+    repetition with the same ``Idempotency-Key`` creates the job as soon as the questions are
+    answered.
     """
     _permit(principal, sent.order)
     client = Client.of(request)
-    if sent.content is None:
+    if sent.is_stored:
         drawing = await service.orders.run(partial(store_drawing, service, sent, key), client)
         order = job_order(sent.order, drawing.id)
         job = await create_stored(service, client, order, sent.key(key))

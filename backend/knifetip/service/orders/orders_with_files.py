@@ -10,6 +10,7 @@ from pydantic.config import JsonDict
 from pydantic_core import ErrorDetails
 
 from knifetip.errors import RequestError
+from knifetip.service.cartons.models import CartonIn
 from knifetip.service.drawings.models import DrawingSummary, Unit
 from knifetip.service.http.message_models import MessageOut
 from knifetip.service.http.models import JsonBody, Name, QuestionOut
@@ -41,26 +42,36 @@ class FileIn(JsonBody):
             raise RequestError("request.not-base64", name=self.name) from reason
 
 
-#: Exactly one of file and drawing; generators of clients disregard it, unlike ``oneOf``.
+#: Exactly one of file, drawing and carton; generators of clients disregard it, unlike ``oneOf``.
 _ONE_DRAWING: Final[JsonDict] = {
     "if": {"required": ["drawing"], "properties": {"drawing": {"type": "string"}}},
-    "then": {"properties": {"file": {"type": "null"}}},
-    "else": {"required": ["file"], "properties": {"file": {"type": "object"}}},
+    "then": {"properties": {"file": {"type": "null"}, "carton": {"type": "null"}}},
+    "else": {
+        "if": {"required": ["carton"], "properties": {"carton": {"type": "object"}}},
+        "then": {"properties": {"file": {"type": "null"}}},
+        "else": {"required": ["file"], "properties": {"file": {"type": "object"}}},
+    },
 }
 
 
 class OrderIn(JobChoices):
-    """An order: a drawing file or the id of a stored drawing, and the choices for its job."""
+    """An order: a drawing file, the id of a stored drawing or a carton, and choices for its job."""
 
     model_config = ConfigDict(json_schema_extra=_ONE_DRAWING)
 
     file: FileIn | None = Field(
         default=None,
-        description="The drawing in a format that `GET /formats` lists; null if `drawing` is "
-        "given, or if the file is a part of the form",
+        description="The drawing in a format that `GET /formats` lists; null if `drawing` or "
+        "`carton` is given, or if the file is a part of the form",
     )
     drawing: Name | None = Field(
-        default=None, description="Id of a stored drawing; null if a file is given"
+        default=None, description="Id of a stored drawing; null if a file or a carton is given"
+    )
+    carton: CartonIn | None = Field(
+        default=None,
+        description="A carton that is drawn for the board of the order: its style as in `GET "
+        "/api/cartons`, its inner dimensions (mm) and its options; null if a file or a drawing is "
+        "given",
     )
     unit: Unit | None = Field(
         default=None, description="Unit of the file; null for the unit that the file states"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 
 from knifetip.errors import RequestError
+from knifetip.service.cartons.drawing import carton_name, draw_carton
 from knifetip.service.components import Service
 from knifetip.service.database.request_key import RequestKey, fingerprint
 from knifetip.service.database.tables import Drawing, Job
@@ -17,7 +18,13 @@ from knifetip.service.orders.orders_with_files import OrderIn
 
 
 class SentOrder:
-    """An order as it was sent: its fields, and its file if it has one."""
+    """An order as it was sent: its fields, and its file if it has one.
+
+    Raises
+    ------
+    RequestError
+        The order has not exactly one of a file, a stored drawing and a carton.
+    """
 
     def __init__(self, order: OrderIn, name: str = "", content: bytes | None = None) -> None:
         self.order = order
@@ -25,10 +32,18 @@ class SentOrder:
             if content is not None:
                 raise RequestError("request.one-drawing")
             name, content = order.file.name, order.file.decoded()
-        if (content is None) == (order.drawing is None):
+        given = (content, order.drawing, order.carton)
+        if sum(one is not None for one in given) != 1:
             raise RequestError("request.one-drawing")
+        if order.carton is not None:
+            name = carton_name(order.carton, order.board)
         self.name = drawing_name(name)
         self.content = content
+
+    @property
+    def is_stored(self) -> bool:
+        """Whether the order names a stored drawing."""
+        return self.order.drawing is not None
 
     def key(self, text: str | None) -> RequestKey | None:
         """Return the key of the order with a hash of its content, None without a key."""
@@ -42,18 +57,25 @@ class SentOrder:
 
     def _fingerprint(self) -> str:
         digest = hashlib.sha256(self.content or b"").hexdigest()
-        fields = self.order.model_dump_json(exclude={"file"})
+        # A carton is its fields; orders without one have the hash of earlier versions.
+        without = {"file"} if self.order.carton is not None else {"file", "carton"}
+        fields = self.order.model_dump_json(exclude=without)
         return fingerprint("order", self.name, digest, fields)
 
 
 def store_drawing(service: Service, sent: SentOrder, key: str | None) -> Drawing:
-    """Return the drawing of an order; its file is stored with the details of the order."""
-    order = sent.order
-    if sent.content is None:
+    """Return the drawing of an order; its file is stored with the details of the order.
+
+    A carton is drawn first, and stored as its file.
+    """
+    order, content = sent.order, sent.content
+    if order.carton is not None:
+        content = draw_carton(service, order.carton, order.board)
+    if content is None:
         return service.store.drawings.get(order.drawing or "")
     details = details_columns(order)
     profile = order.profile or "default"
-    upload = Upload(sent.name, sent.content, order.unit or "", profile, details=details)
+    upload = Upload(sent.name, content, order.unit or "", profile, details=details)
     return store_upload(service, upload, key)
 
 

@@ -27,7 +27,7 @@ from tests.support.serving.server import (
 LEAST = {
     "viewer": """
         list_drawings get_drawing get_edges get_picture get_import_report get_cleaning get_file
-        export_drawing list_pages get_blanks list_layouts get_layout
+        export_drawing list_pages get_blanks list_layouts get_layout list_cartons get_carton_picture
         list_jobs list_orders get_job get_job_events get_verdict get_toolpath get_earlier_exceptions
         export_toolpath get_ticket export_job get_metrics
         get_confirmation get_queue get_tracks list_history get_statistics get_events
@@ -41,7 +41,7 @@ LEAST = {
     """,
     "designer": """
         upload_drawing choose_page change_drawing delete_drawing override_edges order_job
-        add_layout change_layout delete_layout accept_shortfalls
+        add_layout draw_carton_as_drawing change_layout delete_layout accept_shortfalls
         recompile_job cancel_job calibrate keep_profile delete_profile preview_profile
         learn_from_corrections use_customer_answer order_by_xjdf answer_xjmf place_order_with_file
         place_orders
@@ -81,7 +81,7 @@ ROLE_OF_SCOPE = {"station": "viewer", "read": "viewer", "order": "viewer", "webh
 BEYOND = {
     "order": """
         upload_drawing choose_page change_drawing delete_drawing override_edges order_job
-        add_layout change_layout delete_layout accept_shortfalls
+        add_layout draw_carton_as_drawing change_layout delete_layout accept_shortfalls
         release_job recompile_job cancel_job change_job place_order_with_file place_orders
         order_by_xjdf answer_xjmf
     """,
@@ -190,6 +190,7 @@ def path_of(operation: ScopedOperation, values: dict[str, Any]) -> str:
     given = {
         "id": values["jobs"] if "gateway" in operation.path else values.get(group, "none"),
         "name": names.get(group, "none"),
+        "code": "fefco-0427",
         "station": "1",
         "page": "1",
         "kind": "machines",

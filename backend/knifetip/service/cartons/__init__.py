@@ -1,0 +1,1 @@
+"""Carton styles: drawings that are made from a code, dimensions and a board."""
