@@ -9,11 +9,12 @@ import numpy as np
 from knifetip.cartons.carton import Carton
 from knifetip.dxf.samples.contours import CREASE, CUT, V_GROOVE, separate_lines
 from knifetip.dxf.samples.write import Layer, write_dxf
+from knifetip.dxf.writers import OWN_COMMENT
 from knifetip.geometry.path import Paths
 from knifetip.model.dieline import LineType
 
-#: Comment by which import knows that the dimensions are in mm, however small they are.
-_COMMENT: Final = b"999\nDXF drawn by knifetip\n"
+#: By this comment import knows that the dimensions are in mm, however small they are.
+_COMMENT: Final = f"999\n{OWN_COMMENT}\n".encode()
 
 
 def carton_dxf(carton: Carton) -> bytes:

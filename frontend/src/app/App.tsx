@@ -8,7 +8,9 @@ import { syncDrawing } from "../state/drawing/drawingSync";
 import { proposedMachine } from "../state/job/machines";
 import { subscribeToEvents, useMachines } from "../state/queries";
 import {
+  CARTONS,
   DRAWINGS,
+  decodedPart,
   HISTORY,
   LIBRARY,
   MACHINES,
@@ -25,6 +27,7 @@ import { NotFound } from "./NotFound";
 import { Part } from "./Part";
 import { Shell } from "./Shell";
 import {
+  CartonPage,
   DrawingPage,
   HistoryPage,
   LibraryPage,
@@ -68,6 +71,9 @@ export function App() {
           {({ machine }) => fetched(machine, <StationPage machine={machine} />)}
         </Route>
         <Route path={LIBRARY}>{fetched("library", <LibraryPage />)}</Route>
+        <Route path={CARTONS}>
+          {({ code }) => fetched("cartons", <CartonPage code={decodedPart(code)} />)}
+        </Route>
         <Route path={HISTORY}>{fetched("history", <HistoryPage />)}</Route>
         <Route path={SETTINGS}>{fetched("settings", <SettingsPage />)}</Route>
         <Route path={WEBHOOKS}>{fetched("webhooks", <WebhooksPage />)}</Route>

@@ -1,12 +1,13 @@
 /** The start page: drawings and their orders as a table, or a welcome while there are none. */
 
-import { Skeleton, Stack, Title } from "@mantine/core";
+import { Group, Skeleton, Stack, Title } from "@mantine/core";
 import { useDebouncedValue } from "@mantine/hooks";
 import { useState } from "react";
 import type { OrdersFilter } from "../api/client";
 import { translate } from "../language/translate";
 import { errorText } from "../messages/translateMessage";
 import { Permitted } from "../panels/accounts/Permitted";
+import { ToCartons } from "../panels/cartons/ToCartons";
 import panels from "../panels/shared/panels.module.css";
 import { Note } from "../panels/shared/parts";
 import { ShowMore } from "../panels/shared/ShowMore";
@@ -49,7 +50,10 @@ export function WorkPage() {
           {translate("workPage.work")}
         </Title>
         <Permitted request="POST /api/v1/drawings">
-          <ChooseFile />
+          <Group gap={10}>
+            <ToCartons />
+            <ChooseFile />
+          </Group>
         </Permitted>
       </header>
       <WorkFilters filter={filter} onChange={setFilter} />

@@ -13,6 +13,7 @@ const FETCH = {
   library: () => import("./LibraryPage"),
   settings: () => import("./SettingsPage"),
   webhooks: () => import("./WebhooksPage"),
+  cartons: () => import("../panels/cartons/CartonPage"),
   history: () => import("../panels/history/HistoryPage"),
 } as const;
 
@@ -38,6 +39,7 @@ export const StationPage = part(FETCH.station, (module) => module.StationPage);
 export const LibraryPage = part(FETCH.library, (module) => module.LibraryPage);
 export const SettingsPage = part(FETCH.settings, (module) => module.SettingsPage);
 export const WebhooksPage = part(FETCH.webhooks, (module) => module.WebhooksPage);
+export const CartonPage = part(FETCH.cartons, (module) => module.CartonPage);
 export const HistoryPage = part(FETCH.history, (module) => module.HistoryPage);
 
 /** Fetch a page; a failure is shown when the page is wanted. */

@@ -79,6 +79,18 @@ export const de = {
   "webGlError.toSeeTheDrawingTurn":
     "{why} Um die Zeichnung zu sehen, in den Einstellungen des Browsers die Hardwarebeschleunigung einschalten oder ein aktuelles Firefox, Chrome, Edge oder Safari verwenden. Der Rest dieser Seite funktioniert auch so.",
   "webGlError.reloadThePage": "Seite neu laden",
+  // panels/cartons
+  "cartonPage.cartonsFromAStandard": "Schachtel nach Standard",
+  "cartonPage.cartons": "Schachteln",
+  "cartonPage.chooseAStyle":
+    "Eine Form wählen, dann die Innenmaße eingeben. Die Dicke des Materials bestimmt die Zugaben.",
+  "cartonPage.allStyles": "Alle Formen",
+  "cartonPage.innerDimensions": "Innenmaße",
+  "cartonPage.options": "Optionen",
+  "cartonPage.makeDrawing": "Zeichnung erstellen",
+  "cartonPage.unusualBoard": "{board} (für diese Form unüblich)",
+  "cartonPage.pictureOf": "Zeichnung: {name}",
+  "cartonPage.noSuchStyle": "Die Form {code} gibt es nicht.",
   // app/WebhooksPage.tsx
   "webhooksPage.webhooks": "Webhooks",
   "webhooksPage.addAWebhook": "Webhook hinzufügen",

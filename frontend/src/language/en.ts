@@ -79,6 +79,18 @@ export const en = {
   "webGlError.toSeeTheDrawingTurn":
     "{why} To see the drawing, turn on hardware acceleration in the browser settings, or use a current Firefox, Chrome, Edge or Safari. The rest of this page works without it.",
   "webGlError.reloadThePage": "Reload the page",
+  // panels/cartons
+  "cartonPage.cartonsFromAStandard": "Carton from a standard",
+  "cartonPage.cartons": "Cartons",
+  "cartonPage.chooseAStyle":
+    "Choose a style, then enter the inner dimensions. The thickness of the board decides the allowances.",
+  "cartonPage.allStyles": "All styles",
+  "cartonPage.innerDimensions": "Inner dimensions",
+  "cartonPage.options": "Options",
+  "cartonPage.makeDrawing": "Make drawing",
+  "cartonPage.unusualBoard": "{board} (unusual for this style)",
+  "cartonPage.pictureOf": "Drawing: {name}",
+  "cartonPage.noSuchStyle": "There is no style {code}.",
   // app/WebhooksPage.tsx
   "webhooksPage.webhooks": "Webhooks",
   "webhooksPage.addAWebhook": "Add a webhook",

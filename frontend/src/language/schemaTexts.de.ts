@@ -1,4 +1,4 @@
-/** German texts of the fields of machines, boards and tools, by their English texts. */
+/** German texts of the fields of machines, boards, tools and cartons, by their English texts. */
 
 export const schemaTexts: Readonly<Record<string, string>> = {
   X: "X",
@@ -350,4 +350,30 @@ export const schemaTexts: Readonly<Record<string, string>> = {
   cut: "Schnitt",
   "half-cut": "Ritz",
   crease: "Rille",
+  Length: "Länge",
+  Depth: "Höhe",
+  "Glue flap": "Klebelasche",
+  "Tuck flap": "Einstecklasche",
+  Lids: "Deckel",
+  Part: "Teil",
+  "Gap of the flaps": "Abstand der Klappen",
+  "Covered part of the depth": "Überdeckter Teil der Höhe",
+  "Inner length (mm): the side at which the lid or the outer flaps fold":
+    "Innere Länge (mm): die Seite, an der der Deckel oder die Außenklappen falten",
+  "Inner width (mm)": "Innere Breite (mm)",
+  "Inner depth, from base to top (mm)": "Innere Höhe, vom Boden bis oben (mm)",
+  "Width of the glue flap (mm)": "Breite der Klebelasche (mm)",
+  "Distance between the outer flaps when the case is closed (mm)":
+    "Abstand der Außenklappen bei geschlossener Kiste (mm)",
+  "Length of the tuck flap of the lid (mm)": "Länge der Einstecklasche des Deckels (mm)",
+  "Whether the lids hang on opposite panels (reverse) or on one (straight)":
+    "Ob die Deckel an gegenüberliegenden Wänden hängen oder an derselben",
+  reverse: "gegenüber",
+  straight: "auf einer Seite",
+  "Part to draw: the base with the inner dimensions, or the lid that fits over this base":
+    "Teil, der gezeichnet wird: das Unterteil mit den Innenmaßen oder der Deckel, der darüber passt",
+  base: "Unterteil",
+  lid: "Deckel",
+  "Depth of the lid as a part of the outer depth of the base, 0.1 to 1":
+    "Höhe des Deckels als Teil der äußeren Höhe des Unterteils, 0,1 bis 1",
 };

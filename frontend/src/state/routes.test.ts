@@ -28,6 +28,8 @@ test.each([
   "#/library",
   "#/library/tools/knife",
   "#/webhooks",
+  "#/cartons",
+  "#/cartons/ecma-a20.20",
   "#/history",
 ])("the drawing stays open behind %s", (hash) => {
   expect(drawingOf(hash)).toBeNull();

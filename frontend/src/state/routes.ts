@@ -9,6 +9,8 @@
  *     #/station/MACHINE                    the page of the person at a machine
  *     #/library                            machines, boards and tools
  *     #/library/SHELF/NAME                 one of them, such as #/library/machines/demo-table
+ *     #/cartons                            carton styles
+ *     #/cartons/CODE                       one of them, such as #/cartons/fefco-0427
  *     #/history                            ended jobs, statistics and tools
  *     #/settings                           language, colour scheme, accounts, webhooks
  *     #/webhooks                           endpoints of other systems
@@ -24,6 +26,7 @@ export const MACHINES = "/machines";
 export const STATIONS = "/station";
 export const STATION = "/station/:machine";
 export const LIBRARY = "/library/:shelf?/:name?";
+export const CARTONS = "/cartons/:code?";
 export const HISTORY = "/history";
 export const SETTINGS = "/settings";
 export const WEBHOOKS = "/webhooks";

@@ -1,10 +1,11 @@
 /** Shown while there are no drawings: how to open one, and three samples to try. */
 
-import { Text, Title } from "@mantine/core";
+import { Group, Text, Title } from "@mantine/core";
 import { translate } from "../../language/translate";
 import { uploadFiles } from "../../state/actions";
 import { notifyError } from "../../state/notifications";
 import { Permitted } from "../accounts/Permitted";
+import { ToCartons } from "../cartons/ToCartons";
 import { ChooseFile } from "./ChooseFile";
 import css from "./work.module.css";
 
@@ -36,7 +37,10 @@ export function Welcome() {
         {translate("welcome.dxfSvgCf2PdfHpgl")}
       </Text>
       <Permitted request="POST /api/v1/drawings">
-        <ChooseFile />
+        <Group gap={10}>
+          <ChooseFile />
+          <ToCartons />
+        </Group>
         <Text mt={28} c="ink.2">
           {translate("welcome.orTryASample")}
         </Text>
