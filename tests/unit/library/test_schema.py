@@ -12,6 +12,7 @@ import click
 import pytest
 from click.testing import CliRunner
 
+from knifetip.cartons.registry import STYLES
 from knifetip.cli.main import app
 from knifetip.languages.registry import language_names
 from knifetip.library.load import library_text
@@ -90,6 +91,8 @@ def test_the_page_has_a_german_text_for_each_title_and_help() -> None:
     }
     shown = {text for file in ("machine", "board", "tool") for text in _texts(json_schema(file))}
     assert len(shown) > 200
+    for style in STYLES.values():
+        shown |= {*_texts(style.parameters.model_json_schema())}
     assert sorted(shown - known) == []
 
 

@@ -2,8 +2,8 @@
 
 import { Button, Loader, Select, Text, Title } from "@mantine/core";
 import { useDebouncedValue } from "@mantine/hooks";
-import { keepPreviousData, useQuery } from "@tanstack/react-query";
-import { useMemo, useState } from "react";
+import { useQuery } from "@tanstack/react-query";
+import { useEffect, useMemo, useState } from "react";
 import { type CartonFields, type CartonStyle, cartonService } from "../../api/cartons";
 import { translate } from "../../language/translate";
 import { errorText, messageText } from "../../messages/translateMessage";
@@ -36,9 +36,13 @@ export function CartonEditor({ style }: { readonly style: CartonStyle }) {
       const { fields, board } = JSON.parse(wanted) as { fields: CartonFields; board: string };
       return cartonService.picture(style.code, fields, board, signal);
     },
-    placeholderData: keepPreviousData,
     retry: false,
   });
+  // The last picture stays while another one is drawn, and while the dimensions are impossible.
+  const [shown, setShown] = useState<string>();
+  useEffect(() => {
+    if (picture.data !== undefined) setShown(picture.data);
+  }, [picture.data]);
   const error = failure ?? picture.error;
   const faults = useMemo(() => fieldFaults(error, style), [error, style]);
   const suits = new Set(style.materials);
@@ -114,11 +118,11 @@ export function CartonEditor({ style }: { readonly style: CartonStyle }) {
         </Button>
       </form>
       <figure className={css.preview} data-stale={picture.error !== null}>
-        {picture.data === undefined ? (
+        {shown === undefined ? (
           picture.error === null && <Loader />
         ) : (
           <img
-            src={`data:image/svg+xml,${encodeURIComponent(picture.data)}`}
+            src={`data:image/svg+xml,${encodeURIComponent(shown)}`}
             alt={translate("cartonPage.pictureOf", { name: messageText(style.name) })}
             data-testid="carton-picture"
           />
