@@ -10,6 +10,7 @@ from typing import Final
 
 import numpy as np
 import shapely
+from numpy.typing import NDArray
 from shapely import Polygon
 
 from knifetip.geometry import arc
@@ -53,10 +54,19 @@ def find_blanks(dieline: Dieline) -> list[Polygon]:
 
 def _lines(ends: F64, bulge: F64, wanted: Bool) -> shapely.Geometry:
     """Return n edges, with chords for arcs, as lines that meet at their ends only."""
-    ends, bulge = ends[wanted], bulge[wanted]
+    return shapely.union_all(chord_lines(ends[wanted], bulge[wanted]), grid_size=_GRID)
+
+
+def chord_lines(ends: F64, bulge: F64) -> NDArray[np.object_]:
+    """Return n edges as lines of shapely, (n,), with chords within 0.02 mm for arcs.
+
+    ``ends`` are the start and end points of the edges, (n, 2, 2) mm, and ``bulge`` their bulges,
+    (n,).
+    """
     chords = chord_counts(ends[:, 0], ends[:, 1], bulge, _DEVIATION)
     edge = np.repeat(np.arange(len(bulge)), chords + 1)
     first = np.cumsum(chords + 1) - (chords + 1)
     fraction = (np.arange(len(edge)) - first[edge]) / chords[edge]
     points = arc.point_at(ends[edge, 0], ends[edge, 1], bulge[edge], fraction)
-    return shapely.union_all(shapely.linestrings(points, indices=edge), grid_size=_GRID)
+    lines: NDArray[np.object_] = shapely.linestrings(points, indices=edge)
+    return lines

@@ -33,6 +33,7 @@ from knifetip.service.documents.responses import Documents
 from knifetip.service.drawings import customer_answer_routes as customer_answers
 from knifetip.service.drawings import routes as drawings
 from knifetip.service.events import routes as events
+from knifetip.service.folding import routes as folding
 from knifetip.service.gateways import routes as gateway
 from knifetip.service.handover import routes as handover
 from knifetip.service.history import export as job_export
@@ -93,7 +94,7 @@ _log = logging.getLogger("knifetip.api")
 _ROUTES = (
     drawings, customer_answers, cartons, layouts, jobs, job_commands, orders, confirmation, queues,
     rest, history, events, machines, tools, library, definitions, profiles, webhooks, xjdf, gateway,
-    accounts, handover,
+    accounts, folding, handover,
 )  # fmt: skip
 
 

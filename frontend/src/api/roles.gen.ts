@@ -26,6 +26,8 @@ export const SCOPES_FOR = {
   "GET /api/v1/drawings/{id}/edges": ["viewer"],
   "GET /api/v1/drawings/{id}/export": ["viewer"],
   "GET /api/v1/drawings/{id}/file": ["viewer"],
+  "GET /api/v1/drawings/{id}/folding": ["viewer"],
+  "GET /api/v1/drawings/{id}/folding.glb": ["viewer"],
   "GET /api/v1/drawings/{id}/import-report": ["viewer"],
   "GET /api/v1/drawings/{id}/pages": ["viewer"],
   "GET /api/v1/drawings/{id}/picture": ["viewer"],

@@ -1,0 +1,1 @@
+"""Drawings folded in space: answers for the page, and files for other programs."""
