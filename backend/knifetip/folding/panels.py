@@ -79,11 +79,11 @@ def _extended(lines: _Lines, cut: NDArray[np.bool_]) -> tuple[_Lines, I64]:
     tree = shapely.STRtree(lines)
     ends = np.concatenate([_end_points(lines, 0, 1), _end_points(lines, -1, -2)])
     points = shapely.points(ends[:, 0])
-    corners = shapely.STRtree(points)
-    for k, (end, before) in enumerate(ends):
+    near, _ = shapely.STRtree(points).query(points, "dwithin", distance=_TOUCH)
+    free = np.bincount(near, minlength=len(points)) == 1
+    for k in np.flatnonzero(free).tolist():
         row = k % len(lines)
-        if len(corners.query(points[k], "dwithin", distance=_TOUCH)) > 1:
-            continue
+        end, before = ends[k]
         step = (end - before) / max(float(np.hypot(*(end - before))), 1e-12)
         reach = _ACROSS
         if (tree.query(points[k], "dwithin", distance=_TOUCH) == row).all():

@@ -71,7 +71,7 @@ def test_each_panel_is_a_closed_solid_with_the_volume_of_its_board() -> None:
             name for name in scene.graph.nodes_geometry if name.startswith(f"panel {panel + 1}")
         ]
         names = {scene.graph[name][1] for name in nodes}
-        mesh = trimesh.util.concatenate([scene.geometry[name] for name in names])
+        mesh: Any = trimesh.util.concatenate([scene.geometry[name] for name in names])
         mesh.merge_vertices(merge_norm=True, merge_tex=True)
         assert mesh.is_watertight
         volumes.append(mesh.volume)
