@@ -11,6 +11,7 @@ import {
   CARTONS,
   DRAWINGS,
   decodedPart,
+  FOLD,
   HISTORY,
   LIBRARY,
   MACHINES,
@@ -29,6 +30,7 @@ import { Shell } from "./Shell";
 import {
   CartonPage,
   DrawingPage,
+  FoldPage,
   HistoryPage,
   LibraryPage,
   MachinesPage,
@@ -73,6 +75,9 @@ export function App() {
         <Route path={LIBRARY}>{fetched("library", <LibraryPage />)}</Route>
         <Route path={CARTONS}>
           {({ code }) => fetched("cartons", <CartonPage code={decodedPart(code)} />)}
+        </Route>
+        <Route path={FOLD}>
+          {({ drawing }) => fetched(drawing, <FoldPage drawing={drawing} />)}
         </Route>
         <Route path={HISTORY}>{fetched("history", <HistoryPage />)}</Route>
         <Route path={SETTINGS}>{fetched("settings", <SettingsPage />)}</Route>

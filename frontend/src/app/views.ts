@@ -14,6 +14,7 @@ const FETCH = {
   settings: () => import("./SettingsPage"),
   webhooks: () => import("./WebhooksPage"),
   cartons: () => import("../panels/cartons/CartonPage"),
+  fold: () => import("./FoldPage"),
   history: () => import("../panels/history/HistoryPage"),
 } as const;
 
@@ -40,6 +41,7 @@ export const LibraryPage = part(FETCH.library, (module) => module.LibraryPage);
 export const SettingsPage = part(FETCH.settings, (module) => module.SettingsPage);
 export const WebhooksPage = part(FETCH.webhooks, (module) => module.WebhooksPage);
 export const CartonPage = part(FETCH.cartons, (module) => module.CartonPage);
+export const FoldPage = part(FETCH.fold, (module) => module.FoldPage);
 export const HistoryPage = part(FETCH.history, (module) => module.HistoryPage);
 
 /** Fetch a page; a failure is shown when the page is wanted. */

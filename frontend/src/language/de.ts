@@ -224,6 +224,7 @@ export const de = {
   "colourBar.neitherCutNorCreased": "weder geschnitten noch gerillt",
   "colourBar.moreThanMm": "mehr als {limit, number, ::group-off} mm",
   // panels/drawing/DocumentPanel.tsx
+  "documentPanel.foldIn3D": "In 3D falten",
   "documentPanel.editTheRulesOfThis": "Regeln dieses Profils bearbeiten",
   "documentPanel.drawingSize": "Größe der Zeichnung",
   "documentPanel.unitUnknown": "{width} × {height}, Einheit unbekannt",
@@ -1674,4 +1675,33 @@ export const de = {
     "Bis zu {length} nicht geschnitten an {places, plural, one {# Stelle} other {# Stellen}}",
   "verdictPlaces.eachClickShowsTheNext": "Jeder Klick zeigt die nächste Stelle",
   "documentPanel.file": "Datei und Regeln",
+  // app/FoldCanvas.tsx
+  "foldCanvas.foldedBoard":
+    "Der gefaltete Zuschnitt in 3D, {panels, number} Felder. Pfeiltasten drehen ihn, + und − zoomen, 0 zeigt alles.",
+  // app/FoldPage.tsx
+  "foldPage.folding": "Die Zeichnung wird gefaltet",
+  "foldPage.foldedBy": "Gefaltet um (Prozent)",
+  "foldPage.folds": "Faltungen",
+  "foldPage.folded": "{title}, gefaltet",
+  "foldPage.backToTheDrawing": "Zurück zur Zeichnung",
+  "foldPage.board": "Material",
+  "foldPage.sideUp": "Oben liegende Seite des Kartons",
+  "foldPage.outside": "Außenseite: Rillungen falten nach unten",
+  "foldPage.inside": "Innenseite: Rillungen falten nach oben",
+  "foldPage.opening": "Öffnungswinkel der V-Nuten",
+  "foldPage.showAll": "Alles zeigen",
+  "foldPage.savePicture": "Bild speichern (PNG)",
+  "foldPage.saveGltf": "3D-Modell speichern (glTF)",
+  "foldPage.faults": "Fehler",
+  "foldPage.noBlank":
+    "Die Schnitte der Zeichnung umschließen keinen Zuschnitt, der gefaltet werden kann.",
+  // panels/fold/FoldFindings.tsx
+  "foldFindings.noFaults":
+    "Kein Feld stößt an, keine Klappe ist zu lang, und alle Nuten schließen.",
+  // panels/fold/FoldList.tsx
+  "foldList.foldBetween": "Faltung {fold, number}: Feld {child, number} an Feld {parent, number}",
+  "foldList.closesHere": "Schließt hier: andere Faltungen verbinden diese Felder",
+  "foldList.notStraight": "Nicht gerade: bleibt flach",
+  "foldList.groove": "V-Nut, die bei {opening, number}° schließt",
+  "foldList.crease": "Rillung",
 } as const satisfies Translation;

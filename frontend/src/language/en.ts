@@ -222,6 +222,7 @@ export const en = {
   "colourBar.neitherCutNorCreased": "neither cut nor creased",
   "colourBar.moreThanMm": "more than {limit, number, ::group-off} mm",
   // panels/drawing/DocumentPanel.tsx
+  "documentPanel.foldIn3D": "Fold in 3D",
   "documentPanel.editTheRulesOfThis": "Edit the rules of this profile",
   "documentPanel.drawingSize": "Drawing size",
   "documentPanel.unitUnknown": "{width} × {height}, unit unknown",
@@ -1617,4 +1618,31 @@ export const en = {
     "Up to {length} not cut at {places, plural, one {# place} other {# places}}",
   "verdictPlaces.eachClickShowsTheNext": "Each click shows the next place",
   "documentPanel.file": "File and rules",
+  // app/FoldCanvas.tsx
+  "foldCanvas.foldedBoard":
+    "The folded board in 3D, {panels, number} panels. Arrow keys turn it, + and − zoom, 0 shows all.",
+  // app/FoldPage.tsx
+  "foldPage.folding": "The drawing is being folded",
+  "foldPage.foldedBy": "Folded by (percent)",
+  "foldPage.folds": "Folds",
+  "foldPage.folded": "{title}, folded",
+  "foldPage.backToTheDrawing": "Back to the drawing",
+  "foldPage.board": "Board",
+  "foldPage.sideUp": "Side of the carton on top",
+  "foldPage.outside": "Outside: creases fold downwards",
+  "foldPage.inside": "Inside: creases fold upwards",
+  "foldPage.opening": "Opening angle of V-grooves",
+  "foldPage.showAll": "Show all",
+  "foldPage.savePicture": "Save picture (PNG)",
+  "foldPage.saveGltf": "Save 3D model (glTF)",
+  "foldPage.faults": "Faults",
+  "foldPage.noBlank": "The cuts of the drawing enclose no blank that could be folded.",
+  // panels/fold/FoldFindings.tsx
+  "foldFindings.noFaults": "No panel collides, no flap is too long, and all grooves close.",
+  // panels/fold/FoldList.tsx
+  "foldList.foldBetween": "Fold {fold, number}: panel {child, number} at panel {parent, number}",
+  "foldList.closesHere": "Closes here: other folds join these panels",
+  "foldList.notStraight": "Not straight: stays flat",
+  "foldList.groove": "V-groove that closes at {opening, number}°",
+  "foldList.crease": "Crease",
 } as const;

@@ -31,6 +31,7 @@ test.each([
   "#/cartons",
   "#/cartons/ecma-a20.20",
   "#/history",
+  "#/drawings/d1/fold",
 ])("the drawing stays open behind %s", (hash) => {
   expect(drawingOf(hash)).toBeNull();
 });

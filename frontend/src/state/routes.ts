@@ -5,6 +5,7 @@
  *     #/drawings/ID                        a drawing, at the first step that needs the user
  *     #/drawings/ID/STEP                   a step of a drawing: lines, sheet, process or check
  *     #/drawings/ID/STEP/jobs/ID           the same, with a job of the drawing
+ *     #/drawings/ID/fold                   a drawing folded in 3D
  *     #/machines                           machines with their queues
  *     #/station/MACHINE                    the page of the person at a machine
  *     #/library                            machines, boards and tools
@@ -27,6 +28,7 @@ export const STATIONS = "/station";
 export const STATION = "/station/:machine";
 export const LIBRARY = "/library/:shelf?/:name?";
 export const CARTONS = "/cartons/:code?";
+export const FOLD = "/drawings/:drawing/fold";
 export const HISTORY = "/history";
 export const SETTINGS = "/settings";
 export const WEBHOOKS = "/webhooks";

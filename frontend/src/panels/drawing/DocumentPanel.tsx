@@ -1,6 +1,6 @@
 /** The open drawing: name, size, import summary and line-type profile. */
 
-import { ActionIcon, Box, Select, Tooltip } from "@mantine/core";
+import { ActionIcon, Box, Group, Select, Tooltip } from "@mantine/core";
 import { IconAdjustments } from "@tabler/icons-react";
 import type { Drawing, Profile } from "../../api/client";
 import { formatNumber } from "../../language/numbers";
@@ -14,6 +14,7 @@ import { formatSize, formatUnitless } from "../../state/format";
 import { useDrawing, useProfiles } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Refusal } from "../accounts/Permitted";
+import { FoldLink } from "../fold/FoldLink";
 import { DrawingExport } from "../handover/Handover";
 import { CustomerField } from "../order/CustomerField";
 import css from "../shared/panels.module.css";
@@ -79,8 +80,23 @@ export function DocumentPanel() {
       ))}
       {profiles && <ProfileChoice drawing={drawing} profiles={profiles} />}
       <CustomerField drawing={drawing} />
+      {drawing.unit !== null && (
+        <Button
+          component="a"
+          href={`#/drawings/${encodeURIComponent(drawing.id)}/fold`}
+          variant="default"
+          size="xs"
+          mt={12}
+          data-testid="open-fold"
+        >
+          {translate("documentPanel.foldIn3D")}
+        </Button>
+      )}
       <ShareControl drawing={drawing} />
-      <DrawingExport drawing={drawing} />
+      <Group gap={8}>
+        {drawing.unit !== null && <FoldLink drawing={drawing.id} />}
+        <DrawingExport drawing={drawing} />
+      </Group>
     </Section>
   );
 }
