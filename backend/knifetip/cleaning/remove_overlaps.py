@@ -254,7 +254,9 @@ def _find_covered_stretch(
     from the stretch (mm), 0 without ``is_near``.
     """
     back = False
-    is_longer = is_near and size_of(piece, p) > length
+    # A short arc within the tolerance may have another radius than the longer one.
+    is_bent = min(abs(rows[e, 4]), abs(piece[p, 4])) >= BULGE
+    is_longer = (is_near or is_bent) and size_of(piece, p) > length
     if is_longer:
         low, high, back = part_beside(rows[e : e + 1], piece[p : p + 1])
     else:
@@ -283,7 +285,7 @@ def _find_covered_stretch(
     )
     if is_longer:
         reversed_ = back
-    elif min(abs(rows[e, 4]), abs(piece[p, 4])) >= BULGE:
+    elif is_bent:
         reversed_ = (piece[p, 4] < 0.0) != (rows[e, 4] < 0.0)
     out[0], out[1], out[2], out[3] = low, high, p, 2 if reversed_ else 0
     return 1

@@ -60,6 +60,18 @@ def test_an_outline_drawn_twice_is_one_outline(apart: float, degrees: float) -> 
     assert_right(line, made)
 
 
+@pytest.mark.parametrize("bulge", [-0.236, 0.236])
+@pytest.mark.parametrize("degrees", [0.0, 29.0, 117.0])
+def test_an_arc_beside_a_much_larger_one_is_merged_with_it(bulge: float, degrees: float) -> None:
+    """Chords of a circle of 1 mm, rounded to 0.01 mm, become arcs of other radii."""
+    drawn = edges(((1.0, 0.0), (-1.0, 0.0)), ((0.87, 0.49), (0.85, 0.53))) @ rotation(degrees).T
+    line = dieline((CUT, drawn), bulge={0: 1.0, 1: bulge})
+    made = clean(line)
+    assert worked(made).tolist() == [0]
+    np.testing.assert_array_equal(made.dieline.ends[0], line.ends[0])
+    assert_right(line, made)
+
+
 @pytest.mark.parametrize("degrees", [0.0, 29.0, 60.0, 117.0])
 def test_a_curl_drawn_twice_with_other_vertices_is_machined_once(degrees: float) -> None:
     """The directions of the chords, 0.06 mm long and 0.004 mm apart, differ by 1.2°."""
