@@ -95,9 +95,8 @@ def _shallower(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None
 
 def _larger_machine(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | None:
     """Choose a larger machine."""
-    if attempt.machine.name == "flat-cutter-hpgl":
-        return _knife(refusal, attempt)
-    return None
+    is_small = attempt.machine.width < load.machine("demo-table").width
+    return _knife(refusal, attempt) if is_small else None
 
 
 def _turned(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt]:
@@ -157,6 +156,7 @@ _ACTIONS: Final[dict[str, Callable[[Refusal, Attempt], tuple[str, Attempt] | Non
     "groove.through-cut": _shallower,
     "groove.too-short": _ignored,
     "hpgl.press": _knife,
+    "milling.contours-cross": _knife,
     "milling.drawn-twice": _ignored,
     "milling.shared-edge": _knife,
     "drawing.fits-turned": _turned,

@@ -16,7 +16,9 @@ import numpy as np
 import pytest
 
 from knifetip import pipeline
+from knifetip.errors import KnifetipError
 from knifetip.library import load
+from knifetip.messages import Message
 from knifetip.messages.render import hint
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.interpretation import Interpretation
@@ -106,6 +108,24 @@ def test_a_knife_overruns_outlines_that_cross_only_into_the_waste(
     ]
     line = dieline((CUT, np.concatenate([outlines[first], outlines[1 - first]])))
     assert refusals(compiled(line, machine, board)) == []
+
+
+@pytest.mark.parametrize("machine", ["router-table", "fine-router-table", "laser-table"])
+def test_contours_that_cross_are_refused_by_a_cutter_and_cut_by_a_knife(machine: str) -> None:
+    line = dieline(
+        (CUT, closed((0, 0), (70, 0), (70, 70), (0, 70))),
+        (CUT, closed((35, 16), (-15, -34), (35, -84), (85, -34))),
+    )
+    with pytest.raises(KnifetipError) as caught:
+        compiled(line, machine, "fbb-0.4")
+    message = caught.value.message
+    while message.code in ("error.at-edge", "error.at-edges"):
+        inner = message.arguments["error"]
+        assert isinstance(inner, Message)
+        message = inner
+    assert message.code == "milling.contours-cross"
+    assert "choose a machine with a knife" in hint(message)
+    assert refusals(compiled(line, "demo-table", "fbb-0.4")) == []
 
 
 @pytest.mark.parametrize("beside", [0.0, 0.001, 0.002, 0.0033])

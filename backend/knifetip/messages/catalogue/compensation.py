@@ -238,7 +238,8 @@ MESSAGES: Final[Entries] = {
         "Edge {edge} belongs to a contour that crosses another contour or itself at X{x:.3f} "
         "Y{y:.3f}, so it is not clear on which side the cutter must run.",
         "Trim the contours at their crossings, so that each part has one outline, or set the line "
-        "type of the contour that is not to be cut to ignored.",
+        "type of the contour that is not to be cut to ignored. To cut both contours as they are "
+        "drawn, choose a machine with a knife.",
         edge="edge",
         x="x",
         y="y",

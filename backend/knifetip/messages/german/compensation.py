@@ -164,7 +164,9 @@ TEXTS: Final[Texts] = {
         "Kante {edge} gehört zu einer Kontur, die bei X{x:.3f} Y{y:.3f} eine andere Kontur oder "
         "sich selbst kreuzt, also ist nicht klar, auf welcher Seite der Fräser laufen muss.",
         "Die Konturen an ihren Kreuzungen stutzen, sodass jedes Teil eine Außenkontur hat, oder "
-        "die Linienart der Kontur, die nicht geschnitten werden soll, auf „Ignoriert“ setzen.",
+        "die Linienart der Kontur, die nicht geschnitten werden soll, auf „Ignoriert“ setzen. "
+        "Sollen beide Konturen geschnitten werden, wie sie gezeichnet sind, eine Maschine mit "
+        "Messer wählen.",
     ),
     "milling.drawn-twice": Text(
         "{count:# Schnitt liegt|# Schnitte liegen} höchstens {distance:.3f} mm neben anderen "
