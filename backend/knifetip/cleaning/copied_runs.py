@@ -21,7 +21,7 @@ from knifetip.geometry.columns import F64, I64, U8, Bool
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import ANGLE, GAP, POINT, SAME
 from knifetip.geometry.union_find import flatten, union
-from knifetip.kernels import I64_1, kernel
+from knifetip.kernels import F64_1, F64_2, I64_1, kernel
 
 #: Positions at which an edge must lie beside the other run.
 _FRACTIONS: Final = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -109,20 +109,31 @@ def _find_runs(ends: F64, bulge: F64, kind: U8, place: I64) -> _Runs:
     run_of = _connect(place, kind.astype(np.int64))
     order = np.argsort(run_of, kind="stable")
     first = np.flatnonzero(np.append(True, np.diff(run_of[order]) > 0))
-    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)[order]
-    box = np.hstack(
-        [
-            np.minimum.reduceat(boxes[:, :2], first),
-            np.maximum.reduceat(boxes[:, 2:], first),
-        ]
-    )
-    return _Runs(
-        order,
-        np.append(first, len(order)),
-        box,
-        np.add.reduceat(arc.length(ends[:, 0], ends[:, 1], bulge)[order], first),
-        kind[order[first]].astype(np.int64),
-    )
+    boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
+    length = arc.length(ends[:, 0], ends[:, 1], bulge)
+    first = np.append(first, len(order))
+    box, size = _unite(boxes, length, order, first)
+    return _Runs(order, first, box, size, kind[order[first[:-1]]].astype(np.int64))
+
+
+@kernel
+def _unite(boxes: F64_2, length: F64_1, order: I64_1, first: I64_1) -> Any:
+    """Return the bounding box (mm) and the length (mm) of each of r runs, (r, 4) and (r,).
+
+    ``boxes`` (k, 4), ``length`` (k,): bounding boxes and lengths of the edges (mm).
+    ``order`` (k,), ``first`` (r + 1,): the edges of the runs, as in ``_Runs``.
+    """
+    count = len(first) - 1
+    box, size = np.empty((count, 4)), np.zeros(count)
+    for run in range(count):
+        box[run] = boxes[order[first[run]]]
+        for at in range(first[run], first[run + 1]):
+            edge = order[at]
+            size[run] += length[edge]
+            for side in range(2):
+                box[run, side] = min(box[run, side], boxes[edge, side])
+                box[run, 2 + side] = max(box[run, 2 + side], boxes[edge, 2 + side])
+    return box, size
 
 
 @kernel
@@ -157,15 +168,14 @@ def _candidates(runs: _Runs, ends: F64) -> tuple[I64, I64]:
     count = runs.sizes
     if (count == 1).all():
         return none, none
-    cell = np.floor((runs.box[:, :2] - runs.box[:, :2].min(axis=0)) / (2.0 * GAP))
-    _, cell_of, crowd = np.unique(
-        cell[:, 0] * 2.0**26 + cell[:, 1], return_inverse=True, return_counts=True
-    )
+    x, y = (np.floor((low - low.min()) / (2.0 * GAP)) for low in runs.box[:, :2].T)
+    _, cell_of, crowd = np.unique(x * 2.0**26 + y, return_inverse=True, return_counts=True)
     usual = np.flatnonzero((crowd[cell_of.ravel()] <= _CROWD) & (runs.length > _LEAST))
     corner = np.hstack([runs.box[usual, :2], runs.box[usual, :2]])
     one, other = box_pairs(corner, corner, GAP)
-    one, other = usual[one], usual[other]
-    keep = (one < other) & (runs.kind[one] == runs.kind[other])
+    is_pair = one < other
+    one, other = usual[one[is_pair]], usual[other[is_pair]]
+    keep = runs.kind[one] == runs.kind[other]
     keep &= (np.abs(runs.box[one] - runs.box[other]) <= GAP).all(axis=1)
     # Single edges, and equal runs, are left to ``remove_overlaps``.
     keep &= (count[one] > 1) | (count[other] > 1)
