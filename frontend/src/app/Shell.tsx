@@ -1,6 +1,7 @@
 /** Frame of all pages: the page, the rail with the other places, and messages above both. */
 
 import type { ReactNode } from "react";
+import { useLocation } from "wouter";
 import { translate } from "../language/translate";
 import { OperatorDialog } from "../panels/accounts/OperatorForm";
 import { PreparationBanner } from "../panels/drawing/PreparationBanner";
@@ -18,6 +19,9 @@ export function Shell({ children }: { children: ReactNode }) {
   useSchemeColours();
   const lost = useUiStore((ui) => ui.connection === "broken");
   // A device at a machine shows the page of its station only.
+  const [path] = useLocation();
+  // The library takes files of its own, and a person at a machine opens no drawings.
+  const takesDrawings = !/^\/(library|station)/.test(path);
   const paired = useMe()?.kind === "device";
   return (
     <div className={css.shell} data-bare={paired}>
@@ -35,7 +39,7 @@ export function Shell({ children }: { children: ReactNode }) {
       <NotificationList />
       <ShortcutsDialog />
       <OperatorDialog />
-      <DropZone />
+      {takesDrawings && <DropZone />}
     </div>
   );
 }

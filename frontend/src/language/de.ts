@@ -1582,7 +1582,6 @@ export const de = {
   "stepBar.working": "in Arbeit",
   "stepBar.warning": "Warnung",
   "stepBar.questions": "{count, plural, one {# Frage} other {# Fragen}}",
-  "stepBar.step": "{title}: {mark}",
   "stepBar.stepsOfThisDrawing": "Schritte dieser Zeichnung",
   "mainAction.answerQuestions": "{questions, plural, one {# Frage} other {# Fragen}} beantworten",
   "mainAction.toTheStation": "Zur Station",

@@ -1526,7 +1526,6 @@ export const en = {
   "stepBar.working": "in progress",
   "stepBar.warning": "warning",
   "stepBar.questions": "{count, plural, one {# question} other {# questions}}",
-  "stepBar.step": "{title}: {mark}",
   "stepBar.stepsOfThisDrawing": "Steps of this drawing",
   "mainAction.answerQuestions": "Answer {questions, plural, one {# question} other {# questions}}",
   "mainAction.toTheStation": "Go to the station",

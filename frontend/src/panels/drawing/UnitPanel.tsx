@@ -139,7 +139,7 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
                 value={(100 * (weightOf(unit) - lightest)) / range}
                 aria-hidden
               />
-              <Text span fz={11.5} c="ink.3">
+              <Text span fz={11.5} c="ink.2">
                 {formatInches(width, height)}
               </Text>
             </Flex>

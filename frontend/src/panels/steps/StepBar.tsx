@@ -1,6 +1,6 @@
 /** The four steps of a drawing, each a link with a mark: done, open, a count or a warning. */
 
-import { Loader } from "@mantine/core";
+import { Loader, VisuallyHidden } from "@mantine/core";
 import {
   IconAlertTriangleFilled,
   IconCheck,
@@ -43,15 +43,12 @@ export function StepBar() {
               className={css.step}
               href={`#${drawingPath({ drawing, step, job })}`}
               aria-current={step === current ? "step" : undefined}
-              aria-label={translate("stepBar.step", {
-                title: TITLES[step],
-                mark: markText(statuses[step]),
-              })}
               data-kind={statuses[step].kind}
               data-testid={`step-${step}`}
             >
               <Mark status={statuses[step]} />
               {TITLES[step]}
+              <VisuallyHidden>{markText(statuses[step])}</VisuallyHidden>
             </a>
           </li>
         ))}
@@ -64,7 +61,12 @@ const markText = ({ kind, count }: StepStatus): string =>
   count === undefined ? MARK_TEXTS[kind] : translate("stepBar.questions", { count });
 
 function Mark({ status: { kind, count } }: { status: StepStatus }) {
-  if (count !== undefined) return <span className={css.count}>{count}</span>;
+  if (count !== undefined)
+    return (
+      <span className={css.count} aria-hidden>
+        {count}
+      </span>
+    );
   switch (kind) {
     case "done":
       return <IconCheck size={15} stroke={2.6} aria-hidden />;

@@ -1,6 +1,6 @@
 /** The table of work: a row for each drawing, with its newest job and its next action. */
 
-import { ActionIcon, Button, Table, Tooltip } from "@mantine/core";
+import { ActionIcon, Button, Table, Tooltip, VisuallyHidden } from "@mantine/core";
 import { IconCopy, IconTrash } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
 import { type OrderRow, service } from "../../api/client";
@@ -37,7 +37,9 @@ export function WorkTable({ groups }: { groups: readonly RowGroup[] }) {
             <Table.Th className={css.widest ?? ""}>{translate("workTable.machine")}</Table.Th>
             <Table.Th className={css.state ?? ""}>{translate("workTable.state")}</Table.Th>
             <Table.Th>{translate("workTable.nextAction")}</Table.Th>
-            <Table.Th className={css.state ?? ""} aria-label={translate("workTable.delete")} />
+            <Table.Th className={css.state ?? ""}>
+              <VisuallyHidden>{translate("workTable.delete")}</VisuallyHidden>
+            </Table.Th>
           </Table.Tr>
         </Table.Thead>
         <Table.Tbody>
