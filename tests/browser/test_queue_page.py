@@ -20,7 +20,7 @@ pytestmark = [
 ]
 
 NAMES = ("first.dxf", "second.dxf", "third.dxf")
-LIST_OF_JOBS = re.compile(r"/api/v1/jobs(\?|$)")
+LIST_OF_ORDERS = re.compile(r"/api/v1/orders(\?|$)")
 
 
 class Queue(NamedTuple):
@@ -170,7 +170,15 @@ def test_a_job_is_moved_to_another_machine(queue: Queue) -> None:
     assert queue.other.queue() == [queue.jobs[1]]
 
 
-# The queue of the first machine is always shown; that of another one while the page lists its jobs.
+def expect_in_work(page: Page, machine: OwnMachine) -> None:
+    """Expect a queued job of a machine in the table of work, also among drawings of one file."""
+    expect(page.get_by_test_id("drawing-row").first).to_be_visible()
+    for button in page.get_by_test_id("duplicates").all():
+        button.click()
+    row = page.get_by_test_id("drawing-row").filter(has_text=machine.title)
+    expect(row.get_by_text("Queued").filter(visible=True)).to_have_count(1)
+
+
 def test_a_job_added_while_the_page_loads_its_list_is_shown(
     page: Page, machines: tuple[OwnMachine, OwnMachine, list[str]]
 ) -> None:
@@ -185,9 +193,9 @@ def test_a_job_added_while_the_page_loads_its_list_is_shown(
             page.wait_for_timeout(1000)
         route.fulfill(response=answer)
 
-    page.route(LIST_OF_JOBS, answer_late)
+    page.route(LIST_OF_ORDERS, answer_late)
     page.reload()
-    expect(rows_of(page, machine)).to_have_count(1)
+    expect_in_work(page, machine)
     page.unroute_all(behavior="wait")
     machine.clear()
 
@@ -206,8 +214,8 @@ def test_a_list_that_could_not_be_loaded_is_loaded_later(
         else:
             route.continue_()
 
-    page.route(LIST_OF_JOBS, refuse)
+    page.route(LIST_OF_ORDERS, refuse)
     page.reload()
-    expect(rows_of(page, machine)).to_have_count(1)
+    expect_in_work(page, machine)
     page.unroute_all(behavior="wait")
     machine.clear()

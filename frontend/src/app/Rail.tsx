@@ -1,6 +1,6 @@
 /** The rail: links to the places of the page; below the page on a phone. */
 
-import { Indicator, Tooltip, VisuallyHidden } from "@mantine/core";
+import { Indicator, VisuallyHidden } from "@mantine/core";
 import {
   IconBooks,
   IconHistory,
@@ -109,7 +109,7 @@ interface PlaceProps {
   readonly href: string;
   readonly at: boolean;
   readonly label: string;
-  /** Shown beside the place instead of its name. */
+  /** More about the place. */
   readonly hint?: string;
   /** Why there is nothing at this place; null if there is. */
   readonly off?: string | null;
@@ -117,25 +117,28 @@ interface PlaceProps {
   readonly children: ReactNode;
 }
 
-function Place({ href, at, label, hint = label, off = null, testId, children }: PlaceProps) {
+function Place({ href, at, label, hint, off = null, testId, children }: PlaceProps) {
+  const shown = (
+    <>
+      {children}
+      <span>{label}</span>
+    </>
+  );
+  if (off !== null)
+    return (
+      <span className={css.railPlace} title={off} data-off data-testid={testId}>
+        {shown}
+      </span>
+    );
   return (
-    <Tooltip label={off ?? hint} position="right">
-      {off === null ? (
-        <a
-          className={css.railPlace}
-          href={`#${href}`}
-          aria-current={at ? "page" : undefined}
-          data-testid={testId}
-        >
-          {children}
-          <span>{label}</span>
-        </a>
-      ) : (
-        <span className={css.railPlace} data-off data-testid={testId}>
-          {children}
-          <span>{label}</span>
-        </span>
-      )}
-    </Tooltip>
+    <a
+      className={css.railPlace}
+      href={`#${href}`}
+      title={hint}
+      aria-current={at ? "page" : undefined}
+      data-testid={testId}
+    >
+      {shown}
+    </a>
   );
 }

@@ -117,11 +117,13 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
             >
               <Swatch type={type} />
               {LINE_STYLES[type].title}
-              <Figure ml={likely ? 0 : "auto"} fz={11} aria-hidden>
+              <Figure ml={likely ? 0 : "auto"} fz={11} c="ink.2" aria-hidden>
                 {LINE_STYLES[type].key}
               </Figure>
               {likely && (
-                <Figure ml="auto">{translate("edgeQuestion.mostLikely", { percent })}</Figure>
+                <Figure ml="auto" c="ink.1">
+                  {translate("edgeQuestion.mostLikely", { percent })}
+                </Figure>
               )}
             </button>
           );
