@@ -23,6 +23,8 @@ PAGE = BACKEND / "docs" / "licences.md"
 _PINNED = re.compile(r"^([a-z0-9._-]+)==([^ ;\\]+)", re.M)
 #: Licences of packages that are installed on other systems only.
 ELSEWHERE = {"colorama": "BSD-3-Clause"}
+#: Licences of packages that state them in a file only.
+IN_FILE = {"spyrrow": "MIT AND MPL-2.0"}
 #: SPDX expressions for the texts of older packages.
 SPDX = {
     "3-Clause BSD License": "BSD-3-Clause",
@@ -46,8 +48,8 @@ What that means:
   versions. In an image that is `pip install` over the packages in `/opt/knifetip`.
 - Changes of these packages themselves, if passed on, are under the LGPL. The code of knifetip is not affected.
 
-certifi is under the MPL 2.0, which requires the same for changes of its files only. The font Inter is under the OFL 1.1: it
-must not be sold by itself. The same holds for the fonts DejaVu in job tickets, whose licence is beside them
+certifi and jagua-rs, a part of spyrrow, are under the MPL 2.0, which requires the same for changes of their files only. The font Inter is
+under the OFL 1.1: it must not be sold by itself. The same holds for the fonts DejaVu in job tickets, whose licence is beside them
 (`knifetip/handover/fonts`).
 
 The container image contains the packages of the server, of the extras and of the page. Its base image (Debian and
@@ -79,7 +81,7 @@ def licence_of(name: str) -> str:
         classifiers = facts.get_all("Classifier") or []
         found = [one for one in classifiers if one.startswith("License :: ")]
         stated = found[0].rpartition(" :: ")[2] if found else ""
-    return SPDX.get(stated, stated)
+    return SPDX.get(stated, stated) or IN_FILE.get(name, "")
 
 
 def server_packages() -> list[tuple[str, str]]:

@@ -20,6 +20,8 @@ from knifetip.model.layout import LayoutSheet
 _LEAST: Final = 1.0
 #: Distance by which a blank may extend over the edge of the sheet (mm).
 _SLACK: Final = 0.05
+#: Distance by which a gap between two blanks may be too narrow (mm).
+_NARROWER: Final = 0.005
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,8 +80,42 @@ def find_overlaps(areas: Sequence[shapely.Geometry]) -> list[Overlap]:
     return sorted(found, key=lambda pair: (pair.copy, pair.other))
 
 
+def find_narrow_gaps(areas: Sequence[shapely.Geometry], gap: float) -> list[tuple[int, int]]:
+    """Return the pairs of copies whose distance is less than a gap, in the order of the copies.
+
+    Parameters
+    ----------
+    areas
+        The area of each copy.
+    gap
+        Least distance (mm); 0 for none.
+    """
+    least = gap - _NARROWER
+    if least <= 0.0:
+        return []
+    one, other = shapely.STRtree(areas).query(list(areas), predicate="dwithin", distance=least)
+    ahead = one < other
+    return sorted(zip(one[ahead].tolist(), other[ahead].tolist(), strict=True))
+
+
 def find_off_sheet(copies: Sequence[Copy], sheet: LayoutSheet) -> list[OffSheet]:
     """Return the copies that extend over the edge of the sheet."""
+    return find_off_window(copies, (0.0, 0.0, sheet.width, sheet.height))
+
+
+def find_off_window(
+    copies: Sequence[Copy], window: tuple[float, float, float, float]
+) -> list[OffSheet]:
+    """Return the copies that extend over the edge of a window of the sheet.
+
+    Parameters
+    ----------
+    copies
+        The copies.
+    window : mm
+        x min, y min, x max, y max.
+    """
     low_x, low_y, high_x, high_y = np.array([copy.box for copy in copies]).T
-    over = np.maximum.reduce([-low_x, -low_y, high_x - sheet.width, high_y - sheet.height])
+    left, below, right, above = window
+    over = np.maximum.reduce([left - low_x, below - low_y, high_x - right, high_y - above])
     return [OffSheet(copy, float(over[copy])) for copy in np.flatnonzero(over > _SLACK).tolist()]

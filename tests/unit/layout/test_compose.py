@@ -22,6 +22,8 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.layout import Layout, LayoutSheet, PlacedDrawing
 from knifetip.model.verdict import Finding
 from knifetip.verification.checks.layout.check import PlacedCopy, check_layout
+from tests.support.serving.server import square
+from tests.support.shapes import closed, dieline
 
 SHEET = LayoutSheet(width=1200.0, height=800.0)
 
@@ -122,3 +124,21 @@ def test_a_sheet_of_copies_compiles_to_an_accepted_program() -> None:
     machine, board = load.machine("demo-table"), load.board("fbb-0.4")
     compiled = pipeline.compile(sheet.drawing, sheet.dieline, machine, board)
     assert compiled.verdict.accepted
+
+
+@pytest.mark.parametrize(("gap", "drawn"), [(0.0, 2), (5.0, 1)])
+def test_the_common_line_of_neighbours_without_a_gap_is_cut_once(gap: float, drawn: int) -> None:
+    corners = closed((0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0))
+    source = Source(pipeline.read(square()), dieline((LineType.CUT, corners)))
+    row = placed(50.0, 50.0, columns=3, gap_x=gap)
+    sheet = compose(Layout(sheet=SHEET, placed=(row,)), [source], [0])
+    compiled = pipeline.compile(
+        sheet.drawing, sheet.dieline, load.machine("demo-table"), load.board("fbb-0.4")
+    )
+    path = compiled.toolpath
+    lengths = np.hypot(*np.diff(path.pose[:, :2], axis=0).T)
+    for x in (150.0, 250.0 + gap):
+        edges = np.flatnonzero((sheet.dieline.ends[:, :, 0] == x).all(axis=1))
+        assert len(edges) == drawn
+        # A knife cuts a few mm more than the line at its ends.
+        assert lengths[np.isin(path.source, edges)].sum() == pytest.approx(100.0, abs=15.0)

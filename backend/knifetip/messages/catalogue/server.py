@@ -126,9 +126,8 @@ MESSAGES: Final[Entries] = {
         name="text",
     ),
     "request.one-drawing": entry(
-        "An order needs a file, the id of a stored drawing or a carton.",
-        "Send one of them only: the file (form part or JSON field file), the field drawing or the "
-        "field carton.",
+        "An order needs exactly one of a file, the id of a stored drawing, a carton and a layout.",
+        "Send the file (form part or JSON field file), or the field drawing, carton or layout.",
     ),
     "request.not-marked": entry(
         "The request lacks the header X-Knifetip, which protects the server against requests "

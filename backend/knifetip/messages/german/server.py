@@ -112,10 +112,10 @@ TEXTS: Final[Texts] = {
         "Die Bytes der Datei in base64 kodieren, ohne Zeilenumbrüche.",
     ),
     "request.one-drawing": Text(
-        "Eine Bestellung braucht eine Datei, die Kennung einer gespeicherten Zeichnung oder eine "
-        "Schachtelform.",
-        "Nur eines davon senden: die Datei (Formularteil oder JSON-Feld file), das Feld drawing "
-        "oder das Feld carton.",
+        "Eine Bestellung braucht genau eines von Datei, Kennung einer gespeicherten Zeichnung, "
+        "Schachtelform und Layout.",
+        "Die Datei senden (Formularteil oder JSON-Feld file) oder das Feld drawing, carton oder "
+        "layout.",
     ),
     "request.not-marked": Text(
         "Der Anfrage fehlt der Header X-Knifetip, der den Server vor Anfragen anderer Websites "

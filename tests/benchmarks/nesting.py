@@ -1,0 +1,134 @@
+"""Benchmark of nesting: board use beside rectangles in columns and beside plain sparrow.
+
+    python -m tests.benchmarks.nesting [SECONDS]      prints the table of backend/docs/nesting.md
+
+Plain sparrow gets the outlines with all corners, the same time, seed and gap, and one strip without
+end that is as high as the sheet; its use is that of the strip up to its last blank.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from datetime import timedelta
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import spyrrow
+
+from knifetip import pipeline
+from knifetip.dxf.samples import samples
+from knifetip.layout.blanks import find_blanks
+from knifetip.library import load
+from knifetip.nesting.arrangement import Board
+from knifetip.nesting.parts import Part, make_part
+from knifetip.nesting.problem import Problem
+from knifetip.nesting.search import nest
+from knifetip.nesting.shapes import shape_of
+
+ROOT = Path(__file__).resolve().parents[2]
+CORPUS = Path(os.environ.get("KNIFETIP_CORPUS", ROOT.parent / "shared" / "corpus"))
+GAP = 5.0
+MARGIN = 10.0
+GRAIN = (0.0, 180.0)
+QUARTERS = (0.0, 90.0, 180.0, 270.0)
+TUCK, TRAY, RIGID = "tuck-end-carton.dxf", "corrugated-tray.dxf", "rigid-box-blank.dxf"
+
+
+class Case(NamedTuple):
+    """Drawings with their numbers, the sheet (mm), and the permitted turns (°)."""
+
+    drawings: Sequence[tuple[str, int]]
+    sheet: tuple[float, float]
+    turns: tuple[float, ...]
+
+
+CASES = (
+    Case(((TUCK, 6),), (1200.0, 800.0), GRAIN),
+    Case(((TUCK, 10),), (1600.0, 1200.0), QUARTERS),
+    Case(((TRAY, 4),), (1600.0, 1200.0), QUARTERS),
+    Case(((RIGID, 6),), (1600.0, 1200.0), GRAIN),
+    Case(((TUCK, 4), (TRAY, 2)), (1600.0, 1200.0), QUARTERS),
+    Case(((TUCK, 3), (TRAY, 1), (RIGID, 2)), (1600.0, 1200.0), GRAIN),
+    Case((("mailer_120x80x40_all_layers.dxf", 8),), (1200.0, 800.0), GRAIN),
+    Case((("PaperBox_100x40x140.dxf", 8),), (1200.0, 800.0), QUARTERS),
+    Case((("mailer_120x80x40_all_layers.dxf", 4), (TUCK, 4)), (1200.0, 800.0), QUARTERS),
+    Case((("PaperBox_100x40x140.dxf", 6), (TUCK, 3)), (1200.0, 800.0), GRAIN),
+)
+
+
+@cache
+def drawing(name: str) -> bytes | None:
+    """Return a sample or a file of the corpus; None without the corpus."""
+    if (sample := samples().get(name)) is not None:
+        return sample
+    found = next(CORPUS.rglob(name), None)
+    return None if found is None else found.read_bytes()
+
+
+def parts_of(case: Case) -> list[Part] | None:
+    """Return the parts of a case, None if a drawing is missing."""
+    parts = []
+    for name, quantity in case.drawings:
+        if (data := drawing(name)) is None:
+            return None
+        dieline = pipeline.classify(pipeline.read(data), load.profile("default"))
+        blanks = find_blanks(pipeline.clean(dieline).dieline)
+        parts.append(make_part(dieline, blanks, case.turns, quantity=quantity))
+    return parts
+
+
+def plain_use(parts: Sequence[Part], height: float, seconds: float) -> float:
+    """Return the use of a strip by sparrow alone (%)."""
+    items = [
+        spyrrow.Item(str(number), *shape_of(part, part.quantity))
+        for number, part in enumerate(parts)
+    ]
+    config = spyrrow.StripPackingConfig(
+        min_items_separation=GAP, total_computation_time=1, num_workers=1, seed=0
+    )
+    config.exploration_time = timedelta(seconds=0.8 * seconds)
+    config.compression_time = timedelta(seconds=0.2 * seconds)
+    found = spyrrow.StripPackingInstance("plain", height - 2.0 * MARGIN + 2.0 * GAP, items).solve(
+        config
+    )
+    length = found.width - 2.0 * GAP + 2.0 * MARGIN
+    return float(100.0 * sum(one.area.area * one.quantity for one in parts) / (length * height))
+
+
+def rows(seconds: float) -> Iterator[str]:
+    """Yield the rows of the table."""
+    for case in CASES:
+        parts = parts_of(case)
+        if parts is None:
+            continue
+        width, height = case.sheet
+        window = (MARGIN, MARGIN, width - MARGIN, height - MARGIN)
+        begun = time.monotonic()
+        found = nest(
+            Problem(parts, [Board(width, height, window, None)], GAP, seconds), lambda _: None
+        )
+        taken = time.monotonic() - begun
+        names = ", ".join(f"{count} × {Path(name).stem}" for name, count in case.drawings)
+        turns = "0, 180°" if case.turns == GRAIN else "0 … 270°"
+        plain = plain_use(parts, height, seconds)
+        yield (
+            f"| {names} | {width:g} × {height:g} | {turns} | {len(found.arrangement.sheets)} "
+            f"| {found.columns_use:.1f} | {found.use:.1f} | {plain:.1f} | {taken:.0f} |"
+        )
+
+
+def main() -> None:
+    """Print the table."""
+    seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 20.0
+    print("| drawings | sheet (mm) | turns | sheets | rectangles | knifetip | plain sparrow | s |")
+    print("|---|---|---|---|---|---|---|---|")
+    for row in rows(seconds):
+        print(row, flush=True)
+
+
+if __name__ == "__main__":
+    main()
