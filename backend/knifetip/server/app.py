@@ -67,6 +67,8 @@ from knifetip.service.monitoring.request_log import RequestLog
 from knifetip.service.monitoring.request_spans import RequestSpans
 from knifetip.service.monitoring.routes import Metrics, RequestCounter, add_numbers, route_templates
 from knifetip.service.monitoring.routes import router as metrics_router
+from knifetip.service.nestings import routes as nestings
+from knifetip.service.nestings.runner import NestingRunner
 from knifetip.service.orders import command_routes as job_commands
 from knifetip.service.orders import confirmation_routes as confirmation
 from knifetip.service.orders import order_routes as orders
@@ -92,9 +94,9 @@ from knifetip.service.xjdf import routes as xjdf
 _log = logging.getLogger("knifetip.api")
 
 _ROUTES = (
-    drawings, customer_answers, cartons, layouts, jobs, job_commands, orders, confirmation, queues,
-    rest, history, events, machines, tools, library, definitions, profiles, webhooks, xjdf, gateway,
-    accounts, folding, handover,
+    drawings, customer_answers, cartons, layouts, nestings, jobs, job_commands, orders,
+    confirmation, queues, rest, history, events, machines, tools, library, definitions, profiles,
+    webhooks, xjdf, gateway, accounts, folding, handover,
 )  # fmt: skip
 
 
@@ -150,6 +152,7 @@ def create_app(settings: Settings | None = None, rules: AccessRules | None = Non
         service = Service(chosen, rules, store, pool, work, placing, warm_up)
         app.state.service = service
         app.state.documents = Documents(service)
+        app.state.nestings = NestingRunner(store.nestings)
         app.state.readiness = Readiness(store, storage, compiling, service.threads)
         app.state.faults = FaultLog(partial(write_probe, store.database))
         app.state.stream = events.Stream(service)
@@ -171,6 +174,7 @@ def create_app(settings: Settings | None = None, rules: AccessRules | None = Non
             service.ready = False
             await app.state.faults.close()
             service.stop()
+            await asyncio.to_thread(app.state.nestings.stop)
             for task in tasks:
                 task.cancel()
             await asyncio.gather(*tasks, return_exceptions=True)

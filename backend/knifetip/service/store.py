@@ -35,6 +35,7 @@ from knifetip.service.lifecycle.event_store import EventStore
 from knifetip.service.lifecycle.machine_queues import MachineQueues
 from knifetip.service.lifecycle.transitions import Transitions
 from knifetip.service.machines.station_store import StationStore
+from knifetip.service.nestings.store import NestingStore
 from knifetip.service.orders.command_keys import CommandKeys
 from knifetip.service.orders.interrupted_jobs import InterruptedJobs
 from knifetip.service.orders.operator_store import OperatorStore
@@ -71,6 +72,7 @@ class Store:
         self.drawings = DrawingStore(self.database, self.contents, transitions)
         self.customer_answers = CustomerAnswerStore(self.database)
         self.documents = DocumentStore(self.database)
+        self.nestings = NestingStore(self.database)
         self.jobs = JobStore(self.database, self.contents, transitions)
         self.events = EventStore(self.database)
         self.compiles = CompileStore(self.database, self.contents, transitions)

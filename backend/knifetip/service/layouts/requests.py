@@ -112,7 +112,7 @@ def _compose(service: Service, layout: Layout) -> tuple[Layout, bytes, Reading]:
     found: dict[str, Drawing] = {}
     for placed in layout.placed:
         if placed.drawing not in found:
-            found[placed.drawing] = _placed_drawing(service, placed.drawing)
+            found[placed.drawing] = placed_drawing(service, placed.drawing)
         current = found[placed.drawing].version
         if placed.revision not in (None, current):
             raise StaleVersion(
@@ -134,7 +134,7 @@ def _compose(service: Service, layout: Layout) -> tuple[Layout, bytes, Reading]:
     return pinned, content, service.run(layout_tasks.compose_sheet, content)
 
 
-def _placed_drawing(service: Service, id: str) -> Drawing:
+def placed_drawing(service: Service, id: str) -> Drawing:
     """Return a drawing that is to be placed, with its edges."""
     row = service.store.drawings.get_with(id, "edges")
     if row.layout is not None:

@@ -136,11 +136,11 @@ async def place_order_with_file(
     sent: Annotated[SentOrder, Depends(_sent_order)],
     key: IdempotencyKey = None,
 ) -> OrderOut:
-    """Store a drawing and create a job for it.
+    """Store a drawing or a layout and create a job for it.
 
     The request is a form with the file and the order as JSON, or JSON with the file in base64, with
-    the id of a stored drawing, or with a carton that the server draws.  The drawing and the job
-    get the details of the order.  If a user must first answer questions about the drawing, the
+    the id of a stored drawing or layout, with a carton that the server draws, or with a layout.
+    The drawing and the job get the details of the order.  If a user must first answer questions about the drawing, the
     status is 409 and the drawing is kept: it is listed by the ``external_id`` of the order.  A
     repetition with the same ``Idempotency-Key`` creates the job as soon as the questions are
     answered.

@@ -10,6 +10,7 @@ from pydantic.config import JsonDict
 from pydantic_core import ErrorDetails
 
 from knifetip.errors import RequestError
+from knifetip.model.layout import Layout
 from knifetip.service.cartons.models import CartonIn
 from knifetip.service.drawings.models import DrawingSummary, Unit
 from knifetip.service.http.message_models import MessageOut
@@ -42,22 +43,29 @@ class FileIn(JsonBody):
             raise RequestError("request.not-base64", name=self.name) from reason
 
 
-#: Exactly one of file, drawing and carton; generators of clients disregard it, unlike ``oneOf``.
-_ONE_DRAWING: Final[JsonDict] = {
-    "if": {"required": ["drawing"], "properties": {"drawing": {"type": "string"}}},
-    "then": {"properties": {"file": {"type": "null"}, "carton": {"type": "null"}}},
-    "else": {
-        "if": {"required": ["carton"], "properties": {"carton": {"type": "object"}}},
-        "then": {"properties": {"file": {"type": "null"}}},
-        "else": {"required": ["file"], "properties": {"file": {"type": "object"}}},
-    },
-}
+#: Fields of an order of which exactly one is given.
+_SOURCES: Final = {"drawing": "string", "carton": "object", "layout": "object", "file": "object"}
+
+
+def _one_of(sources: dict[str, str]) -> JsonDict:
+    """Return a JSON Schema by which exactly one of some fields is given.
+
+    Generators of clients disregard it, unlike ``oneOf``.
+    """
+    (name, kind), *rest = sources.items()
+    if not rest:
+        return {"required": [name], "properties": {name: {"type": kind}}}
+    return {
+        "if": {"required": [name], "properties": {name: {"type": kind}}},
+        "then": {"properties": {other: {"type": "null"} for other, _ in rest}},
+        "else": _one_of(dict(rest)),
+    }
 
 
 class OrderIn(JobChoices):
-    """An order: a drawing file, the id of a stored drawing or a carton, and choices for its job."""
+    """An order: a file, a stored drawing, a carton or a layout, and choices for its job."""
 
-    model_config = ConfigDict(json_schema_extra=_ONE_DRAWING)
+    model_config = ConfigDict(json_schema_extra=_one_of(_SOURCES))
 
     file: FileIn | None = Field(
         default=None,
@@ -72,6 +80,12 @@ class OrderIn(JobChoices):
         description="A carton that is drawn for the board of the order: its style as in `GET "
         "/api/cartons`, its inner dimensions (mm) and its options; null if a file or a drawing is "
         "given",
+    )
+    layout: Layout | None = Field(
+        default=None,
+        description="A sheet with stored drawings at their places, which is stored as a layout; "
+        "null if another of these fields is given. The layout gets the `external_id` of the order "
+        "as its name",
     )
     unit: Unit | None = Field(
         default=None, description="Unit of the file; null for the unit that the file states"

@@ -10,6 +10,7 @@ from knifetip.service.components import Service
 from knifetip.service.database.request_key import RequestKey, fingerprint
 from knifetip.service.database.tables import Drawing, Job
 from knifetip.service.drawings.requests import Upload, drawing_name, store_upload
+from knifetip.service.layouts.requests import store_layout
 from knifetip.service.limits.work_queue import RequestIdentity
 from knifetip.service.order_details.models import details_columns
 from knifetip.service.orders.creation import place_order
@@ -32,7 +33,7 @@ class SentOrder:
             if content is not None:
                 raise RequestError("request.one-drawing")
             name, content = order.file.name, order.file.decoded()
-        given = (content, order.drawing, order.carton)
+        given = (content, order.drawing, order.carton, order.layout)
         if sum(one is not None for one in given) != 1:
             raise RequestError("request.one-drawing")
         if order.carton is not None:
@@ -49,26 +50,31 @@ class SentOrder:
         """Return the key of the order with a hash of its content, None without a key."""
         if text is None:
             return None
-        return RequestKey(text, self._fingerprint())
+        return RequestKey(text, self.fingerprint())
 
     def identity(self, text: str | None) -> RequestIdentity:
         """Return what the order has in common with its repetitions."""
-        return RequestIdentity.of("order", text, self._fingerprint().encode())
+        return RequestIdentity.of("order", text, self.fingerprint().encode())
 
-    def _fingerprint(self) -> str:
+    def fingerprint(self) -> str:
+        """Return a hash of the content of the order."""
         digest = hashlib.sha256(self.content or b"").hexdigest()
-        # A carton is its fields; orders without one have the hash of earlier versions.
-        without = {"file"} if self.order.carton is not None else {"file", "carton"}
-        fields = self.order.model_dump_json(exclude=without)
+        # Orders without carton and layout have the hash of earlier versions.
+        unused = {name for name in ("carton", "layout") if getattr(self.order, name) is None}
+        fields = self.order.model_dump_json(exclude={"file", *unused})
         return fingerprint("order", self.name, digest, fields)
 
 
 def store_drawing(service: Service, sent: SentOrder, key: str | None) -> Drawing:
-    """Return the drawing of an order; its file is stored with the details of the order.
+    """Return the drawing of an order; its file or layout is stored with the details of the order.
 
     A carton is drawn first, and stored as its file.
     """
     order, content = sent.order, sent.content
+    if order.layout is not None:
+        request = None if key is None else RequestKey(key, sent.fingerprint())
+        name = order.external_id or "layout"
+        return store_layout(service, name, order.layout, details_columns(order), request)
     if order.carton is not None:
         content = draw_carton(service, order.carton, order.board)
     if content is None:

@@ -29,7 +29,7 @@ LEAST = {
         list_drawings get_drawing get_edges get_picture get_import_report get_cleaning get_file
         export_drawing list_pages get_blanks list_layouts get_layout list_cartons get_carton_picture
         list_jobs list_orders get_job get_job_events get_verdict get_toolpath get_earlier_exceptions
-        export_toolpath get_ticket export_job get_metrics get_folding get_folding_file
+        export_toolpath get_ticket export_job get_metrics get_folding get_folding_file get_nesting
         get_confirmation get_queue get_tracks list_history get_statistics get_events
         list_machines get_machine get_station get_operation list_machine_tools list_tool_events
         list_formats list_boards get_board list_tools list_library get_schema
@@ -42,6 +42,7 @@ LEAST = {
     "designer": """
         upload_drawing choose_page change_drawing delete_drawing override_edges order_job
         add_layout draw_carton_as_drawing change_layout delete_layout accept_shortfalls
+        begin_nesting stop_nesting delete_nesting
         recompile_job cancel_job calibrate keep_profile delete_profile preview_profile
         learn_from_corrections use_customer_answer order_by_xjdf answer_xjmf place_order_with_file
         place_orders
@@ -82,6 +83,7 @@ BEYOND = {
     "order": """
         upload_drawing choose_page change_drawing delete_drawing override_edges order_job
         add_layout draw_carton_as_drawing change_layout delete_layout accept_shortfalls
+        begin_nesting stop_nesting delete_nesting
         release_job recompile_job cancel_job change_job place_order_with_file place_orders
         order_by_xjdf answer_xjmf
     """,

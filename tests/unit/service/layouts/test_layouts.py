@@ -156,3 +156,25 @@ def test_the_same_request_stores_one_layout(client: httpx.Client, drawing: str) 
         for _ in range(2)
     }
     assert len(ids) == 1
+
+
+def test_an_order_may_contain_its_layout(client: httpx.Client, drawing: str) -> None:
+    placed = [{"drawing": drawing, "x": 20.0, "y": 40.0, "columns": 2}]
+    order = {
+        "board": "fbb-0.4",
+        "layout": {"sheet": SHEET, "placed": placed},
+        "external_id": "A-18",
+    }
+    headers = {"Idempotency-Key": "order of a layout"}
+    first = client.post("/api/orders", json=order, headers=headers)
+    assert first.status_code == 201, first.text
+    again = client.post("/api/orders", json=order, headers=headers)
+    assert again.json()["job"]["id"] == first.json()["job"]["id"]
+    job = wait_for_state(client, first.json()["job"]["id"], "ready")
+    assert job["sheet"] == {"width": 500.0, "height": 300.0, "margin": 20.0, "margin_below": 40.0}
+    (listed,) = client.get("/api/layouts", params={"external_id": "A-18"}).json()
+    assert (listed["id"], listed["name"], listed["count"]) == (job["drawing"], "A-18", 2)
+    both = client.post("/api/orders", json={**order, "drawing": drawing})
+    assert (both.status_code, both.json()["code"]) == (422, "request.one-drawing")
+    (result,) = client.post("/api/orders/batch", json={"orders": [order]}).json()
+    assert (result["status"], result["job"]["drawing_name"]) == (201, "A-18")

@@ -1,0 +1,1 @@
+"""Nestings: searches for the places of drawings on sheets."""
