@@ -43,6 +43,7 @@ COMMANDS: Final[dict[str, _Command]] = {
     "calibrate": _Command(
         "calibrate", "Compute the deflection of a cutter from a measured test cut."
     ),
+    "nest": _Command("nest", "Place drawings on as few sheets as possible, by true shapes.", True),
     "job": _Command("job", "List and control the jobs of a server."),
     "user": _Command("account", "Add, list and change the users of a server's database."),
     "key": _Command("account", "Create, list and revoke the API keys of a server's database."),
