@@ -16,6 +16,7 @@ import {
   LIBRARY,
   MACHINES,
   SETTINGS,
+  SHEET,
   STATION,
   STATIONS,
   syncWithAddress,
@@ -32,6 +33,7 @@ import {
   DrawingPage,
   FoldPage,
   HistoryPage,
+  LayoutEditor,
   LibraryPage,
   MachinesPage,
   prefetch,
@@ -79,6 +81,7 @@ export function App() {
         <Route path={FOLD}>
           {({ drawing }) => fetched(drawing, <FoldPage drawing={drawing} />)}
         </Route>
+        <Route path={SHEET}>{({ id }) => fetched(id, <LayoutEditor id={id} />)}</Route>
         <Route path={HISTORY}>{fetched("history", <HistoryPage />)}</Route>
         <Route path={SETTINGS}>{fetched("settings", <SettingsPage />)}</Route>
         <Route path={WEBHOOKS}>{fetched("webhooks", <WebhooksPage />)}</Route>

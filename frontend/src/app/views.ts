@@ -15,6 +15,7 @@ const FETCH = {
   webhooks: () => import("./WebhooksPage"),
   cartons: () => import("../panels/cartons/CartonPage"),
   fold: () => import("./FoldPage"),
+  layout: () => import("../panels/layout/LayoutEditor"),
   history: () => import("../panels/history/HistoryPage"),
 } as const;
 
@@ -42,6 +43,7 @@ export const SettingsPage = part(FETCH.settings, (module) => module.SettingsPage
 export const WebhooksPage = part(FETCH.webhooks, (module) => module.WebhooksPage);
 export const CartonPage = part(FETCH.cartons, (module) => module.CartonPage);
 export const FoldPage = part(FETCH.fold, (module) => module.FoldPage);
+export const LayoutEditor = part(FETCH.layout, (module) => module.LayoutEditor);
 export const HistoryPage = part(FETCH.history, (module) => module.HistoryPage);
 
 /** Fetch a page; a failure is shown when the page is wanted. */

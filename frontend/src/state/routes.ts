@@ -6,6 +6,7 @@
  *     #/drawings/ID/STEP                   a step of a drawing: lines, sheet, process or check
  *     #/drawings/ID/STEP/jobs/ID           the same, with a job of the drawing
  *     #/drawings/ID/fold                   a drawing folded in 3D
+ *     #/layouts/ID/sheet                   the sheet of a layout
  *     #/machines                           machines with their queues
  *     #/station/MACHINE                    the page of the person at a machine
  *     #/library                            machines, boards and tools
@@ -32,6 +33,7 @@ export const FOLD = "/drawings/:drawing/fold";
 export const HISTORY = "/history";
 export const SETTINGS = "/settings";
 export const WEBHOOKS = "/webhooks";
+export const SHEET = "/layouts/:id/sheet";
 
 /** Addresses of drawings. */
 export const DRAWINGS =

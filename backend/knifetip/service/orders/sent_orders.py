@@ -24,7 +24,7 @@ class SentOrder:
     Raises
     ------
     RequestError
-        The order has not exactly one of a file, a stored drawing and a carton.
+        The order has not exactly one of a file, a stored drawing, a carton and a layout.
     """
 
     def __init__(self, order: OrderIn, name: str = "", content: bytes | None = None) -> None:

@@ -7,6 +7,7 @@ import { useDrawing, useMachines } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
 import { InspectorPanel } from "../drawing/InspectorPanel";
+import { LayOutButton } from "../layout/LayOutButton";
 import { BoardSelect } from "../order/BoardSelect";
 import { SheetForm } from "../order/SheetForm";
 import { Section } from "../shared/Section";
@@ -47,10 +48,10 @@ export function SheetStep() {
               height={drawing.bounds[3] - drawing.bounds[1]}
             />
             <Copies />
+            <LayOutButton drawing={drawing} />
           </Stack>
         </Permitted>
       </Section>
-      {/* The editor of layouts (panels/layout) is the next section of this step. */}
     </>
   );
 }

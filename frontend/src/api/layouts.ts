@@ -1,0 +1,47 @@
+/** Requests about layouts, the shapes of drawings on them, and nestings. */
+
+import type { components } from "./openapi.gen";
+import { api, byId, dataOf, uncached } from "./restApi";
+
+type Schemas = components["schemas"];
+/** A sheet with placed drawings, and what the server finds wrong with it. */
+export type Layout = Schemas["LayoutOut"];
+export type LayoutSheet = Required<Schemas["LayoutSheet"]>;
+/** A drawing on a sheet: one copy, or rows and columns of copies. */
+export type Placed = Required<Schemas["PlacedDrawing"]>;
+export type Blanks = Schemas["BlanksOut"];
+/** A search for the places of drawings, with the best arrangement so far. */
+export type Nesting = Schemas["NestingOut"];
+export type NewNesting = Schemas["NestingIn"];
+
+export interface LayoutBody {
+  readonly sheet: LayoutSheet;
+  readonly placed: readonly Placed[];
+}
+
+const bodyOf = ({ sheet, placed }: LayoutBody) => ({ sheet, placed: [...placed] });
+
+export const layoutService = {
+  get: (id: string, signal?: AbortSignal): Promise<Layout> =>
+    dataOf(api.GET("/api/v1/layouts/{id}", { params: byId(id), ...uncached(signal) })),
+  add: (name: string, body: LayoutBody): Promise<Layout> =>
+    dataOf(api.POST("/api/v1/layouts", { body: { name, ...bodyOf(body) } as Schemas["LayoutIn"] })),
+  /** Replace a revision of a layout; the server refuses it if there is a later one. */
+  replace: (id: string, revision: number, body: LayoutBody): Promise<Layout> =>
+    dataOf(
+      api.PUT("/api/v1/layouts/{id}", {
+        params: { ...byId(id), header: { "If-Match": `"${revision}"` } },
+        body: bodyOf(body),
+      }),
+    ),
+  blanks: (drawing: string, signal?: AbortSignal): Promise<Blanks> =>
+    dataOf(
+      api.GET("/api/v1/drawings/{id}/blanks", { params: byId(drawing), signal: signal ?? null }),
+    ),
+  beginNesting: (nesting: NewNesting): Promise<Nesting> =>
+    dataOf(api.POST("/api/v1/nestings", { body: nesting })),
+  nesting: (id: string, signal?: AbortSignal): Promise<Nesting> =>
+    dataOf(api.GET("/api/v1/nestings/{id}", { params: byId(id), ...uncached(signal) })),
+  stopNesting: (id: string): Promise<Nesting> =>
+    dataOf(api.POST("/api/v1/nestings/{id}/stop", { params: byId(id) })),
+};

@@ -1,0 +1,74 @@
+/** Opens a new layout with a drawing on its sheet. */
+
+import { Button } from "@mantine/core";
+import { useState } from "react";
+import { navigate } from "wouter/use-hash-location";
+import { layoutService } from "../../api/layouts";
+import { translate } from "../../language/translate";
+import { errorText } from "../../messages/translateMessage";
+
+interface Props {
+  readonly drawing: {
+    readonly id: string;
+    readonly name: string;
+    readonly unit: string | null;
+    readonly width: number;
+    readonly height: number;
+  };
+}
+
+/** Size of a new sheet (mm), unless the drawing is larger. */
+const SHEET = { width: 1200, height: 800 };
+
+export const layoutPath = (id: string): string => `/layouts/${encodeURIComponent(id)}/sheet`;
+
+export function LayOutButton({ drawing }: Props) {
+  const [busy, setBusy] = useState(false);
+  const [fault, setFault] = useState("");
+  const layOut = async () => {
+    setBusy(true);
+    setFault("");
+    try {
+      const { id } = await layoutService.add(drawing.name, {
+        sheet: {
+          width: Math.max(SHEET.width, Math.ceil(drawing.width)),
+          height: Math.max(SHEET.height, Math.ceil(drawing.height)),
+          grain: null,
+          side_up: "outside",
+        },
+        placed: [
+          {
+            ...{ drawing: drawing.id, revision: null, x: 0, y: 0, turn: 0, mirror: false },
+            ...{ columns: 1, rows: 1, gap_x: 5, gap_y: 5 },
+          },
+        ],
+      });
+      navigate(layoutPath(id));
+    } catch (reason) {
+      setFault(reason instanceof Error ? errorText(reason) : String(reason));
+    } finally {
+      setBusy(false);
+    }
+  };
+  return (
+    <>
+      <Button
+        size="xs"
+        mt={10}
+        variant="default"
+        fullWidth
+        loading={busy}
+        disabled={drawing.unit === null}
+        onClick={layOut}
+        data-testid="lay-out"
+      >
+        {translate("layoutEditor.layOut")}
+      </Button>
+      {fault !== "" && (
+        <p role="alert" style={{ color: "var(--bad-ink)" }}>
+          {fault}
+        </p>
+      )}
+    </>
+  );
+}
