@@ -52,7 +52,7 @@ def test_a_copy_is_moved_and_collides_until_it_is_undone(sheet: Page) -> None:
     for _ in range(10):
         sheet.keyboard.press("Shift+ArrowRight")
     expect(copies.first).to_have_attribute("data-colliding", "false")
-    expect(sheet.get_by_test_id("placed-x")).to_have_value("110")
+    expect(sheet.get_by_test_id("placed-x")).to_have_value("120")
     sheet.get_by_test_id("layout-undo").click()
     sheet.get_by_test_id("layout-undo").click()
     expect(copies.first).to_have_attribute("data-colliding", "true")

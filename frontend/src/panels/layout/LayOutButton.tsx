@@ -19,6 +19,8 @@ interface Props {
 
 /** Size of a new sheet (mm), unless the drawing is larger. */
 const SHEET = { width: 1200, height: 800 };
+/** Distance of the drawing from the edges of a new sheet (mm). */
+const MARGIN = 10;
 
 export const layoutPath = (id: string): string => `/layouts/${encodeURIComponent(id)}/sheet`;
 
@@ -31,14 +33,21 @@ export function LayOutButton({ drawing }: Props) {
     try {
       const { id } = await layoutService.add(drawing.name, {
         sheet: {
-          width: Math.max(SHEET.width, Math.ceil(drawing.width)),
-          height: Math.max(SHEET.height, Math.ceil(drawing.height)),
+          width: Math.max(SHEET.width, Math.ceil(drawing.width) + 2 * MARGIN),
+          height: Math.max(SHEET.height, Math.ceil(drawing.height) + 2 * MARGIN),
           grain: null,
           side_up: "outside",
         },
         placed: [
           {
-            ...{ drawing: drawing.id, revision: null, x: 0, y: 0, turn: 0, mirror: false },
+            ...{
+              drawing: drawing.id,
+              revision: null,
+              x: MARGIN,
+              y: MARGIN,
+              turn: 0,
+              mirror: false,
+            },
             ...{ columns: 1, rows: 1, gap_x: 5, gap_y: 5 },
           },
         ],

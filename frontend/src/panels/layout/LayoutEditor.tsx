@@ -219,6 +219,7 @@ function Editor({ layout }: { readonly layout: Layout }) {
   }, [unsaved]);
   const size = (name: "width" | "height", label: string) => (
     <NumberInput
+      hideControls
       label={label}
       size="xs"
       min={1}

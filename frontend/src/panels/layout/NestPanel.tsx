@@ -81,6 +81,7 @@ export function NestPanel({ draft, gap, margin, onGap, onMargin, nameOf, onFound
     });
   const number = (label: string, value: number, set: (value: number) => void, least: number) => (
     <NumberInput
+      hideControls
       label={label}
       size="xs"
       min={least}
@@ -93,6 +94,7 @@ export function NestPanel({ draft, gap, margin, onGap, onMargin, nameOf, onFound
     <div className={css.nest} data-testid="nest-panel">
       {[...present].map(([drawing, count]) => (
         <NumberInput
+          hideControls
           key={drawing}
           label={translate("layoutEditor.copiesOf", { name: nameOf(drawing) })}
           size="xs"

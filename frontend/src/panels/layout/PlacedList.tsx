@@ -47,6 +47,7 @@ function Entry({ one, index, ...props }: Props & { one: Placed; index: number })
   const isChosen = props.chosen.has(index);
   const field = ({ field, label, min, max }: (typeof PLACES | typeof REPEATS)[number]) => (
     <NumberInput
+      hideControls
       key={field}
       label={label}
       size="xs"
@@ -107,7 +108,7 @@ function Entry({ one, index, ...props }: Props & { one: Placed; index: number })
         <fieldset className={css.fields} aria-label={name}>
           {PLACES.map(field)}
           <Switch
-            size="sm"
+            size="xs"
             label={translate("layoutEditor.mirror")}
             checked={one.mirror}
             onChange={(event) => props.onChange(index, { mirror: event.currentTarget.checked })}
