@@ -2,7 +2,7 @@
 
     python -m tests.benchmarks.nesting [SECONDS]      prints the table of backend/docs/nesting.md
 
-Plain sparrow gets the outlines with all corners, the same time, seed and gap, and one strip without
+Plain sparrow gets the same outlines, time, seed and gap, and one strip without
 end that is as high as the sheet; its use is that of the strip up to its last blank.
 """
 

@@ -148,10 +148,10 @@ def test_stop_keeps_the_best_arrangement_so_far() -> None:
 def test_an_arrangement_of_the_engine_that_collides_is_not_kept(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    parts = [part(shapely.box(0.0, 0.0, 90.0, 90.0), HALF, 2)]
+    parts = [part(shapely.box(0.0, 0.0, 90.0, 90.0), HALF, 5)]
 
     def colliding(_strip: Strip, _stopped: object) -> Generator[StripFilling]:
-        yield StripFilling(140.0, [PlacedShape(0, 0.0, 0.0, 0.0), PlacedShape(0, 0.0, 50.0, 0.0)])
+        yield StripFilling(90.0, [PlacedShape(0, 0.0, 0.0, 50.0 * n) for n in range(5)])
 
     monkeypatch.setattr(fit, "fill_strip", colliding)
     found = nest(Problem(parts, [SHEET], 5.0, 1.0), lambda _: None)
