@@ -10,7 +10,7 @@ from knifetip.fields import LISTED
 from knifetip.model.layout import LayoutSheet, PlacedDrawing
 from knifetip.model.nesting import NestingJob
 from knifetip.service.http.message_models import MessageOut
-from knifetip.service.http.models import JsonBody
+from knifetip.service.http.models import Count, JsonBody
 from knifetip.service.http.times import Moment
 
 NestingStateName = Annotated[Literal["running", "done", "stopped", "failed", "interrupted"], LISTED]
@@ -18,6 +18,10 @@ NestingStateName = Annotated[Literal["running", "done", "stopped", "failed", "in
 
 class NestingIn(NestingJob, JsonBody):
     """A new nesting: drawings with their numbers, sheets, and the time of the search."""
+
+    seed: Count = Field(
+        default=0, description="Number from which the random choices of the search follow"
+    )
 
 
 class NestedSheet(BaseModel):
