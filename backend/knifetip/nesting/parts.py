@@ -13,7 +13,7 @@ from shapely import Polygon
 from knifetip.geometry import arc
 from knifetip.geometry.chords import chord_counts
 from knifetip.geometry.columns import F64
-from knifetip.layout.compose import turning
+from knifetip.layout.compose import placement_matrix
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import extents
 
@@ -81,7 +81,7 @@ def make_part(
     bow = -bulge if mirror else bulge
     boxes = []
     for turn in turns:
-        box = extents(ends @ turning(turn, mirror=mirror), bow)
+        box = extents(ends @ placement_matrix(turn, mirror=mirror), bow)
         boxes.append((turn, Box(box[:2], float(box[2] - box[0]), float(box[3] - box[1]))))
     return Part(area, outline, tuple(boxes), mirror, quantity)
 

@@ -6,7 +6,7 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.layout.compose import turning
+from knifetip.layout.compose import placement_matrix
 from knifetip.nesting.arrangement import Board, Place
 from knifetip.nesting.engine import PlacedShape, Shape
 from knifetip.nesting.parts import Part
@@ -18,7 +18,7 @@ _DECIMALS: Final = 4
 def shape_of(part: Part, quantity: int) -> Shape:
     """Return copies of a part as a shape, which is mirrored and has the first turn of the part."""
     first = part.boxes[0][0]
-    ring = np.array(part.outline.exterior.coords)[:-1] @ turning(first, mirror=part.mirror)
+    ring = np.array(part.outline.exterior.coords)[:-1] @ placement_matrix(first, mirror=part.mirror)
     corners = [(float(x), float(y)) for x, y in ring]
     return Shape(corners, quantity, tuple(turn - first for turn, _ in part.boxes))
 

@@ -84,7 +84,7 @@ export function Picture({ onReady }: Props) {
           </div>
           {step === "lines" && (
             <>
-              <DraftOverlay viewer={shown.viewer} />
+              <DraftOverlay toScreen={(place) => shown.viewer.toScreen(place)} />
               <DraftTools />
             </>
           )}

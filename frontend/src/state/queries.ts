@@ -270,7 +270,6 @@ export const queries = {
 
 const flattenPages = <T>({ pages }: { pages: Page<T>[] }): T[] => pages.flatMap(({ rows }) => rows);
 
-/** Lists, page by page: `fetchNextPage` loads more if `hasNextPage`. */
 /** Drawings with their newest jobs, page by page. */
 export const useOrders = (wanted: OrdersFilter) =>
   useInfiniteQuery({

@@ -94,6 +94,10 @@ export function showDrawing(
   returnToDrawing();
 }
 
+/** Show the sheet of a layout. */
+export const showLayout = (id: string): void =>
+  navigate(`/layouts/${encodeURIComponent(id)}/sheet`);
+
 /** Open the drawing that the address names. */
 export function openAddress(): void {
   const named = drawingOf(location.hash);

@@ -73,10 +73,10 @@ class Sentences:
             self.word("ticket.due"),
             self.word("ticket.no-value") if facts.due is None else time_text(facts.due),
         )
-        drawing = {"drawing": facts.drawing, "revision": facts.revision}
+        code = "ticket.changed" if facts.is_changed else "ticket.revision"
         yield (
             self.word("ticket.drawing"),
-            self.word("ticket.changed" if facts.is_changed else "ticket.revision", **drawing),
+            self.word(code, drawing=facts.drawing, revision=facts.revision),
         )
         board = facts.board
         if facts.caliper is not None:

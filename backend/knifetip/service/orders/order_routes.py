@@ -140,10 +140,10 @@ async def place_order_with_file(
 
     The request is a form with the file and the order as JSON, or JSON with the file in base64, with
     the id of a stored drawing or layout, with a carton that the server draws, or with a layout.
-    The drawing and the job get the details of the order.  If a user must first answer questions about the drawing, the
-    status is 409 and the drawing is kept: it is listed by the ``external_id`` of the order.  A
-    repetition with the same ``Idempotency-Key`` creates the job as soon as the questions are
-    answered.
+    The drawing and the job get the details of the order.  If a user must first answer questions
+    about the drawing, the status is 409 and the drawing is kept: it is listed by the
+    ``external_id`` of the order.  A repetition with the same ``Idempotency-Key`` creates the job as
+    soon as the questions are answered.
     """
     _permit(principal, sent.order)
     client = Client.of(request)

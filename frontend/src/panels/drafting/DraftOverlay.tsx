@@ -5,16 +5,15 @@ import type { Snapped } from "../../geometry/snap";
 import { formatFixed } from "../../language/numbers";
 import { useDrafting } from "../../state/drafting/drafting";
 import { measure } from "../../state/drafting/measure";
-import type { Viewer } from "../../viewer/viewer";
 import css from "./drafting.module.css";
 
-/** Rendered anew whenever the view changes. */
-export function DraftOverlay({ viewer }: { viewer: Viewer }) {
+/** Rendered anew whenever the view changes; `toScreen` gives the pixel of a place. */
+export function DraftOverlay({ toScreen }: { toScreen(place: Point): Point }) {
   const { tool, first, second, cursor } = useDrafting();
   if (tool === null) return null;
   const last = second ?? cursor;
-  const from = first === null ? null : viewer.toScreen(first);
-  const to = last === null ? null : viewer.toScreen(last);
+  const from = first === null ? null : toScreen(first);
+  const to = last === null ? null : toScreen(last);
   return (
     <svg className={css.overlay} aria-hidden="true">
       {from !== null && to !== null && <Stretch tool={tool} from={from} to={to} />}

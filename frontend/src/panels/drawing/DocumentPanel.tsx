@@ -80,18 +80,6 @@ export function DocumentPanel() {
       ))}
       {profiles && <ProfileChoice drawing={drawing} profiles={profiles} />}
       <CustomerField drawing={drawing} />
-      {drawing.unit !== null && (
-        <Button
-          component="a"
-          href={`#/drawings/${encodeURIComponent(drawing.id)}/fold`}
-          variant="default"
-          size="xs"
-          mt={12}
-          data-testid="open-fold"
-        >
-          {translate("documentPanel.foldIn3D")}
-        </Button>
-      )}
       <ShareControl drawing={drawing} />
       <Group gap={8}>
         {drawing.unit !== null && <FoldLink drawing={drawing.id} />}

@@ -2,10 +2,10 @@
 
 import { Button } from "@mantine/core";
 import { useState } from "react";
-import { navigate } from "wouter/use-hash-location";
 import { layoutService } from "../../api/layouts";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
+import { showLayout } from "../../state/routes";
 
 interface Props {
   readonly drawing: {
@@ -21,8 +21,6 @@ interface Props {
 const SHEET = { width: 1200, height: 800 };
 /** Distance of the drawing from the edges of a new sheet (mm). */
 const MARGIN = 10;
-
-export const layoutPath = (id: string): string => `/layouts/${encodeURIComponent(id)}/sheet`;
 
 export function LayOutButton({ drawing }: Props) {
   const [busy, setBusy] = useState(false);
@@ -52,7 +50,7 @@ export function LayOutButton({ drawing }: Props) {
           },
         ],
       });
-      navigate(layoutPath(id));
+      showLayout(id);
     } catch (reason) {
       setFault(reason instanceof Error ? errorText(reason) : String(reason));
     } finally {

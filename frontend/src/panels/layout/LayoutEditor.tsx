@@ -3,14 +3,14 @@
 import "../../messages/load";
 import { ActionIcon, Button, NumberInput, Select, Title } from "@mantine/core";
 import { IconArrowBackUp, IconArrowForwardUp } from "@tabler/icons-react";
-import { useInfiniteQuery, useQuery } from "@tanstack/react-query";
+import { useQuery } from "@tanstack/react-query";
 import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
 import { type Layout, layoutService, type Nesting, type Placed } from "../../api/layouts";
 import type { Box } from "../../geometry/records";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
-import { queries, queryClient } from "../../state/queries";
+import { queryClient, useOrders } from "../../state/queries";
 import { showDrawing } from "../../state/routes";
 import { collidingCopies } from "./collisions";
 import css from "./layout.module.css";
@@ -390,18 +390,19 @@ export const atOrigin = (drawing: string): Placed => ({
   ...{ columns: 1, rows: 1, gap_x: 5, gap_y: 5 },
 });
 
+const NEWEST = { sort: "newest" } as const;
+
 /** The drawings of the server, of which one is placed on the sheet. */
 function AddDrawing({ onAdd }: { readonly onAdd: (drawing: string) => void }) {
-  const { data } = useInfiniteQuery(queries.drawings());
-  const drawings = data?.pages.flatMap(({ rows }) => rows) ?? [];
+  const { data: rows } = useOrders(NEWEST);
   return (
     <Select
       label={translate("layoutEditor.addADrawing")}
       size="xs"
       searchable
-      data={drawings
-        .filter(({ unit }) => unit !== null)
-        .map(({ id, name }) => ({ value: id, label: name }))}
+      data={(rows ?? [])
+        .filter(({ drawing }) => drawing.unit !== null)
+        .map(({ drawing }) => ({ value: drawing.id, label: drawing.name }))}
       value={null}
       onChange={(id) => id !== null && onAdd(id)}
       data-testid="layout-add"
