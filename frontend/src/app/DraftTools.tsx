@@ -8,7 +8,7 @@ import {
   IconRuler2,
   IconVectorSpline,
 } from "@tabler/icons-react";
-import { type ComponentType, useRef } from "react";
+import { type ComponentType, useEffect, useRef } from "react";
 import { translate } from "../language/translate";
 import overlayCss from "../panels/drawing/overlay.module.css";
 import { useRefusal } from "../state/accounts/accounts";
@@ -36,6 +36,8 @@ export function DraftTools() {
   const { data: drawing } = useDrawing();
   const refusal = useRefusal("PATCH /api/v1/drawings/{id}");
   useRovingFocus(bar);
+  // Other steps have no drawing tools.
+  useEffect(() => () => choose(null), [choose]);
   const noUnit = drawing?.unit === null ? translate("draftTools.chooseTheUnitFirst") : null;
   return (
     <div

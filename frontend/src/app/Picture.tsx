@@ -1,6 +1,6 @@
 /** The canvas with its controls: connects the viewer to the store. */
 
-import { useReducer, useState } from "react";
+import { useEffect, useReducer, useRef, useState } from "react";
 import type { Point } from "../geometry/records";
 import { translate } from "../language/translate";
 import { DraftBar } from "../panels/drafting/DraftBar";
@@ -46,7 +46,12 @@ export function Picture({ onReady }: Props) {
   const { data: drawing } = useDrawing();
   const step = useUiStore((ui) => ui.step);
   const [, redrawDraft] = useReducer((count: number) => count + 1, 0);
-  const { pickPoint, draftCursor } = usePickedPoints(scale);
+  const picked = usePickedPoints(scale);
+  // The canvas keeps the events of the first rendering.
+  const points = useRef(picked);
+  useEffect(() => {
+    points.current = picked;
+  });
   const [box, setBox] = useState<{ from: Point; to: Point } | null>(null);
   return (
     <>
@@ -59,11 +64,11 @@ export function Picture({ onReady }: Props) {
               .getState()
               .setHover(row === null && moves.length === 0 ? null : { row, moves, ...at }),
           onSelect: (rows, add, at) => {
-            if (at === null || !pickPoint(at)) selectAt(rows, add, at);
+            if (at === null || !points.current.pickPoint(at)) selectAt(rows, add, at);
           },
           onCursor: (at) => {
             setCursor(at);
-            draftCursor(at);
+            points.current.draftCursor(at);
           },
           onView: (scale) => {
             setScale(scale);
