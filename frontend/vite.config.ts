@@ -3,10 +3,6 @@ import { defineConfig } from "vitest/config";
 
 const API = process.env.KNIFETIP_API ?? "http://127.0.0.1:8080";
 
-/** All libraries but those of forms, which only the view of the library fetches. */
-const VENDOR =
-  /node_modules[\\/](?!@rjsf|@cfworker|@x0k|markdown-to-jsx|fast-equals|fast-uri|jsonpointer|react-is)/;
-
 export default defineConfig({
   plugins: [react()],
   build: {
@@ -17,12 +13,11 @@ export default defineConfig({
       // The page, and the description of the REST API.
       input: ["index.html", "docs.html"],
       output: {
-        // Libraries change seldom, the page often: a browser keeps the first and fetches the second.
+        // Large libraries that few views need; others are divided by what imports them.
         codeSplitting: {
           groups: [
             { name: "swagger", test: /node_modules[\\/]swagger-ui-dist/ },
             { name: "three", test: /node_modules[\\/]three/ },
-            { name: "vendor", test: VENDOR },
           ],
         },
       },

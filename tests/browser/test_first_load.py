@@ -17,7 +17,7 @@ pytestmark = [
 ]
 
 #: Most bytes of the files of the start page, compressed.
-MOST = 400_000
+MOST = 350_000
 #: Answers of the API are not counted: other tests have stored drawings and jobs on the server.
 TRANSFERRED = """performance.getEntriesByType('resource')
     .filter((one) => !new URL(one.name).pathname.startsWith('/api/'))

@@ -13,7 +13,7 @@ import {
 import type { ReactNode } from "react";
 import { useLocation } from "wouter";
 import { translate } from "../language/translate";
-import { AccountButton } from "../panels/accounts/AccountDialog";
+import { AccountButton } from "../panels/accounts/AccountButton";
 import { useMachineState } from "../state/job/useMachineState";
 import { drawingPath } from "../state/routes";
 import { useUiStore } from "../state/store";

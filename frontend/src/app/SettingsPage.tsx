@@ -12,7 +12,7 @@ import {
 import type { ReactNode } from "react";
 import { changeLanguage, LANGUAGES, type Language, language } from "../language/language";
 import { translate } from "../language/translate";
-import { AccountSection } from "../panels/accounts/AccountDialog";
+import { AccountSection } from "../panels/accounts/AccountButton";
 import { OperatorButton } from "../panels/accounts/OperatorForm";
 import panels from "../panels/shared/panels.module.css";
 import { useUiStore } from "../state/store";

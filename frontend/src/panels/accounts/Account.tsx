@@ -1,23 +1,17 @@
 /** Account of the person who uses the page; for administrators also users, keys and audit log. */
 
 import {
-  ActionIcon,
   Box,
   Button,
   Code,
   Flex,
-  Indicator,
-  Modal,
   MultiSelect,
-  Paper,
   PasswordInput,
   Select,
   Tabs,
   Text,
   TextInput,
-  Tooltip,
 } from "@mantine/core";
-import { IconShieldLock } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
 import { type AccessScope, accounts, type Me, type User, type UserRole } from "../../api/accounts";
 import { translate } from "../../language/translate";
@@ -34,7 +28,6 @@ import {
   signOut,
   useAudit,
   useKeys,
-  useMe,
   useUsers,
 } from "../../state/accounts/accounts";
 import { useMachines } from "../../state/queries";
@@ -53,59 +46,7 @@ const PERMITS: Readonly<Record<UserRole, string>> = {
   admin: translate("accountDialog.youCanDoEverythingAnd"),
 };
 
-/** Opens the dialog; a mark shows that there is no administrator. */
-export function AccountButton() {
-  const me = useMe();
-  const [opened, setOpened] = useState(false);
-  if (me === undefined) return null;
-  const label =
-    me.kind === "local"
-      ? translate("accountDialog.accountSignInIsNot")
-      : translate("accountDialog.account", { name: me.name });
-  return (
-    <>
-      <Tooltip label={label}>
-        <Indicator disabled={me.has_admin} color="orange" size={9} offset={9} withBorder>
-          <ActionIcon
-            variant="subtle"
-            color="gray"
-            size="lg"
-            aria-label={label}
-            onClick={() => setOpened(true)}
-            data-testid="account"
-          >
-            <IconShieldLock size={18} stroke={1.6} />
-          </ActionIcon>
-        </Indicator>
-      </Tooltip>
-      <Modal
-        opened={opened}
-        onClose={() => setOpened(false)}
-        title={translate("accountDialog.account2")}
-        size="xl"
-        centered
-      >
-        <Account me={me} />
-      </Modal>
-    </>
-  );
-}
-
-/** The same as a section of a page. */
-export function AccountSection() {
-  const me = useMe();
-  if (me === undefined || (me.kind === "local" && me.has_admin)) return null;
-  return (
-    <Paper component="section" radius={12} px={18} py={14} bg="var(--panel)">
-      <Text fw={600} mb={6}>
-        {translate("accountDialog.account2")}
-      </Text>
-      <Account me={me} />
-    </Paper>
-  );
-}
-
-function Account({ me }: { me: Me }) {
+export function Account({ me }: { me: Me }) {
   if (!me.scopes.includes("admin")) return <Own me={me} />;
   return (
     <Tabs defaultValue="own" keepMounted={false}>

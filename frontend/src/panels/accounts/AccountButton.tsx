@@ -1,0 +1,66 @@
+/** Button and section that show the account of the person who uses the page. */
+
+import { ActionIcon, Indicator, Modal, Paper, Text, Tooltip } from "@mantine/core";
+import { IconShieldLock } from "@tabler/icons-react";
+import { lazy, Suspense, useState } from "react";
+import { translate } from "../../language/translate";
+import { useMe } from "../../state/accounts/accounts";
+
+// Few people open it, so the start page does without it.
+const Account = lazy(() => import("./Account").then((module) => ({ default: module.Account })));
+
+/** Opens the dialog; a mark shows that there is no administrator. */
+export function AccountButton() {
+  const me = useMe();
+  const [opened, setOpened] = useState(false);
+  if (me === undefined) return null;
+  const label =
+    me.kind === "local"
+      ? translate("accountDialog.accountSignInIsNot")
+      : translate("accountDialog.account", { name: me.name });
+  return (
+    <>
+      <Tooltip label={label}>
+        <Indicator disabled={me.has_admin} color="orange" size={9} offset={9} withBorder>
+          <ActionIcon
+            variant="subtle"
+            color="gray"
+            size="lg"
+            aria-label={label}
+            onClick={() => setOpened(true)}
+            data-testid="account"
+          >
+            <IconShieldLock size={18} stroke={1.6} />
+          </ActionIcon>
+        </Indicator>
+      </Tooltip>
+      <Modal
+        opened={opened}
+        onClose={() => setOpened(false)}
+        title={translate("accountDialog.account2")}
+        size="xl"
+        centered
+      >
+        <Suspense fallback={null}>
+          <Account me={me} />
+        </Suspense>
+      </Modal>
+    </>
+  );
+}
+
+/** The same as a section of a page. */
+export function AccountSection() {
+  const me = useMe();
+  if (me === undefined || (me.kind === "local" && me.has_admin)) return null;
+  return (
+    <Paper component="section" radius={12} px={18} py={14} bg="var(--panel)">
+      <Text fw={600} mb={6}>
+        {translate("accountDialog.account2")}
+      </Text>
+      <Suspense fallback={null}>
+        <Account me={me} />
+      </Suspense>
+    </Paper>
+  );
+}
