@@ -1587,6 +1587,7 @@ export const de = {
   "mainAction.toTheStation": "Zur Station",
   "mainAction.chooseTheBoard": "Material wählen",
   "sheetStep.boardAndMachine": "Material und Maschine",
+  "sheetStep.changeTheSheet": "Den Bogen und seine Zeichnungen ändern",
   "sheetStep.sheetAndCopies": "Bogen und Stückzahl",
   "processStep.howItIsMade": "Wie gefertigt wird",
   "processStep.singleEdges": "Einzelne Kanten",
@@ -1635,6 +1636,7 @@ export const de = {
   "workTable.state": "Zustand",
   "workTable.nextAction": "Als Nächstes",
   "workTable.delete": "Löschen",
+  "workTable.sheet": "Bogen",
   "workTable.sameFile": "{others, plural, one {# weitere} other {# weitere}} mit derselben Datei",
   "workTable.deleteThisDrawing": "Diese Zeichnung löschen?",
   "workTable.isDeletedForEver":

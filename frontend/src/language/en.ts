@@ -1531,6 +1531,7 @@ export const en = {
   "mainAction.toTheStation": "Go to the station",
   "mainAction.chooseTheBoard": "Choose the board",
   "sheetStep.boardAndMachine": "Board and machine",
+  "sheetStep.changeTheSheet": "Change the sheet and its drawings",
   "sheetStep.sheetAndCopies": "Sheet and copies",
   "processStep.howItIsMade": "How it is made",
   "processStep.singleEdges": "Single edges",
@@ -1579,6 +1580,7 @@ export const en = {
   "workTable.state": "State",
   "workTable.nextAction": "Next",
   "workTable.delete": "Delete",
+  "workTable.sheet": "Sheet",
   "workTable.sameFile": "{others, plural, one {# more} other {# more}} with the same file",
   "workTable.deleteThisDrawing": "Delete this drawing?",
   "workTable.isDeletedForEver":

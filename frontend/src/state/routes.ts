@@ -94,9 +94,11 @@ export function showDrawing(
   returnToDrawing();
 }
 
+const layoutPath = (id: string): string => `/layouts/${encodeURIComponent(id)}/sheet`;
+export const layoutAddress = (id: string): string => `#${layoutPath(id)}`;
+
 /** Show the sheet of a layout. */
-export const showLayout = (id: string): void =>
-  navigate(`/layouts/${encodeURIComponent(id)}/sheet`);
+export const showLayout = (id: string): void => navigate(layoutPath(id));
 
 /** Open the drawing that the address names. */
 export function openAddress(): void {

@@ -91,6 +91,10 @@ Owner = Annotated[
         "none, then every designer may change the drawing"
     ),
 ]
+IsLayout = Annotated[
+    bool,
+    Field(description="Whether it is the sheet of a layout, which `PUT /layouts/{id}` changes"),
+]
 Shared = Annotated[
     bool, Field(description="Whether all designers may change the drawing, not only its owner")
 ]
@@ -123,6 +127,7 @@ class DrawingOut(OrderDetailsOut):
     updated: Moment = Field(description="Time of the last change")
     owner: Owner = ""
     shared: Shared = False
+    is_layout: IsLayout = False
     sha256: str = Field(description="SHA-256 of the uploaded file (64 hexadecimal digits)")
     unit: Unit | None = Field(
         description="Unit of the file; null while it is not decided, then all lengths are in file "
@@ -214,6 +219,7 @@ class DrawingSummary(OrderDetailsOut):
     updated: Moment = Field(description="Time of the last change")
     owner: Owner = ""
     shared: Shared = False
+    is_layout: IsLayout = False
     unit: Unit | None = Field(
         description="Unit of the file; null while it is not decided, then all lengths are in file "
         "units"

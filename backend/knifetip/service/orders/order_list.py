@@ -1,4 +1,4 @@
-"""List of drawings, each with its newest job: the table of work of the page.
+"""List of drawings and layouts, each with its newest job: the table of work of the page.
 
 A page of the list is one query.  The newest job of a drawing is found by the index of jobs by their
 drawings, so that a row costs the same in a large database.
@@ -60,7 +60,7 @@ class OrdersQuery(PageQuery):
 
 
 class OrderRow(BaseModel):
-    """A drawing with its newest job, as an item of a list."""
+    """A drawing or the sheet of a layout with its newest job, as an item of a list."""
 
     drawing: DrawingSummary = Field(description="The drawing")
     file: str = Field(
@@ -87,7 +87,7 @@ def find_orders(database: Database, wanted: OrdersQuery) -> list[tuple[Drawing, 
         .scalar_subquery()
     )
     query = sa.select(Drawing, _JOB).outerjoin(_JOB, _JOB.serial == newest)
-    query = query.where(Drawing.layout.is_(None), *limits.drawing_conditions())
+    query = query.where(*limits.drawing_conditions())
     if wanted.search:
         columns = (Drawing.name, Drawing.customer, Drawing.external_id)
         query = query.where(sa.or_(*(contains(column, wanted.search) for column in columns)))

@@ -108,7 +108,7 @@ def list_orders(
     response: Response,
     wanted: Annotated[OrdersQuery, Query()],
 ) -> list[OrderRow]:
-    """List the uploaded drawings that meet all conditions, each with its newest job.
+    """List the drawings and layouts that meet all conditions, each with its newest job.
 
     The header ``Link`` contains the URL of the next page.
     """

@@ -207,7 +207,7 @@ function Editor({ layout }: { readonly layout: Layout }) {
   const order = () =>
     attempt(async () => {
       await save();
-      showDrawing(layout.id);
+      showDrawing(layout.id, null, "process");
     });
 
   const unsaved = draft !== stored.draft;
@@ -401,7 +401,7 @@ function AddDrawing({ onAdd }: { readonly onAdd: (drawing: string) => void }) {
       size="xs"
       searchable
       data={(rows ?? [])
-        .filter(({ drawing }) => drawing.unit !== null)
+        .filter(({ drawing }) => drawing.unit !== null && !drawing.is_layout)
         .map(({ drawing }) => ({ value: drawing.id, label: drawing.name }))}
       value={null}
       onChange={(id) => id !== null && onAdd(id)}

@@ -1,9 +1,10 @@
 /** Second step: the machine, the board, the sheet and the number of copies. */
 
-import { NumberInput, Select, Stack } from "@mantine/core";
+import { Button, NumberInput, Select, Stack } from "@mantine/core";
 import { useState } from "react";
 import { translate } from "../../language/translate";
 import { useDrawing, useMachines } from "../../state/queries";
+import { layoutAddress } from "../../state/routes";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
 import { InspectorPanel } from "../drawing/InspectorPanel";
@@ -43,12 +44,18 @@ export function SheetStep() {
       <Section title={translate("sheetStep.sheetAndCopies")}>
         <Permitted request="POST /api/v1/jobs">
           <Stack gap={10}>
-            <SheetForm
-              width={drawing.bounds[2] - drawing.bounds[0]}
-              height={drawing.bounds[3] - drawing.bounds[1]}
-            />
+            {drawing.is_layout ? (
+              <Button component="a" href={layoutAddress(drawing.id)} variant="default">
+                {translate("sheetStep.changeTheSheet")}
+              </Button>
+            ) : (
+              <SheetForm
+                width={drawing.bounds[2] - drawing.bounds[0]}
+                height={drawing.bounds[3] - drawing.bounds[1]}
+              />
+            )}
             <Copies />
-            <LayOutButton drawing={drawing} />
+            {!drawing.is_layout && <LayOutButton drawing={drawing} />}
           </Stack>
         </Permitted>
       </Section>

@@ -9,6 +9,7 @@ import { useRefusal } from "../../state/accounts/accounts";
 import { deleteDrawing } from "../../state/actions";
 import { formatSize, formatUnitless } from "../../state/format";
 import { useBoardTitles, useMachines } from "../../state/queries";
+import { drawingPath, layoutAddress } from "../../state/routes";
 import { dateTimeText } from "../../state/times";
 import { nextAction, type RowGroup } from "../../state/work/orders";
 import { StateBadge } from "../job/StateBadge";
@@ -122,7 +123,10 @@ function Row({ row, aside = null, isCopy = false, onDelete }: RowProps) {
   const { data: machines } = useMachines();
   const refusal = useRefusal("DELETE /api/v1/drawings/{id}");
   const action = nextAction(row);
-  const open = `#/drawings/${encodeURIComponent(drawing.id)}`;
+  const open =
+    drawing.is_layout && job === null
+      ? layoutAddress(drawing.id)
+      : `#${drawingPath({ drawing: drawing.id, step: null, job: null })}`;
   const customer = job?.customer || drawing.customer;
   const due = job?.due ?? drawing.due;
   const order = job?.external_id || drawing.external_id;
@@ -144,7 +148,11 @@ function Row({ row, aside = null, isCopy = false, onDelete }: RowProps) {
         <a href={open} className={css.name} data-testid="open-drawing">
           {drawing.name}
         </a>
-        <span className={css.facts}>{[order, size].filter(Boolean).join(" · ")}</span>
+        <span className={css.facts}>
+          {[drawing.is_layout ? translate("workTable.sheet") : "", order, size]
+            .filter(Boolean)
+            .join(" · ")}
+        </span>
         <span className={css.facts} data-narrow>
           {[customer, dueText, board, machine].filter(Boolean).join(" · ")}
         </span>

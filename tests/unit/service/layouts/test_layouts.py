@@ -158,6 +158,16 @@ def test_the_same_request_stores_one_layout(client: httpx.Client, drawing: str) 
     assert len(ids) == 1
 
 
+def test_work_lists_a_layout_and_says_what_it_is(client: httpx.Client, drawing: str) -> None:
+    stored = layout(client, {"drawing": drawing, "x": 0, "y": 0}, external_id="A-19")
+    rows = client.get("/api/orders", params={"search": "A-19"}).json()
+    assert [(row["drawing"]["id"], row["drawing"]["is_layout"]) for row in rows] == [
+        (stored["id"], True)
+    ]
+    assert client.get(f"/api/drawings/{stored['id']}").json()["is_layout"]
+    assert not client.get(f"/api/drawings/{drawing}").json()["is_layout"]
+
+
 def test_an_order_may_contain_its_layout(client: httpx.Client, drawing: str) -> None:
     placed = [{"drawing": drawing, "x": 20.0, "y": 40.0, "columns": 2}]
     order = {
