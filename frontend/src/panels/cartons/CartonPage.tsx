@@ -24,16 +24,13 @@ export function CartonPage({ code }: Props) {
   const open = styles?.find((style) => style.code === code);
   return (
     <main className={css.page} data-testid="cartons">
-      <nav className={css.head} aria-label={translate("cartonPage.cartons")}>
-        <Button component="a" href="#/" variant="default" size="sm">
-          {translate("libraryPage.backToDrawings")}
-        </Button>
-        {code !== "" && (
+      {code !== "" && (
+        <nav className={css.head} aria-label={translate("cartonPage.cartons")}>
           <Button component="a" href="#/cartons" variant="default" size="sm">
             {translate("cartonPage.allStyles")}
           </Button>
-        )}
-      </nav>
+        </nav>
+      )}
       {error !== null && (
         <Text c="var(--bad-ink)" role="alert">
           {errorText(error)}

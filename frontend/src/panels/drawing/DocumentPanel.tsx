@@ -81,7 +81,7 @@ export function DocumentPanel() {
       {profiles && <ProfileChoice drawing={drawing} profiles={profiles} />}
       <CustomerField drawing={drawing} />
       <ShareControl drawing={drawing} />
-      <Group gap={8}>
+      <Group gap={8} mt={12}>
         {drawing.unit !== null && <FoldLink drawing={drawing.id} />}
         <DrawingExport drawing={drawing} />
       </Group>

@@ -242,7 +242,6 @@ function Editor({ layout }: { readonly layout: Layout }) {
       onKeyDown={(event) => steps(event) && event.preventDefault()}
     >
       <header className={css.head}>
-        <a href="#/">{translate("layoutEditor.backToDrawings")}</a>
         <Title order={1} fz={16} className={css.title}>
           {layout.name}
         </Title>
