@@ -12,6 +12,7 @@
     ├── GeometryError             a calculation has no valid result for a shape
     │   ├── ZeroLengthEdge        an edge of zero length, which has no direction
     │   └── DegenerateArc         an arc whose radius or sweep is zero or not a number
+    ├── EditRefused               an edit of the lines of a drawing is not possible
     ├── PlanError                 the job cannot be made on this machine
     │   ├── OpenQuestions         the user must answer questions first
     │   ├── NoToolForLineType     no station of the machine makes this line type

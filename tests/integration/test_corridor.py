@@ -136,8 +136,8 @@ def test_the_next_job_waits_for_the_operator_and_states_the_reason(shop: httpx.C
     assert found["state"] == "queued"
     assert found["reason"] == (
         "The job waits until the operator of Demo table 1600 × 1200 "
-        "confirms that the table is clear. Required: board 'Corrugated, E-flute 1.6 mm', "
-        "tools: Oscillating knife (station 1)."
+        "confirms that the table is clear. Required: board 'Corrugated, E-flute 1.6 mm'. "
+        "Tools: Oscillating knife (station 1)."
     )
     assert found["hint"] == "Check the table, then confirm the job to start it."
     assert found["tools"] == [{"station": 1, "name": "Oscillating knife", "kind": "knife"}]

@@ -20,7 +20,7 @@ _Type = Annotated[MadeType, LISTED]
 class MovedEnd(Table):
     """One end of an edge is moved; an arc keeps its angle."""
 
-    kind: Literal["move-end"]
+    kind: Literal["move-end"] = Field(description="An end of an edge is moved")
     edge: EdgeRow = Field(description="Row of the edge in the drawing, counted from 0")
     end: Annotated[Literal["start", "end"], LISTED] = Field(description="Which end is moved")
     before: _Point = Field(
@@ -32,7 +32,7 @@ class MovedEnd(Table):
 class AddedLine(Table):
     """A line or an arc is added, as the last row of the drawing."""
 
-    kind: Literal["line"]
+    kind: Literal["line"] = Field(description="A line or an arc is added")
     start: _Point = Field(description="Start: x, y (mm)")
     end: _Point = Field(description="End: x, y (mm)")
     bulge: Annotated[float, Field(ge=-1.0, le=1.0)] = Field(
@@ -44,7 +44,7 @@ class AddedLine(Table):
 class AddedCircle(Table):
     """A circle is added, as two semicircles in the last rows of the drawing."""
 
-    kind: Literal["circle"]
+    kind: Literal["circle"] = Field(description="A circle is added")
     centre: _Point = Field(description="Centre: x, y (mm)")
     radius: Annotated[float, Field(ge=0.05, le=10_000.0)] = Field(description="Radius (mm)")
     type: _Type = Field(description="Line type of the circle")

@@ -86,7 +86,7 @@ def test_a_png_has_the_wanted_size_and_the_colours_of_the_line_types(box: Figure
     picture = Image.open(io.BytesIO(export(box, "png", 640)))
     assert max(picture.size) == 640
     colours = {colour for _, colour in picture.getcolors(1 << 20) or []}
-    assert {(255, 255, 255), (0xD9, 0x53, 0x4F), (0x2F, 0xA3, 0x6B)} <= colours
+    assert {(255, 255, 255), (0xD9, 0x53, 0x4F), (0x8F, 0x6A, 0xE6)} <= colours
 
 
 @pytest.mark.parametrize("form", ["svg", "png", "dxf", "pdf"])

@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
+from fontTools.ttLib import TTFont as FontFile
+from fontTools.ttLib import TTLibError
 from fpdf import FPDF
 from fpdf.errors import FPDFException
 from fpdf.fonts import TTFFont
@@ -39,9 +41,17 @@ class TicketFonts:
         for number, file in enumerate(further):
             name = f"further{number}"
             try:
+                _check_font(Path(file))
                 for style in _FILES:
                     pdf.add_font(name, style, file)
-            except (FPDFException, OSError, KeyError, ValueError, AssertionError) as reason:
+            except (
+                TTLibError,
+                FPDFException,
+                OSError,
+                KeyError,
+                ValueError,
+                AssertionError,
+            ) as reason:
                 _log.warning("the font %s cannot be used: %s", file, reason)
                 continue
             names.append(name)
@@ -71,6 +81,12 @@ class TicketFonts:
                 self.has_boxes = True
                 shown.append(BOX)
         return "".join(shown)
+
+
+def _check_font(path: Path) -> None:
+    """Raise an error if a file is not a font; ``add_font`` would leave such a file open."""
+    with path.open("rb") as file:
+        FontFile(file)
 
 
 def _letters(pdf: FPDF, name: str) -> set[int]:

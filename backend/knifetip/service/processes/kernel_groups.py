@@ -27,6 +27,7 @@ GROUPS: Final[Mapping[str, tuple[str, ...]]] = {
         "knifetip.svg",
         "knifetip.units",
         "knifetip.geometry.arc",
+        "knifetip.geometry.biarcs",
         "knifetip.geometry.capacity",
         "knifetip.geometry.chain",
         "knifetip.geometry.curve",

@@ -18,7 +18,7 @@ pytestmark = pytest.mark.xdist_group("server")
 
 #: Fields of REST that belong to the stored drawing, not to its content.
 STORED = {
-    *("updated", "owner", "shared"),
+    *("updated", "owner", "shared", "is_layout", "edits"),
     *("id", "revision", "created", "sha256"),
     *("unit_given", "unit_learned", "profile", "profile_state", "rules"),
     *("external_id", "customer", "due", "notes", "metadata", "learned"),

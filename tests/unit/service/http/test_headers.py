@@ -31,7 +31,9 @@ def check(answer: httpx.Response) -> None:
     assert headers["X-Request-ID"], shown
     disposition = headers.get("Content-Disposition")
     if disposition is not None:
-        assert re.fullmatch(r'attachment; filename="[A-Za-z0-9._-]+"', disposition), shown
+        # A ticket is shown by the browser, to be printed.
+        kind = "inline" if headers["Content-Type"] == "application/pdf" else "attachment"
+        assert re.fullmatch(kind + r'; filename="[A-Za-z0-9._-]+"', disposition), shown
 
 
 def operations(app: FastAPI) -> Iterator[tuple[str, str]]:
