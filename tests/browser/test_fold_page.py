@@ -38,7 +38,7 @@ def drawing(api: httpx.Client) -> str:
 
 
 def test_a_drawing_is_folded_from_its_page_by_keys_alone(page: Page, drawing: str) -> None:
-    page.evaluate("(id) => { location.hash = `#/drawings/${id}` }", drawing)
+    page.evaluate("(id) => { location.hash = `#/drawings/${id}/lines` }", drawing)
     page.get_by_test_id("open-fold").press("Enter")
     expect(page.get_by_test_id("fold-view")).to_be_visible(timeout=60_000)
     expect(page.get_by_text("No panel collides")).to_be_visible()

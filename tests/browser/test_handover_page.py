@@ -29,7 +29,8 @@ def test_a_job_has_a_ticket_and_its_drawing_and_path_are_exported(
         expect(ticket).to_have_text("Job ticket")
         answer = api.get(ticket.get_attribute("href") or "")
         assert answer.headers["Content-Type"] == "application/pdf"
-        for menu in ("export-drawing", "export-path"):
+        for menu, step in (("export-path", "check"), ("export-drawing", "lines")):
+            page.goto(f"{server.url}/#/drawings/{drawing}/{step}/jobs/{job}")
             page.get_by_test_id(menu).click()
             item = page.get_by_test_id(f"{menu}-dxf")
             expect(item).to_be_visible()

@@ -8,6 +8,7 @@ from playwright.sync_api import Page, expect
 
 from tests.browser.accessibility import assert_accessible
 from tests.browser.conftest import Running
+from tests.browser.steps import go_to
 from tests.support.serving.server import square, upload_drawing
 
 pytestmark = [
@@ -22,7 +23,7 @@ def sheet(page: Page, server: Running) -> Page:
     """The editor of a new layout with a square of 100 mm."""
     with httpx.Client(base_url=server.url, timeout=60.0, trust_env=False) as client:
         drawing = upload_drawing(client, square())["id"]
-    page.goto(f"{server.url}/#/drawings/{drawing}")
+    page.goto(f"{server.url}/#/drawings/{drawing}/sheet")
     page.get_by_test_id("lay-out").click()
     expect(page.get_by_test_id("sheet-copy")).to_have_count(1)
     return page
@@ -39,6 +40,8 @@ def test_six_copies_are_laid_out_and_ordered(sheet: Page) -> None:
     expect(sheet.get_by_test_id("sheet-copy")).to_have_count(6)
     expect(sheet.get_by_test_id("layout-use")).to_contain_text("copies: 6")
     sheet.get_by_test_id("layout-order").click()
+    expect(sheet.get_by_test_id("step-process")).to_have_attribute("aria-current", "step")
+    go_to(sheet, "lines")
     expect(sheet.get_by_test_id("drawing-size")).to_contain_text("310")
 
 

@@ -47,7 +47,8 @@ def test_a_tablet_is_paired_and_revoked(
 ) -> None:
     with signed_in(browser, shop, "admin") as page:
         open_devices(page)
-        page.get_by_test_id("new-pairing-code").click()
+        card = page.get_by_test_id(f"machine-{MACHINE}")
+        card.get_by_test_id("new-pairing-code").click()
         code = page.get_by_test_id("pairing-code").inner_text().strip()
         page.screenshot(path=screenshots / "pairing-code.png")
         assert len(code) == 9

@@ -34,9 +34,11 @@ export function Shell({ children }: { children: ReactNode }) {
         {children}
       </div>
       {!paired && <Rail />}
-      <PreparationBanner />
-      <ProgressOverlay />
-      <NotificationList />
+      <section className={css.messages} aria-label={translate("shell.messages")}>
+        <PreparationBanner />
+        <ProgressOverlay />
+        <NotificationList />
+      </section>
       <ShortcutsDialog />
       <OperatorDialog />
       {takesDrawings && <DropZone />}

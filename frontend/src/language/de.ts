@@ -1559,6 +1559,7 @@ export const de = {
   "webhookTexts.s": "{seconds} s",
   // app: places and steps
   "app.thereIsNoMachine": "Es gibt noch keine Maschine. Legen Sie eine in der Bibliothek an.",
+  "shell.messages": "Meldungen",
   "shell.theServerDoesNotRespond":
     "Der Server antwortet nicht. Was Sie sehen, kann veraltet sein; Änderungen werden nicht gespeichert.",
   "rail.places": "Bereiche",

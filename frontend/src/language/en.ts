@@ -1503,6 +1503,7 @@ export const en = {
   "webhookTexts.s": "{seconds} s",
   // app: places and steps
   "app.thereIsNoMachine": "There is no machine yet. Add one in the library.",
+  "shell.messages": "Messages",
   "shell.theServerDoesNotRespond":
     "The server does not respond. What you see may be out of date; changes are not saved.",
   "rail.places": "Places",

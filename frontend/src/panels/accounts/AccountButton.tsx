@@ -25,7 +25,7 @@ export function AccountButton() {
           <ActionIcon
             variant="subtle"
             color="gray"
-            size="lg"
+            size={44}
             aria-label={label}
             onClick={() => setOpened(true)}
             data-testid="account"

@@ -17,7 +17,7 @@ const SHOWN = 15_000;
 export function NotificationList() {
   const list = useNotifications((notifications) => notifications.list);
   return (
-    <div className={notificationCss.reports} role="alert" aria-live="assertive">
+    <div className={notificationCss.reports} aria-live="assertive">
       {list.map((notification) => (
         <Report key={notification.id} notification={notification} />
       ))}
