@@ -96,7 +96,7 @@ export function FoldPage({ drawing }: { drawing: string }) {
       </main>
       <aside className={css.side} aria-label={translate("foldPage.folds")}>
         <h1>{translate("foldPage.folded", { title })}</h1>
-        <Button component="a" href={`#/drawings/${encodeURIComponent(id)}`} variant="default">
+        <Button component="a" href={`#/drawings/${encodeURIComponent(id)}/lines`} variant="default">
           {translate("foldPage.backToTheDrawing")}
         </Button>
         {message !== "" && (
