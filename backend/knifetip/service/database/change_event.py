@@ -21,7 +21,9 @@ class ChangeEvent:
         Returns immediately if a change was made since the previous call.
         """
         with suppress(TimeoutError):
-            await asyncio.wait_for(self._event.wait(), seconds)
+            # Not ``wait_for``, which loses a cancellation at the moment of a change.
+            async with asyncio.timeout(seconds):
+                await self._event.wait()
         self._event.clear()
 
 
