@@ -29,7 +29,7 @@ def overlapped_depth(t: float) -> float:
 def last_panel(t: float) -> float:
     """Return by how much the panel that is glued to the flap is shorter than its opposite (mm).
 
-    Otherwise its edge would stand out at the joint.  Common practice: t/2, and 0.3 mm at least.
+    Otherwise its edge would protrude at the joint.  Common practice: t/2, and 0.3 mm at least.
     """
     return max(0.5 * t, 0.3)
 

@@ -19,7 +19,7 @@ import { FoldCanvas } from "./FoldCanvas";
 
 type SideUp = FoldChoices["sideUp"];
 
-/** Where the slider stands at first (%). */
+/** First value of the slider (%). */
 const FIRST = 100;
 
 export function FoldPage({ drawing }: { drawing: string }) {

@@ -23,7 +23,7 @@ class CodedCarton(CartonSize):
 
 
 def _coded(style: Style) -> type[CodedCarton]:
-    """Return the parameters of a style with its code, which tells it from other styles."""
+    """Return the parameters of a style with its code, which identifies the style."""
     word = "".join(part.capitalize() for part in style.code.replace(".", "-").split("-"))
     fields: Any = {"code": (Literal[style.code], Field(description="Code of the style"))}
     base: Any = (style.parameters, CodedCarton)

@@ -1,4 +1,4 @@
-/** Edits of the geometry of a drawing, as the server stores them. */
+/** Edits of the geometry of a drawing, in the form in which the server stores them. */
 
 import type { Edit } from "../../api/client";
 import type { Point, Segments } from "../../geometry/records";

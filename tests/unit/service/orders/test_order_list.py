@@ -14,7 +14,7 @@ pytestmark = pytest.mark.xdist_group("server")
 
 
 class Listed:
-    """Drawings of one test, which are told from others by a customer of their own."""
+    """Drawings of one test, which have a customer that no other drawing has."""
 
     def __init__(self, client: httpx.Client) -> None:
         self.client = client
