@@ -175,5 +175,5 @@ def _numbered(edits: Edits) -> Iterator[tuple[int, AddedLine | AddedCircle]]:
 
 
 def _handle(number: int, edit: AddedLine | AddedCircle) -> str:
-    """Return the handle of what an edit adds; different for edits of different types at one position."""
+    """Return the handle of what an edit adds, by its number and its line type."""
     return f"edit-{number}-{edit.type}"

@@ -150,4 +150,5 @@ def test_generated_drawings_in_parts_and_as_one(set_parts: SetParts) -> None:
         assert difference(before, _drawing(data)) == ""
 
     same()
-    assert tally[True] > 0.2 * tally.total()
+    # The share is random, about a fifth; without any divided drawing nothing would be compared.
+    assert tally[True]
