@@ -45,6 +45,17 @@ def test_six_copies_are_laid_out_and_ordered(sheet: Page) -> None:
     expect(sheet.get_by_test_id("drawing-size")).to_contain_text("310")
 
 
+def test_the_remnant_of_a_sheet_is_kept_and_used_next(sheet: Page) -> None:
+    # 1,200 × 800 mm with a square of 100 mm at 10, 10 and a gap of 5 mm.
+    sheet.get_by_test_id("keep-remnant").click()
+    sheet.get_by_test_id("stock").click()
+    kept = sheet.get_by_test_id("stock-sheet").filter(has_text="1,085 × 800 mm")
+    kept.get_by_role("button").first.click()
+    expect(sheet.get_by_test_id("layout-width")).to_have_value("1085")
+    kept.get_by_role("button", name="out of the stock").click()
+    expect(kept).to_have_count(0)
+
+
 def test_a_copy_is_moved_and_collides_until_it_is_undone(sheet: Page) -> None:
     sheet.get_by_role("button", name="once more").click()
     copies = sheet.get_by_test_id("sheet-copy")

@@ -24,6 +24,11 @@ class LayoutSheet(Table):
 
     width: SheetSize = Field(description="Size along X (mm)")
     height: SheetSize = Field(description="Size along Y (mm)")
+    board: str = Field(
+        default="",
+        max_length=80,
+        description="Name of its board in the library; empty if the order alone names it",
+    )
     grain: Annotated[Literal["x", "y"] | None, LISTED] = Field(
         default=None,
         description="Axis along which the fibres of the board or its flutes run; null if unknown",
@@ -32,6 +37,13 @@ class LayoutSheet(Table):
         default="outside",
         description="Side of the carton that lies on top. A drawing that shows the other side "
         "must be mirrored",
+    )
+    gap: _Gap = Field(
+        default=5.0, description="Distance that the designer keeps between two blanks (mm)"
+    )
+    margin: _Gap = Field(
+        default=10.0,
+        description="Distance that the designer keeps from the edges of the sheet (mm)",
     )
 
 

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from knifetip.errors import PlanError
-from knifetip.model.layout import Layout, LayoutSheet, PlacedDrawing
+from knifetip.model.layout import Layout, PlacedDrawing
 from knifetip.model.nesting import NestingJob
 from knifetip.nesting.arrangement import Arrangement, Board
 from knifetip.nesting.parts import Part
@@ -60,11 +60,8 @@ def layouts_of(arrangement: Arrangement, job: NestingJob, revisions: Sequence[in
     """
     return [
         Layout(
-            sheet=LayoutSheet(
-                width=sheet.board.width,
-                height=sheet.board.height,
-                grain=job.sheet.grain,
-                side_up=job.sheet.side_up,
+            sheet=job.sheet.model_copy(
+                update={"width": sheet.board.width, "height": sheet.board.height}
             ),
             placed=tuple(
                 PlacedDrawing(

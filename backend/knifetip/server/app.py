@@ -85,6 +85,7 @@ from knifetip.service.refusals.failures import DATABASE_ERRORS, failure_of
 from knifetip.service.refusals.invalid_requests import invalid_request, with_line
 from knifetip.service.refusals.known_fields import names_near, refuse_unknown
 from knifetip.service.settings import Settings
+from knifetip.service.stock import routes as stock
 from knifetip.service.store import Store
 from knifetip.service.tools import routes as tools
 from knifetip.service.webhooks import routes as webhooks
@@ -94,7 +95,7 @@ from knifetip.service.xjdf import routes as xjdf
 _log = logging.getLogger("knifetip.api")
 
 _ROUTES = (
-    drawings, customer_answers, cartons, layouts, nestings, jobs, job_commands, orders,
+    drawings, customer_answers, cartons, layouts, nestings, stock, jobs, job_commands, orders,
     confirmation, queues, rest, history, events, machines, tools, library, definitions, profiles,
     webhooks, xjdf, gateway, accounts, folding, handover,
 )  # fmt: skip

@@ -44,6 +44,7 @@ from knifetip.service.profiles.store import ProfileStore
 from knifetip.service.queues.store import QueueStore
 from knifetip.service.runs.checks import CheckList
 from knifetip.service.runs.claimed_jobs import ClaimedJobs
+from knifetip.service.stock.store import StockStore
 from knifetip.service.tools.check import ToolGate
 from knifetip.service.tools.store import ToolStore
 from knifetip.service.webhooks.queue import WebhookQueue
@@ -73,6 +74,7 @@ class Store:
         self.customer_answers = CustomerAnswerStore(self.database)
         self.documents = DocumentStore(self.database)
         self.nestings = NestingStore(self.database)
+        self.stock = StockStore(self.database)
         self.jobs = JobStore(self.database, self.contents, transitions)
         self.events = EventStore(self.database)
         self.compiles = CompileStore(self.database, self.contents, transitions)

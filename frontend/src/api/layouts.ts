@@ -14,8 +14,11 @@ export type Blanks = Schemas["BlanksOut"];
 export type Nesting = Schemas["NestingOut"];
 export type NewNesting = Schemas["NestingIn"];
 
+/** Sheets in stock of one board and one size. */
+export type StockSheet = Schemas["StockSheetOut"];
+
 export interface LayoutBody {
-  readonly sheet: LayoutSheet;
+  readonly sheet: Schemas["LayoutSheet"];
   readonly placed: readonly Placed[];
 }
 
@@ -44,4 +47,21 @@ export const layoutService = {
     dataOf(api.GET("/api/v1/nestings/{id}", { params: byId(id), ...uncached(signal) })),
   stopNesting: (id: string): Promise<Nesting> =>
     dataOf(api.POST("/api/v1/nestings/{id}/stop", { params: byId(id) })),
+  stock: (board: string, signal?: AbortSignal): Promise<StockSheet[]> =>
+    dataOf(
+      api.GET("/api/v1/stock-sheets", {
+        params: { query: { board, limit: 1000 } },
+        ...uncached(signal),
+      }),
+    ),
+  addToStock: (sheets: Schemas["StockSheetIn"]): Promise<StockSheet> =>
+    dataOf(api.POST("/api/v1/stock-sheets", { body: sheets })),
+  /** Take one sheet out of the stock. */
+  removeFromStock: async ({ id, count }: StockSheet): Promise<void> => {
+    if (count != null && count > 1)
+      await dataOf(
+        api.PATCH("/api/v1/stock-sheets/{id}", { params: byId(id), body: { count: count - 1 } }),
+      );
+    else await dataOf(api.DELETE("/api/v1/stock-sheets/{id}", { params: byId(id) }));
+  },
 };

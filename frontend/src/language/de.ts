@@ -1754,4 +1754,14 @@ export const de = {
   "layoutEditor.centreX": "Mitte X",
   "layoutEditor.centreY": "Mitte Y",
   "layoutEditor.addADrawing": "Zeichnung hinzufügen",
+  "layoutEditor.board": "Material",
+  "layoutEditor.size": "{width} × {height} mm",
+  "layoutEditor.stock": "Bogen im Vorrat",
+  "layoutEditor.stockCount":
+    "{count, plural, =0 {Keine Bogen im Vorrat} one {# Größe im Vorrat} other {# Größen im Vorrat}}",
+  "layoutEditor.addThisSize": "Diesen Bogen in den Vorrat aufnehmen",
+  "layoutEditor.keepRemnant": "Rest von {size} behalten",
+  "layoutEditor.remnantOf": "Rest von {name}",
+  "layoutEditor.useUp": "Einen Bogen von {size} aus dem Vorrat nehmen",
+  "layoutEditor.fromStock": "Zuerst Bogen aus dem Vorrat verwenden",
 } as const satisfies Translation;

@@ -1695,4 +1695,14 @@ export const en = {
   "layoutEditor.centreX": "Centre X",
   "layoutEditor.centreY": "Centre Y",
   "layoutEditor.addADrawing": "Add a drawing",
+  "layoutEditor.board": "Board",
+  "layoutEditor.size": "{width} × {height} mm",
+  "layoutEditor.stock": "Sheets in stock",
+  "layoutEditor.stockCount":
+    "{count, plural, =0 {No sheets in stock} one {# size in stock} other {# sizes in stock}}",
+  "layoutEditor.addThisSize": "Add this sheet to the stock",
+  "layoutEditor.keepRemnant": "Keep the remnant of {size}",
+  "layoutEditor.remnantOf": "Remnant of {name}",
+  "layoutEditor.useUp": "Take one sheet of {size} out of the stock",
+  "layoutEditor.fromStock": "Use sheets of the stock first",
 } as const;

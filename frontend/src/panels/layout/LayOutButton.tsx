@@ -6,6 +6,7 @@ import { layoutService } from "../../api/layouts";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
 import { showLayout } from "../../state/routes";
+import { atOrigin, NEW_SHEET } from "./placing";
 
 interface Props {
   readonly drawing: {
@@ -19,8 +20,6 @@ interface Props {
 
 /** Size of a new sheet (mm), unless the drawing is larger. */
 const SHEET = { width: 1200, height: 800 };
-/** Distance of the drawing from the edges of a new sheet (mm). */
-const MARGIN = 10;
 
 export function LayOutButton({ drawing }: Props) {
   const [busy, setBusy] = useState(false);
@@ -31,24 +30,11 @@ export function LayOutButton({ drawing }: Props) {
     try {
       const { id } = await layoutService.add(drawing.name, {
         sheet: {
-          width: Math.max(SHEET.width, Math.ceil(drawing.width) + 2 * MARGIN),
-          height: Math.max(SHEET.height, Math.ceil(drawing.height) + 2 * MARGIN),
-          grain: null,
-          side_up: "outside",
+          ...NEW_SHEET,
+          width: Math.max(SHEET.width, Math.ceil(drawing.width) + 2 * NEW_SHEET.margin),
+          height: Math.max(SHEET.height, Math.ceil(drawing.height) + 2 * NEW_SHEET.margin),
         },
-        placed: [
-          {
-            ...{
-              drawing: drawing.id,
-              revision: null,
-              x: MARGIN,
-              y: MARGIN,
-              turn: 0,
-              mirror: false,
-            },
-            ...{ columns: 1, rows: 1, gap_x: 5, gap_y: 5 },
-          },
-        ],
+        placed: [{ ...atOrigin(drawing.id), x: NEW_SHEET.margin, y: NEW_SHEET.margin }],
       });
       showLayout(id);
     } catch (reason) {

@@ -1,50 +1,39 @@
 /** A layout: the sheet with its drawings, the list of them, nesting, and the order of the sheet. */
 
 import "../../messages/load";
-import { ActionIcon, Button, NumberInput, Select, Title } from "@mantine/core";
-import { IconArrowBackUp, IconArrowForwardUp } from "@tabler/icons-react";
 import { useQuery } from "@tanstack/react-query";
-import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
+import { type KeyboardEvent, useMemo, useRef, useState } from "react";
 import { type Layout, layoutService, type Nesting, type Placed } from "../../api/layouts";
 import type { Box } from "../../geometry/records";
-import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
-import { queryClient, useOrders } from "../../state/queries";
 import { showDrawing } from "../../state/routes";
+import { useUiStore } from "../../state/store";
+import { AddDrawing } from "./AddDrawing";
+import { AlignBar } from "./AlignBar";
 import { collidingCopies } from "./collisions";
+import { LayoutHead } from "./LayoutHead";
 import css from "./layout.module.css";
 import { NestPanel } from "./NestPanel";
 import { PlacedList } from "./PlacedList";
 import {
-  ALIGNMENTS,
   type Alignment,
   alignShift,
-  begin,
+  atOrigin,
   change,
   type Draft,
-  type History,
   mostCopies,
   normalTurn,
-  record,
-  redo,
   round,
   snapShift,
-  undo,
 } from "./placing";
+import { remnantOf } from "./remnant";
 import { SheetCanvas } from "./SheetCanvas";
+import { SheetForm } from "./SheetForm";
+import { StockPanel } from "./StockPanel";
 import { boxOfCopy, boxOfPlaced, copiesOf } from "./shapes";
+import { useDraft } from "./useDraft";
 import { useShapes } from "./useShapes";
-
-/** Gap between copies and margin of the sheet at first (mm). */
-const GAP = 5;
-const MARGIN = 10;
-
-const draftOf = ({ sheet, placed }: Layout): Draft => ({
-  sheet: { ...sheet, grain: sheet.grain ?? null, side_up: sheet.side_up ?? "outside" },
-  // The page lays out the present revisions.
-  placed: placed.map((one) => ({ ...(one as Placed), revision: null })),
-});
 
 export function LayoutEditor({ id }: { readonly id: string }) {
   const { data, error } = useQuery({
@@ -63,22 +52,17 @@ export function LayoutEditor({ id }: { readonly id: string }) {
 }
 
 function Editor({ layout }: { readonly layout: Layout }) {
-  const [history, setHistory] = useState<History>(() => begin(draftOf(layout)));
-  const [stored, setStored] = useState<{ revision: number; draft: Draft }>(() => ({
-    revision: layout.revision,
-    draft: history.present,
-  }));
+  const edited = useDraft(layout);
+  const { draft, put } = edited;
+  const { sheet, placed } = draft;
+  const { gap, margin } = sheet;
   const [chosen, setChosen] = useState<ReadonlySet<number>>(
     new Set(layout.placed.length ? [0] : []),
   );
   const [fault, setFault] = useState("");
-  const [gap, setGap] = useState(GAP);
-  const [margin, setMargin] = useState(MARGIN);
   const dragged = useRef<Draft | null>(null);
   const beforeNesting = useRef<Draft | null>(null);
 
-  const draft = history.present;
-  const { sheet, placed } = draft;
   const ids = useMemo(() => [...new Set(placed.map(({ drawing }) => drawing))].sort(), [placed]);
   const { drawings, shapeOf, error } = useShapes(ids);
   const copies = useMemo(() => copiesOf(placed, shapeOf), [placed, shapeOf]);
@@ -93,7 +77,6 @@ function Editor({ layout }: { readonly layout: Layout }) {
 
   /** The sheet within its margins. */
   const window: Box = [margin, margin, sheet.width - margin, sheet.height - margin];
-  const put = (next: Draft, joined = false) => setHistory((now) => record(now, next, joined));
   const edit = (fields: (one: Placed) => Partial<Placed>) => put(change(draft, chosen, fields));
   const choose = (index: number, more: boolean) =>
     setChosen((now) => {
@@ -144,7 +127,8 @@ function Editor({ layout }: { readonly layout: Layout }) {
   };
   const steps = (event: KeyboardEvent): boolean => {
     if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return false;
-    setHistory(event.shiftKey ? redo : undo);
+    if (event.shiftKey) edited.redo();
+    else edited.undo();
     return true;
   };
   const press = (event: KeyboardEvent) => {
@@ -188,7 +172,7 @@ function Editor({ layout }: { readonly layout: Layout }) {
         });
     });
   };
-  const attempt = async (action: () => Promise<void>) => {
+  const attempt = async (action: () => Promise<unknown>) => {
     setFault("");
     try {
       await action();
@@ -196,43 +180,12 @@ function Editor({ layout }: { readonly layout: Layout }) {
       setFault(reason instanceof Error ? errorText(reason) : String(reason));
     }
   };
-  const save = async () => {
-    if (draft === stored.draft) return;
-    const next = await layoutService.replace(layout.id, stored.revision, draft);
-    setStored({ revision: next.revision, draft });
-    queryClient.setQueryData(["layout", layout.id], next);
-    await queryClient.invalidateQueries({ queryKey: ["drawing", layout.id] });
-    await queryClient.invalidateQueries({ queryKey: ["edges", layout.id] });
-  };
   const order = () =>
     attempt(async () => {
-      await save();
+      await edited.save();
       showDrawing(layout.id, null, "process");
+      if (sheet.board !== "") useUiStore.getState().set({ board: sheet.board });
     });
-
-  const unsaved = draft !== stored.draft;
-  useEffect(() => {
-    if (!unsaved) return;
-    const warn = (event: BeforeUnloadEvent) => event.preventDefault();
-    addEventListener("beforeunload", warn);
-    return () => removeEventListener("beforeunload", warn);
-  }, [unsaved]);
-  const size = (name: "width" | "height", label: string) => (
-    <NumberInput
-      hideControls
-      label={label}
-      size="xs"
-      min={1}
-      max={10000}
-      value={sheet[name]}
-      onChange={(value) =>
-        typeof value === "number" &&
-        value > 0 &&
-        put({ ...draft, sheet: { ...sheet, [name]: value } })
-      }
-      data-testid={`layout-${name}`}
-    />
-  );
   const shown = fault || (error === null ? "" : errorText(error));
   return (
     <main
@@ -241,52 +194,15 @@ function Editor({ layout }: { readonly layout: Layout }) {
       data-testid="layout-editor"
       onKeyDown={(event) => steps(event) && event.preventDefault()}
     >
-      <header className={css.head}>
-        <Title order={1} fz={16} className={css.title}>
-          {layout.name}
-        </Title>
-        <span data-testid="layout-use">
-          {translate("layoutEditor.boardUse", {
-            use: formatNumber(use, { maximumFractionDigits: 1 }),
-            count: copies.length,
-          })}
-        </span>
-        <ActionIcon
-          variant="default"
-          size="lg"
-          disabled={history.past.length === 0}
-          aria-label={translate("layoutEditor.undo")}
-          onClick={() => setHistory(undo)}
-          data-testid="layout-undo"
-        >
-          <IconArrowBackUp size={18} />
-        </ActionIcon>
-        <ActionIcon
-          variant="default"
-          size="lg"
-          disabled={history.future.length === 0}
-          aria-label={translate("layoutEditor.redo")}
-          onClick={() => setHistory(redo)}
-          data-testid="layout-redo"
-        >
-          <IconArrowForwardUp size={18} />
-        </ActionIcon>
-        <Button
-          variant="default"
-          disabled={!unsaved || placed.length === 0}
-          onClick={() => attempt(save)}
-          data-testid="layout-save"
-        >
-          {translate("layoutEditor.save")}
-        </Button>
-        <Button
-          disabled={placed.length === 0 || colliding.size > 0}
-          onClick={order}
-          data-testid="layout-order"
-        >
-          {translate("layoutEditor.orderThisSheet")}
-        </Button>
-      </header>
+      <LayoutHead
+        name={layout.name}
+        edited={edited}
+        use={use}
+        copies={copies.length}
+        canOrder={placed.length > 0 && colliding.size === 0}
+        onSave={() => attempt(edited.save)}
+        onOrder={order}
+      />
       <p className={css.fault} role="alert" data-testid="layout-fault">
         {shown}
       </p>
@@ -309,42 +225,19 @@ function Editor({ layout }: { readonly layout: Layout }) {
           onKey={press}
         />
         <aside className={css.side} aria-label={translate("layoutEditor.sheetAndDrawings")}>
-          <div className={css.three}>
-            {size("width", translate("layoutEditor.widthMm"))}
-            {size("height", translate("layoutEditor.heightMm"))}
-            <Select
-              label={translate("layoutEditor.grain")}
-              size="xs"
-              data={[
-                { value: "", label: translate("layoutEditor.noGrain") },
-                { value: "x", label: translate("layoutEditor.grainAlongX") },
-                { value: "y", label: translate("layoutEditor.grainAlongY") },
-              ]}
-              value={sheet.grain ?? ""}
-              allowDeselect={false}
-              onChange={(value) =>
-                put({
-                  ...draft,
-                  sheet: { ...sheet, grain: value === "x" || value === "y" ? value : null },
-                })
-              }
-            />
-          </div>
+          <SheetForm
+            sheet={sheet}
+            onChange={(fields) => put({ ...draft, sheet: { ...sheet, ...fields } })}
+          />
+          <StockPanel
+            name={layout.name}
+            sheet={sheet}
+            remnant={remnantOf(copies, sheet, gap)}
+            onChoose={(fields) => put({ ...draft, sheet: { ...sheet, ...fields } })}
+            attempt={attempt}
+          />
           <AddDrawing onAdd={(drawing) => add(atOrigin(drawing))} />
-          <div className={css.align} role="toolbar" aria-label={translate("layoutEditor.align")}>
-            {ALIGNMENTS.map((alignment) => (
-              <Button
-                key={alignment}
-                size="compact-xs"
-                variant="default"
-                disabled={chosen.size === 0}
-                onClick={() => align(alignment)}
-                data-testid={`align-${alignment}`}
-              >
-                {ALIGNMENT_LABELS[alignment]}
-              </Button>
-            ))}
-          </div>
+          <AlignBar disabled={chosen.size === 0} onAlign={align} />
           <PlacedList
             placed={placed}
             nameOf={({ drawing }) => nameOf(drawing)}
@@ -359,52 +252,9 @@ function Editor({ layout }: { readonly layout: Layout }) {
             }}
             onRemove={(index) => remove(new Set([index]))}
           />
-          <NestPanel
-            draft={draft}
-            gap={gap}
-            margin={margin}
-            onGap={setGap}
-            onMargin={setMargin}
-            nameOf={nameOf}
-            onFound={found}
-          />
+          <NestPanel draft={draft} nameOf={nameOf} onFound={found} />
         </aside>
       </div>
     </main>
-  );
-}
-
-const ALIGNMENT_LABELS: Readonly<Record<Alignment, string>> = {
-  left: translate("layoutEditor.left"),
-  right: translate("layoutEditor.right"),
-  below: translate("layoutEditor.below"),
-  above: translate("layoutEditor.above"),
-  centreX: translate("layoutEditor.centreX"),
-  centreY: translate("layoutEditor.centreY"),
-};
-
-/** One copy of a drawing at the lower left corner of the sheet. */
-export const atOrigin = (drawing: string): Placed => ({
-  ...{ drawing, revision: null, x: 0, y: 0, turn: 0, mirror: false },
-  ...{ columns: 1, rows: 1, gap_x: 5, gap_y: 5 },
-});
-
-const NEWEST = { sort: "newest" } as const;
-
-/** The drawings of the server, of which one is placed on the sheet. */
-function AddDrawing({ onAdd }: { readonly onAdd: (drawing: string) => void }) {
-  const { data: rows } = useOrders(NEWEST);
-  return (
-    <Select
-      label={translate("layoutEditor.addADrawing")}
-      size="xs"
-      searchable
-      data={(rows ?? [])
-        .filter(({ drawing }) => drawing.unit !== null && !drawing.is_layout)
-        .map(({ drawing }) => ({ value: drawing.id, label: drawing.name }))}
-      value={null}
-      onChange={(id) => id !== null && onAdd(id)}
-      data-testid="layout-add"
-    />
   );
 }

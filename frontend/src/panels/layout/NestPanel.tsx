@@ -1,28 +1,31 @@
 /** Nesting: numbers of copies, gap and time; the best arrangement so far; stop and keep. */
 
-import { Button, Group, NumberInput, Progress } from "@mantine/core";
+import { Button, Group, NumberInput, Progress, Switch } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import { layoutService, type Nesting } from "../../api/layouts";
+import { layoutService, type Nesting, type StockSheet } from "../../api/layouts";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { errorText, messageText } from "../../messages/translateMessage";
 import css from "./layout.module.css";
 import type { Draft } from "./placing";
+import { useStock } from "./StockPanel";
 
 interface Props {
   readonly draft: Draft;
-  /** Least distance between two blanks, and margin at each edge of the sheet (mm). */
-  readonly gap: number;
-  readonly margin: number;
-  readonly onGap: (gap: number) => void;
-  readonly onMargin: (margin: number) => void;
   readonly nameOf: (drawing: string) => string;
   /** Shows the first sheet of the best arrangement; `ended` with the last one. */
   readonly onFound: (nesting: Nesting, ended: boolean) => void;
 }
 
 const POLL = 500;
+/** Most sheets of one size that a nesting takes out of the stock. */
+const MOST = 100;
+
+const leftOver = ({ width, height, count }: StockSheet) => ({
+  ...{ width, height },
+  count: Math.min(count ?? MOST, MOST),
+});
 
 /** Number of copies of each drawing on the sheet. */
 function counted({ placed }: Draft): Map<string, number> {
@@ -32,13 +35,18 @@ function counted({ placed }: Draft): Map<string, number> {
   return counts;
 }
 
-export function NestPanel({ draft, gap, margin, onGap, onMargin, nameOf, onFound }: Props) {
+export function NestPanel({ draft, nameOf, onFound }: Props) {
+  const { gap, margin, board, grain } = draft.sheet;
   const present = counted(draft);
   const [counts, setCounts] = useState<ReadonlyMap<string, number>>(new Map());
   const [seconds, setSeconds] = useState(10);
   const [running, setRunning] = useState<string | null>(null);
   const [fault, setFault] = useState("");
   const [last, setLast] = useState<Nesting | null>(null);
+  const [fromStock, setFromStock] = useState(false);
+  const { data: stock } = useStock(board);
+  // Sheets with another grain would turn the blanks against it.
+  const usable = (stock ?? []).filter((one) => (one.grain ?? null) === grain);
 
   const show = (nesting: Nesting) => {
     const ended = nesting.state !== "running";
@@ -75,21 +83,11 @@ export function NestPanel({ draft, gap, margin, onGap, onMargin, nameOf, onFound
       const margins = { left: margin, right: margin, below: margin, above: margin };
       const begun = await layoutService.beginNesting({
         ...{ sheet: draft.sheet, margins, gap, parts, seconds },
+        left_overs: fromStock ? usable.map(leftOver) : [],
       } as Parameters<typeof layoutService.beginNesting>[0]);
       setLast(begun);
       setRunning(begun.id);
     });
-  const number = (label: string, value: number, set: (value: number) => void, least: number) => (
-    <NumberInput
-      hideControls
-      label={label}
-      size="xs"
-      min={least}
-      max={least === 1 ? 600 : 1000}
-      value={value}
-      onChange={(next) => typeof next === "number" && set(next)}
-    />
-  );
   return (
     <div className={css.nest} data-testid="nest-panel">
       {[...present].map(([drawing, count]) => (
@@ -108,11 +106,24 @@ export function NestPanel({ draft, gap, margin, onGap, onMargin, nameOf, onFound
           data-testid="nest-count"
         />
       ))}
-      <div className={css.three}>
-        {number(translate("layoutEditor.gapMm"), gap, onGap, 0)}
-        {number(translate("layoutEditor.marginMm"), margin, onMargin, 0)}
-        {number(translate("layoutEditor.timeS"), seconds, setSeconds, 1)}
-      </div>
+      {usable.length > 0 && (
+        <Switch
+          size="xs"
+          label={translate("layoutEditor.fromStock")}
+          checked={fromStock}
+          onChange={(event) => setFromStock(event.currentTarget.checked)}
+          data-testid="nest-from-stock"
+        />
+      )}
+      <NumberInput
+        hideControls
+        label={translate("layoutEditor.timeS")}
+        size="xs"
+        min={1}
+        max={600}
+        value={seconds}
+        onChange={(value) => typeof value === "number" && setSeconds(value)}
+      />
       {running === null ? (
         <Button size="sm" disabled={present.size === 0} onClick={nest} data-testid="nest">
           {translate("layoutEditor.nest")}

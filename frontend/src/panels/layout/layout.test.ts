@@ -7,12 +7,14 @@ import {
   change,
   type Draft,
   mostCopies,
+  NEW_SHEET,
   normalTurn,
   record,
   redo,
   snapShift,
   undo,
 } from "./placing";
+import { remnantOf } from "./remnant";
 import { boxOfPlaced, type Copy, copiesOf, type DrawingShape, turnShape } from "./shapes";
 
 const UPRIGHT = { turn: 0, mirror: false };
@@ -35,7 +37,7 @@ const placed = (x: number, y: number, fields: Partial<Placed> = {}): Placed => (
   ...{ drawing: "a", revision: null, x, y, turn: 0, mirror: false },
   ...{ columns: 1, rows: 1, gap_x: 0, gap_y: 0, ...fields },
 });
-const SHEET = { width: 300, height: 200, grain: null, side_up: "outside" } as const;
+const SHEET = { ...NEW_SHEET, width: 300, height: 200 };
 const copies = (...list: Placed[]): Copy[] => copiesOf(list, (one) => turnShape(L, one));
 const colliding = (...list: Placed[]) => [...collidingCopies(copies(...list), SHEET)].sort();
 
@@ -124,4 +126,14 @@ test("a sheet is filled with as many rows and columns as fit", () => {
 
 test("turns are between 0 and 360°", () => {
   expect([normalTurn(-90), normalTurn(450), normalTurn(0)]).toEqual([270, 90, 0]);
+});
+
+test("the remnant is the larger strip beside all copies, unless it is too small", () => {
+  const shape = turnShape(L, UPRIGHT);
+  const copies: Copy[] = [{ placed: 0, x: 10, y: 10, shape }];
+  // Right of the L of 100 mm: 300 − 110 − 5 = 185 × 200; above: 300 × (200 − 70 − 5).
+  expect(remnantOf(copies, SHEET, 5)).toEqual({ width: 300, height: 125 });
+  expect(remnantOf(copies, { width: 300, height: 160 }, 5)).toEqual({ width: 185, height: 160 });
+  expect(remnantOf(copies, { width: 190, height: 160 }, 5)).toBeNull();
+  expect(remnantOf([], SHEET, 5)).toBeNull();
 });

@@ -16,6 +16,15 @@ export interface History {
   readonly future: readonly Draft[];
 }
 
+/** What a new sheet has apart from its size. */
+export const NEW_SHEET = {
+  grain: null,
+  side_up: "outside",
+  board: "",
+  gap: 5,
+  margin: 10,
+} as const satisfies Omit<LayoutSheet, "width" | "height">;
+
 const MOST_STEPS = 200;
 /** Decimals of places (mm). */
 const DECIMALS = 1000;
@@ -115,3 +124,9 @@ export function mostCopies(
     rows: most(one.y, size.height, one.gap_y, sheet.height),
   };
 }
+
+/** One copy of a drawing at the lower left corner of the sheet. */
+export const atOrigin = (drawing: string): Placed => ({
+  ...{ drawing, revision: null, x: 0, y: 0, turn: 0, mirror: false },
+  ...{ columns: 1, rows: 1, gap_x: NEW_SHEET.gap, gap_y: NEW_SHEET.gap },
+});

@@ -28,7 +28,8 @@ LEAST = {
     "viewer": """
         list_drawings get_drawing get_edges get_picture get_import_report get_cleaning get_file
         export_drawing list_pages get_blanks list_layouts get_layout list_cartons get_carton_picture
-        list_jobs list_orders get_job get_job_events get_verdict get_toolpath get_earlier_exceptions
+        list_stock_sheets list_jobs list_orders get_job get_job_events get_verdict get_toolpath
+        get_earlier_exceptions
         export_toolpath get_ticket export_job get_metrics get_folding get_folding_file get_nesting
         get_confirmation get_queue get_tracks list_history get_statistics get_events
         list_machines get_machine get_station get_operation list_machine_tools list_tool_events
@@ -43,6 +44,7 @@ LEAST = {
         upload_drawing choose_page change_drawing delete_drawing override_edges order_job
         add_layout draw_carton_as_drawing change_layout delete_layout accept_shortfalls
         begin_nesting stop_nesting delete_nesting
+        add_stock_sheets change_stock_sheets delete_stock_sheets
         recompile_job cancel_job calibrate keep_profile delete_profile preview_profile
         learn_from_corrections use_customer_answer order_by_xjdf answer_xjmf place_order_with_file
         place_orders
@@ -84,6 +86,7 @@ BEYOND = {
         upload_drawing choose_page change_drawing delete_drawing override_edges order_job
         add_layout draw_carton_as_drawing change_layout delete_layout accept_shortfalls
         begin_nesting stop_nesting delete_nesting
+        add_stock_sheets change_stock_sheets delete_stock_sheets
         release_job recompile_job cancel_job change_job place_order_with_file place_orders
         order_by_xjdf answer_xjmf
     """,
