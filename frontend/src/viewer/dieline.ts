@@ -56,12 +56,12 @@ export class DielineLayers {
   /** `under`: a tool path is drawn above the edges. */
   draw(visible: boolean, under: boolean): void {
     const { ground } = this.colours;
-    this.nominal.mesh.visible = visible;
+    this.nominal.visible = visible;
     // Tool path and edge may coincide: a wider and fainter edge stays visible on both sides.
     if (this.showsFigures) this.nominal.setStyle(4, 1, ground);
     else if (under) this.nominal.setStyle(4.5, 0.75, ground);
     else this.nominal.setStyle(1.75, 1, ground);
-    this.nominal.mesh.renderOrder = this.showsFigures ? ORDER.map : ORDER.nominal;
+    this.nominal.setOrder(this.showsFigures ? ORDER.map : ORDER.nominal);
   }
 
   dispose(): void {

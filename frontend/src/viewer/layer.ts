@@ -2,15 +2,18 @@
  * WebGL layer of lines: one quad per segment, with a width in screen pixels.
  *
  * The fragment shader computes the distance to the segment, so that edges and round caps are
- * smooth without multisampling; dashes are measured along the line.
+ * smooth without multisampling; dashes are measured along the line. Many lines can be drawn thin
+ * instead: as solid lines of the graphics card, which cost a fraction.
  */
 
 import {
   BufferAttribute,
+  BufferGeometry,
   DynamicDrawUsage,
   GLSL3,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
+  LineSegments,
   Mesh,
   RawShaderMaterial,
   Vector2,
@@ -96,96 +99,185 @@ void main() {
 }
 `;
 
+const THIN_VERTEX = /* glsl */ `
+precision highp float;
+uniform mat4 projectionMatrix;
+uniform mat4 modelViewMatrix;
+uniform float now;
+uniform vec4 done;
+uniform vec3 ground;
+uniform float strength;
+in vec2 place;
+in vec4 colour;
+in float time;
+flat out vec4 ink;
+
+void main() {
+  vec4 hue = time <= now ? done : colour;
+  ink = vec4(mix(ground, hue.rgb, strength), hue.a);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(place, 0.0, 1.0);
+}
+`;
+
+const THIN_FRAGMENT = /* glsl */ `
+precision mediump float;
+flat in vec4 ink;
+out vec4 paint;
+
+void main() {
+  paint = ink;
+}
+`;
+
+/** Up to this number of segments, the lines of a layer always have a width. */
+const FEW = 500;
 const CORNERS = new Float32Array([0, -1, 1, -1, 1, 1, 0, 1]);
 const TRIANGLES = [0, 1, 2, 0, 2, 3];
 
 export class LineLayer {
-  readonly mesh: Mesh<InstancedBufferGeometry, RawShaderMaterial>;
+  readonly objects: readonly [
+    Mesh<InstancedBufferGeometry, RawShaderMaterial>,
+    LineSegments<BufferGeometry, RawShaderMaterial>,
+  ];
+  visible = true;
+  private readonly always: boolean;
+  private lines: Lines | null = null;
   private width: number;
   private ratio = 1;
+  private readonly uniforms = {
+    viewport: { value: new Vector2(1, 1) },
+    width: { value: 1 },
+    ratio: { value: 1 },
+    now: { value: -1 },
+    done: { value: new Vector4(1, 1, 1, 1) },
+    ground: { value: new Vector3(0, 0, 0) },
+    strength: { value: 1 },
+  };
 
-  /** `width` in CSS pixels; a larger `order` lies above. */
-  constructor(width: number, order: number) {
-    this.width = width;
-    const material = new RawShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: VERTEX,
-      fragmentShader: FRAGMENT,
-      transparent: true,
-      depthTest: false,
-      depthWrite: false,
-      uniforms: {
-        viewport: { value: new Vector2(1, 1) },
-        width: { value: width },
-        ratio: { value: 1 },
-        now: { value: -1 },
-        done: { value: new Vector4(1, 1, 1, 1) },
-        ground: { value: new Vector3(0, 0, 0) },
-        strength: { value: 1 },
-      },
-    });
-    this.mesh = new Mesh(emptyGeometry(), material);
-    this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = order;
-    this.mesh.visible = false;
+  /** `width` in CSS pixels, or thin lines always; a larger `order` lies above. */
+  constructor(width: number | "thin", order: number) {
+    this.always = width === "thin";
+    this.width = width === "thin" ? 1 : width;
+    this.uniforms.width.value = this.width;
+    const material = (vertexShader: string, fragmentShader: string) =>
+      new RawShaderMaterial({
+        glslVersion: GLSL3,
+        vertexShader,
+        fragmentShader,
+        transparent: true,
+        depthTest: false,
+        depthWrite: false,
+        uniforms: this.uniforms,
+      });
+    this.objects = [
+      new Mesh(emptyGeometry(), material(VERTEX, FRAGMENT)),
+      new LineSegments(new BufferGeometry(), material(THIN_VERTEX, THIN_FRAGMENT)),
+    ];
+    for (const object of this.objects) object.frustumCulled = false;
+    this.setOrder(order);
+  }
+
+  get count(): number {
+    return this.visible ? (this.lines?.count ?? 0) : 0;
   }
 
   show(lines: Lines | null): void {
-    this.mesh.geometry.dispose();
-    this.mesh.geometry = emptyGeometry();
-    this.mesh.visible = lines !== null && lines.count > 0;
-    if (lines === null || lines.count === 0) return;
-    const setAttribute = (
-      name: string,
-      values: Float32Array | Uint8Array,
-      size: number,
-      normalised = false,
-    ) => {
-      const attribute = new InstancedBufferAttribute(values, size, normalised);
-      attribute.setUsage(DynamicDrawUsage);
-      this.mesh.geometry.setAttribute(name, attribute);
-    };
-    setAttribute("ends", lines.ends, 4);
-    setAttribute("colour", lines.colour, 4, true);
-    setAttribute("along", lines.along, 1);
-    setAttribute("dash", Float32Array.from(lines.dash), 1);
-    setAttribute("time", lines.time, 2);
-    this.mesh.geometry.instanceCount = lines.count;
+    if (lines === this.lines) return;
+    this.lines = lines;
+    this.clear();
+  }
+
+  setOrder(order: number): void {
+    for (const object of this.objects) object.renderOrder = order;
+  }
+
+  /** Make ready for a frame; what a frame does not show is not sent to the graphics card. */
+  prepare(thin: boolean): void {
+    const { lines } = this;
+    const [wide, narrow] = this.objects;
+    const isThin = this.count > 0 && (this.always || (thin && this.count > FEW));
+    wide.visible = this.count > 0 && !isThin;
+    narrow.visible = isThin;
+    if (lines === null) return;
+    if (wide.visible && wide.geometry.instanceCount === 0) fillWide(wide.geometry, lines);
+    if (isThin && narrow.geometry.getAttribute("place") === undefined)
+      fillThin(narrow.geometry, lines);
   }
 
   /** Lines before this time (s) are drawn in the colour `done`. */
   setDoneUntil(seconds: number, done: Rgba): void {
-    this.uniform("now").value = Math.min(seconds, NEVER / 2);
-    (this.uniform("done").value as Vector4).set(...done).divideScalar(255);
+    this.uniforms.now.value = Math.min(seconds, NEVER / 2);
+    this.uniforms.done.value.set(...done).divideScalar(255);
   }
 
   /** Set the width (pixels) and how much of its own colour a line keeps, mixed with `ground`. */
   setStyle(width: number, strength: number, ground: Rgba): void {
     this.width = width;
-    this.uniform("width").value = width * this.ratio;
-    this.uniform("strength").value = strength;
+    this.uniforms.width.value = width * this.ratio;
+    this.uniforms.strength.value = strength;
     const [red, green, blue] = ground;
-    (this.uniform("ground").value as Vector3).set(red, green, blue).divideScalar(255);
+    this.uniforms.ground.value.set(red, green, blue).divideScalar(255);
   }
 
   resize(width: number, height: number, ratio: number): void {
-    (this.uniform("viewport").value as Vector2).set(width * ratio, height * ratio);
+    this.uniforms.viewport.value.set(width * ratio, height * ratio);
     this.ratio = ratio;
-    this.uniform("width").value = this.width * ratio;
-    this.uniform("ratio").value = ratio;
+    this.uniforms.width.value = this.width * ratio;
+    this.uniforms.ratio.value = ratio;
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    for (const { geometry, material } of this.objects) {
+      geometry.dispose();
+      material.dispose();
+    }
   }
 
-  private uniform(name: string): { value: unknown } {
-    const found = this.mesh.material.uniforms[name];
-    if (found === undefined)
-      throw new Error(`The drawing cannot be displayed (shader without ${name}). Reload the page.`);
-    return found;
+  private clear(): void {
+    const [wide, narrow] = this.objects;
+    if (wide.geometry.instanceCount > 0) {
+      wide.geometry.dispose();
+      wide.geometry = emptyGeometry();
+    }
+    if (narrow.geometry.getAttribute("place") !== undefined) {
+      narrow.geometry.dispose();
+      narrow.geometry = new BufferGeometry();
+    }
   }
+}
+
+function fillWide(geometry: InstancedBufferGeometry, lines: Lines): void {
+  const setAttribute = (
+    name: string,
+    values: Float32Array | Uint8Array,
+    size: number,
+    normalised = false,
+  ) => {
+    const attribute = new InstancedBufferAttribute(values, size, normalised);
+    attribute.setUsage(DynamicDrawUsage);
+    geometry.setAttribute(name, attribute);
+  };
+  setAttribute("ends", lines.ends, 4);
+  setAttribute("colour", lines.colour, 4, true);
+  setAttribute("along", lines.along, 1);
+  setAttribute("dash", Float32Array.from(lines.dash), 1);
+  setAttribute("time", lines.time, 2);
+  geometry.instanceCount = lines.count;
+}
+
+/** Both ends of a segment are vertices; each needs the colour. */
+function fillThin(geometry: BufferGeometry, { count, ends, colour, time }: Lines): void {
+  const single = new Uint32Array(colour.buffer, colour.byteOffset, count);
+  const twice = new Uint32Array(2 * count);
+  for (let at = 0; at < count; at++) {
+    twice[2 * at] = single[at] as number;
+    twice[2 * at + 1] = single[at] as number;
+  }
+  geometry.setAttribute("place", new BufferAttribute(ends, 2));
+  geometry.setAttribute("colour", new BufferAttribute(new Uint8Array(twice.buffer), 4, true));
+  geometry.setAttribute("time", new BufferAttribute(time, 1));
+  // Without an attribute `position`, three.js cannot count the vertices.
+  geometry.setDrawRange(0, 2 * count);
 }
 
 function emptyGeometry(): InstancedBufferGeometry {

@@ -83,16 +83,16 @@ export class PathLayers {
     const { ground, done } = this.colours;
     this.head.setStyle(1.6, mapped ? 0.5 : 1, ground);
     this.tip.setStyle(1, mapped ? 0.4 : 1, ground);
-    this.head.mesh.visible = shown.head && has;
-    this.tip.mesh.visible = shown.tip && has;
-    this.rapids.mesh.visible = shown.rapids && has;
+    this.head.visible = shown.head && has;
+    this.tip.visible = shown.tip && has;
+    this.rapids.visible = shown.rapids && has;
     this.bands.mesh.visible = shown.swept && has;
-    this.rims.mesh.visible = shown.swept && has;
+    this.rims.visible = shown.swept && has;
     this.uncut.mesh.visible = shown.uncut && this.hasAreas;
-    this.uncutRims.mesh.visible = shown.uncut && this.hasAreas;
+    this.uncutRims.visible = shown.uncut && this.hasAreas;
     const near = Math.min(1, Math.max(LEAST_MARKS, scale / FULL_MARKS));
     for (const word of MARKED) {
-      this.motions[word].mesh.visible = shown.moves && has;
+      this.motions[word].visible = shown.moves && has;
       this.motions[word].setStyle(MARKS[word] * near, 1, ground);
     }
     for (const layer of [this.head, this.tip]) layer.setDoneUntil(seconds ?? -1, done);

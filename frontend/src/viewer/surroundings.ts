@@ -1,6 +1,6 @@
 /** Layers around the drawing: grid, table, datum and marks. */
 
-import { Mesh, MeshBasicMaterial, PlaneGeometry } from "three";
+import type { WebGLRenderer } from "three";
 import type { Box, Point } from "../geometry/records";
 import {
   datumLines,
@@ -20,7 +20,6 @@ const RING = 9;
 const ARM = 36;
 
 export class Surroundings {
-  readonly table: Mesh<PlaneGeometry, MeshBasicMaterial>;
   /** The table as a box in drawing coordinates. */
   box: Box | null = null;
   /** A rectangular sheet as a box in drawing coordinates. */
@@ -32,7 +31,7 @@ export class Surroundings {
   /** The box that a pin marks. */
   pin: Box | null = null;
 
-  private readonly gridLayer = new LineLayer(1, ORDER.grid);
+  private readonly gridLayer = new LineLayer("thin", ORDER.grid);
   private readonly frameLayer = new LineLayer(1.25, ORDER.frame);
   private readonly sheetLayer = new LineLayer(1.5, ORDER.sheet);
   private readonly zoneLayer = new LineLayer(1.5, ORDER.zones);
@@ -49,13 +48,27 @@ export class Surroundings {
     this.pinLayer,
   ];
 
-  constructor(private readonly colours: ViewerColours) {
-    this.table = new Mesh(
-      new PlaneGeometry(1, 1),
-      new MeshBasicMaterial({ color: colours.table, depthTest: false, depthWrite: false }),
-    );
-    this.table.visible = false;
-    this.table.frustumCulled = false;
+  constructor(private readonly colours: ViewerColours) {}
+
+  /** Fill the frame with the backdrop and the table: to clear a rectangle is cheaper than to draw it. */
+  paintGround(renderer: WebGLRenderer, camera: PlaneCamera): void {
+    const { box, colours } = this;
+    renderer.setScissorTest(false);
+    renderer.setClearColor(colours.backdrop);
+    renderer.clear();
+    if (box === null) return;
+    const low = camera.toScreen({ x: box[0], y: box[1] });
+    const high = camera.toScreen({ x: box[2], y: box[3] });
+    const left = Math.max(0, low.x);
+    const top = Math.max(0, high.y);
+    const right = Math.min(camera.width, high.x);
+    const bottom = Math.min(camera.height, low.y);
+    if (left >= right || top >= bottom) return;
+    renderer.setScissorTest(true);
+    renderer.setScissor(left, camera.height - bottom, right - left, bottom - top);
+    renderer.setClearColor(colours.table);
+    renderer.clear();
+    renderer.setScissorTest(false);
   }
 
   /** Rebuild the table after a change of the table or of the origin. */
@@ -64,12 +77,7 @@ export class Surroundings {
     const { zone } = this.colours;
     this.zoneLayer.show(zones.length === 0 ? null : zoneLines(zones, origin, zone));
     this.sheetLayer.show(sheet === null ? null : frameLines(sheet, origin, this.colours.sheetEdge));
-    this.table.visible = box !== null;
     this.frameLayer.show(box === null ? null : frameLines(box, origin, this.colours.tableEdge));
-    if (box === null) return;
-    const [x0, y0, x1, y1] = box;
-    this.table.scale.set(x1 - x0, y1 - y0, 1);
-    this.table.position.set((x0 + x1) / 2 - origin.x, (y0 + y1) / 2 - origin.y, 0);
   }
 
   /** Rebuild the layers that have a fixed size on the screen. */
@@ -88,7 +96,5 @@ export class Surroundings {
 
   dispose(): void {
     for (const layer of this.layers) layer.dispose();
-    this.table.geometry.dispose();
-    this.table.material.dispose();
   }
 }

@@ -14,6 +14,7 @@ import type { Tools } from "../scene/swept";
 import { type Insets, PlaneCamera } from "./camera";
 import { HeadClock } from "./clock";
 import type { ViewerColours, ViewerEvents, VisibleLayers } from "./contract";
+import { Detail } from "./detail";
 import { DielineLayers, type EdgePreview } from "./dieline";
 import { HeadMark } from "./head";
 import { PathLayers } from "./pathLayers";
@@ -36,6 +37,7 @@ export class Viewer {
   private readonly travel: PathLayers;
   private readonly head: HeadMark;
   private readonly clock = new HeadClock();
+  private readonly detail = new Detail();
   private readonly transition = new ViewTransition(this.camera);
   private readonly picker = new Picker(this.camera);
   private readonly watch: ResizeObserver;
@@ -57,6 +59,8 @@ export class Viewer {
     uncut: true,
   };
   private frameRequest = 0;
+  private measuring = false;
+  private disposed = false;
   private hoverRow: number | null = null;
   private hoverMoves: readonly number[] = [];
   /** Box that the view was fitted to; null since the user has moved the view. */
@@ -75,13 +79,13 @@ export class Viewer {
     } catch (cause) {
       throw new NoWebGL("This browser cannot draw with WebGL, its graphics interface.", { cause });
     }
-    this.renderer.setClearColor(colours.backdrop);
+    this.renderer.autoClear = false;
     this.surroundings = new Surroundings(colours);
     this.dieline = new DielineLayers(colours);
     this.travel = new PathLayers(colours);
     this.head = new HeadMark(colours);
-    this.scene.add(this.surroundings.table);
-    for (const { mesh } of [...this.travel.areas, ...this.layers]) this.scene.add(mesh);
+    for (const { mesh } of this.travel.areas) this.scene.add(mesh);
+    for (const { objects } of this.layers) this.scene.add(...objects);
 
     this.watch = new ResizeObserver(() => this.resize());
     this.watch.observe(host);
@@ -114,6 +118,7 @@ export class Viewer {
     this.edges = edges;
     this.picker.setVisible(visible);
     if (fresh) {
+      this.detail.reset();
       const box = edges === null ? null : boundsOf(edges);
       this.origin =
         box === null ? { x: 0, y: 0 } : { x: (box[0] + box[2]) / 2, y: (box[1] + box[3]) / 2 };
@@ -257,6 +262,7 @@ export class Viewer {
   }
 
   dispose(): void {
+    this.disposed = true;
     cancelAnimationFrame(this.frameRequest);
     this.watch.disconnect();
     this.stopListening();
@@ -344,8 +350,27 @@ export class Viewer {
     this.travel.draw(shown, camera.scale, seconds, this.dieline.showsFigures);
     this.head.draw(timeline, seconds, this.tools, origin, camera.scale);
     camera.apply(origin);
+    const count = this.layers.reduce((sum, layer) => sum + layer.count, 0);
+    const thin = this.detail.isThin(count);
+    for (const layer of this.layers) layer.prepare(thin);
+    this.surroundings.paintGround(this.renderer, camera);
     this.renderer.render(this.scene, camera.three);
+    this.measure(count);
     this.events.onView(camera.scale);
     if (this.transition.active || this.clock.running) this.draw();
+  }
+
+  /** Learn how long a frame takes: the browser asks for the next but one when it is on the screen. */
+  private measure(count: number): void {
+    if (this.measuring || document.hidden) return;
+    this.measuring = true;
+    const begin = performance.now();
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => {
+        this.measuring = false;
+        if (this.disposed || document.hidden) return;
+        if (this.detail.learn(count, (performance.now() - begin) / 2)) this.draw();
+      }),
+    );
   }
 }
