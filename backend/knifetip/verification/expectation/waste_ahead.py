@@ -41,6 +41,11 @@ def waste_ahead(edges: Edges, cuts: Edges) -> Bool:
     forward = azimuth_at(curves[cut], place)
     onward = curves[cut, 5] - place > TOUCH_DISTANCE
     back = place > TOUCH_DISTANCE
+    # Beside a corner of the outline, an end may touch only the curve that ends there: beyond its
+    # end, this curve is taken to continue.
+    alone = np.bincount(end, onward.astype(np.int64) + back, minlength=len(ahead))[end] == 1
+    onward |= alone
+    back |= alone
     left = outlined.board_left[cut]
     at = np.concatenate([end[onward], end[back]])
     direction = np.concatenate([forward[onward], forward[back] + 180.0])
