@@ -35,6 +35,7 @@ from knifetip.verification.checks.common.edge_feeds import (
 from knifetip.verification.checks.crease.rim import check_rims
 from knifetip.verification.checks.edge_checks import check_edges
 from knifetip.verification.checks.knife.passes import check_knife_passes, last_passes
+from knifetip.verification.checks.lines.groove_flanks import check_groove_flanks
 from knifetip.verification.checks.lines.near_lines import check_near_lines
 from knifetip.verification.checks.milling.unreached_areas import merge_unreached
 from knifetip.verification.checks.motion import moves as motion_checks
@@ -179,6 +180,7 @@ def verify(
     check_chosen_starts(context, job.starts, work.paths)
     check_edge_feeds(context, paths, moves, parts)
     check_near_lines(context)
+    check_groove_flanks(context)
     findings.extend(work.own_line(finding) for finding in joined_findings.sorted())
     found = findings.sorted()
     return Verdict(

@@ -314,6 +314,18 @@ MESSAGES: Final[Entries] = {
         length="number",
         blade="number",
     ),
+    "verify.grooves-at-angle": entry(
+        "Two V-grooves meet at an angle of {angle:.1f}° at X{x:.3f} Y{y:.3f} (coordinates of the "
+        "sheet), and each is {width:.2f} mm wide in the top face. Along {length:.1f} mm from there "
+        "no ridge remains between them.",
+        "Draw the grooves at a greater angle or end one of them before the other, choose a smaller "
+        "depth of grooves in the board file, or accept the shortfall.",
+        angle="number",
+        x="number",
+        y="number",
+        width="number",
+        length="number",
+    ),
     "verify.grooves-meet": entry(
         "Two V-grooves lie {distance:.2f} mm apart, but each is {width:.2f} mm wide in the top "
         "face. Along {length:.1f} mm their flanks meet, and no ridge remains between them.",

@@ -247,6 +247,13 @@ TEXTS: Final[Texts] = {
         "Eine längere Nut zeichnen, ihre Linienart auf „Rillen“ oder „Ignoriert“ setzen, oder ein "
         "V-Messer mit schmalerer Klinge wählen.",
     ),
+    "verify.grooves-at-angle": Text(
+        "Zwei V-Nuten treffen sich unter {angle:.1f}° bei X{x:.3f} Y{y:.3f} (Koordinaten des "
+        "Bogens), und jede ist an der Oberseite {width:.2f} mm breit. Von dort an bleibt auf "
+        "{length:.1f} mm Länge kein Grat zwischen ihnen.",
+        "Die Nuten unter einem größeren Winkel zeichnen oder eine vor der anderen enden lassen, in "
+        "der Materialdatei eine kleinere Nuttiefe wählen, oder die Einschränkung annehmen.",
+    ),
     "verify.grooves-meet": Text(
         "Zwei V-Nuten liegen {distance:.2f} mm auseinander, aber jede ist an der Oberseite "
         "{width:.2f} mm breit. Auf {length:.1f} mm Länge treffen sich ihre Flanken, und zwischen "

@@ -7,16 +7,15 @@ are nearest:
 
 * **Drawn twice**: a chain has another one of the same line type beside it for most of its length,
   nearer than the board is thick.  A person must decide, so this is a shortfall.
-* **Grooves that share their flanks**: two V-grooves nearer than a groove is wide in the top face
-  leave no ridge between them.  This is a shortfall.
 * **Narrow**: any other pair of lines nearer than the limit of their line types is a note: a strip
   or a slot narrower than the board is thick, creases that become one band, a crease that tears off
   at a cut.
+
+Two V-grooves are compared by their flanks instead (``groove_flanks``).
 """
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Final
 
@@ -26,9 +25,9 @@ from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.dieline import LineType
 from knifetip.model.machine import Machine
-from knifetip.model.tool import VCutter
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.common.context import CheckContext
+from knifetip.verification.checks.lines.groove_flanks import groove_width
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
 from knifetip.verification.expectation.edge_paths import edge_paths, link_ends
@@ -140,10 +139,7 @@ def _report(
     distance, caliper = float(sides.distance[at]), context.board.caliper
     values = {"distance": distance, "length": length}
     severity = Severity.SHORTFALL
-    if kind == kind_of_other == LineType.V_GROOVE:
-        width = _groove_width(context.board, context.machine)
-        message = Message("verify.grooves-meet", width=width, **values)
-    elif kind == kind_of_other and are_two and length >= _MOST * float(sizes.min()):
+    if kind == kind_of_other and are_two and length >= _MOST * float(sizes.min()):
         message = Message("verify.drawn-twice", type=kind.word, **values)
     else:
         severity = Severity.NOTE
@@ -163,17 +159,10 @@ def _limits(board: Board, machine: Machine) -> F64:
         limits[kind, kind] = board.caliper
     for mark in _MARKS:
         limits[LineType.CUT, mark] = limits[mark, LineType.CUT] = 0.5 * board.caliper
-    width = _groove_width(board, machine)
-    limits[LineType.V_GROOVE, LineType.V_GROOVE] = width
+    width = groove_width(board, machine)
     for mark in _MARKS:
         limits[LineType.V_GROOVE, mark] = limits[mark, LineType.V_GROOVE] = 0.5 * width
     return limits
-
-
-def _groove_width(board: Board, machine: Machine) -> float:
-    """Return the width of a V-groove in the top face (mm); 0 without a V-cutter."""
-    tilts = [one.tool.tilt for one in machine.stations if isinstance(one.tool, VCutter)]
-    return 2.0 * board.groove_depth * math.tan(math.radians(tilts[0])) if tilts else 0.0
 
 
 def _sides(edges: Edges, reach: float, caliper: float) -> _Sides:
@@ -188,7 +177,8 @@ def _sides(edges: Edges, reach: float, caliper: float) -> _Sides:
     curve = edges.curve[row]
     points, heading = point_at(curve, place), azimuth_at(curve, place)
     normal = np.radians(heading + 90.0)
-    away = reach * np.column_stack([np.cos(normal), np.sin(normal)])
+    # A ray that ended on a line would meet it before its end only.
+    away = (reach + 2.0 * _TOUCH) * np.column_stack([np.cos(normal), np.sin(normal)])
     rays = np.concatenate([line_curves(points, points + away), line_curves(points, points - away)])
     met = edges.find_overlaps(rays, _TOUCH)
     ray = met.curve.astype(np.int64)
@@ -199,8 +189,8 @@ def _sides(edges: Edges, reach: float, caliper: float) -> _Sides:
     turn = angle_between(azimuth_at(edges.curve[other], along), heading[point], 180.0)
     # Lines that coincide are one line.
     keep = distance > JOIN_DISTANCE
-    grooves = (edges.line_type[[edge, other]] == LineType.V_GROOVE).all(axis=0)
-    keep &= grooves | ~_adjacent(edges, edge, other)
+    keep &= ~(edges.line_type[[edge, other]] == LineType.V_GROOVE).all(axis=0)
+    keep &= ~_adjacent(edges, edge, other)
     keep &= turn <= _ALONGSIDE
     kept = np.flatnonzero(keep)
     # Only the nearest line beside a point counts, once for both sides.
