@@ -1,5 +1,6 @@
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -469,6 +470,29 @@ def test_a_perforation_too_short_for_a_gap_is_one_cut_even_if_others_cross_it() 
 
     assert texts(8.5 - lead) == []
     assert texts(9.0 - lead) != []
+
+
+@pytest.mark.parametrize("size", [7.0, 9.5, 40.0])
+@pytest.mark.parametrize("joints", [0, 1, 30])
+def test_a_perforation_that_is_cut_through_is_refused(size: float, joints: int) -> None:
+    # 8.5 mm has no room for a gap between three cuts of 3 mm, and 7 mm has one between two.
+    lead = 0.4056  # 2.3 tan 10°
+    at = np.linspace(0.0, size, joints + 2)
+    kind = LineType.PERFORATION
+    drawn = dieline(*((kind, a, 10, b, 10, 0.0) for a, b in pairwise(at)))
+    text = cut_lines((0, 10, round(size - lead, 4), 10, 0))
+    found = verify(text, drawn, (0.0, 0.0), MACHINE, BOARD).findings
+    assert {one.message.code for one in found if one.refuses} == {"verify.perforation-cut"}
+
+
+def test_a_perforation_of_many_edges_has_no_longer_cuts() -> None:
+    lead = 0.4056  # 2.3 tan 10°
+    at = np.linspace(0.0, 19.0, 39)
+    kind = LineType.PERFORATION
+    drawn = dieline(*((kind, a, 10, b, 10, 0.0) for a, b in pairwise(at)))
+    text = cut_lines(*((x, 10, round(x + 8.5 - lead, 4), 10, 0) for x in (0, 10.5)))
+    found = verify(text, drawn, (0.0, 0.0), MACHINE, BOARD).findings
+    assert {one.message.code for one in found if one.refuses} == {"verify.perforation-cut"}
 
 
 def test_a_perforation_has_cuts_and_gaps() -> None:

@@ -6,8 +6,10 @@ import numpy as np
 
 from knifetip.messages import Message
 from knifetip.verification.checks.common.base import StationCheck
-from knifetip.verification.columns import I64, Bool
+from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.intervals import SHORT, Overlaps
+from knifetip.verification.expectation.edge_paths import edge_paths, link_ends
+from knifetip.verification.expectation.edges import STRAIGHT_ANGLE
 from knifetip.verification.findings import MAX_FINDINGS
 
 
@@ -50,13 +52,11 @@ def check_perforations(
         )
     _check_bridges(check, overlaps, perforated, lead)
     size = np.bincount(check.track, check.curve[:, 5], minlength=len(dashed))
-    # A perforation that is too short for a gap is one cut.  Tip paths that only cross it, as
-    # those of other perforations, are not counted.
-    along = keep[overlaps.best[keep] & (np.abs(np.diff(overlaps.place[keep])[:, 0]) > SHORT)]
-    number = np.bincount(overlaps.edge[along], minlength=len(check.edges))
-    alone = np.zeros(len(dashed), np.bool_)
-    alone[check.track[overlaps.curve[along[number[overlaps.edge[along]] == 1]]]] = True
-    wrong = dashed & ~alone & (np.abs(size - (cut - lead)) > check.slack)
+    whole = size + lead
+    # A perforation that is too short for a gap is one cut.
+    alone = _tracks_without_gaps(check, overlaps, edge_rows, lead, len(dashed))
+    alone &= _are_one_cut(whole, cut, gap, check.slack)
+    wrong = dashed & ~alone & (np.abs(whole - cut) > check.slack)
     first = np.searchsorted(check.track, np.arange(len(dashed)))
     for track in np.flatnonzero(wrong)[:MAX_FINDINGS]:
         check.add_finding(
@@ -66,6 +66,63 @@ def check_perforations(
             float(abs(size[track] - (cut - lead))),
             int(first[track]),
         )
+
+
+def _are_one_cut(length: F64, cut: float, gap: float, slack: float) -> Bool:
+    """Return the mask of the perforations that have no gap because of their length, (k,).
+
+    With gaps of at most g, a perforation of length l has n = (l + g) / (c + g) cuts of length c,
+    rounded up.  If these are together as long as the perforation, it is one cut.
+
+    ``length`` (k,) mm: lengths of perforations, measured with an error of up to ``slack``.
+    ``cut``, ``gap`` mm: lengths c and g of the board.
+    """
+    result = np.zeros(len(length), np.bool_)
+    for error in (-slack, slack):
+        count = np.maximum(np.ceil((length + error + gap) / (cut + gap) - 1e-9), 1.0)
+        result |= count * cut >= length + error
+    return result
+
+
+def _tracks_without_gaps(
+    check: StationCheck, overlaps: Overlaps, edge_rows: I64, lead: float, count: int
+) -> Bool:
+    """Return the mask of the tracks that have no gap to another cut of their perforation,
+    (``count``,).
+
+    A perforation consists of edges that continue each other.  Where one ends and another begins,
+    the blade may stop short of this point by its lead on both sides.
+
+    ``check``: the check of the station that makes the perforations.
+    ``overlaps``: overlaps of the tip paths with the edges.
+    ``edge_rows``: indices of the perforated edges.
+    ``lead`` mm: length by which the blade cuts the top face ahead of its tip.
+    """
+    edges = check.edges.select(edge_rows)
+    paths = edge_paths(edges, link_ends(edges, STRAIGHT_ANGLE)[0])
+    number = np.full(len(check.edges), -1, np.int64)
+    number[edge_rows] = np.arange(len(edge_rows))
+    # Tip paths that only cross a perforation, as those of other perforations, are not counted.
+    along = overlaps.best & (number[overlaps.edge] >= 0)
+    along &= np.abs(np.diff(overlaps.place)[:, 0]) > SHORT
+    edge, track = number[overlaps.edge[along]], check.track[overlaps.curve[along]]
+    place = overlaps.place[along]
+    size = edges.curve[edge, 5][:, None]
+    place = paths.begin[edge, None] + np.where(paths.flipped[edge, None], size - place, place)
+    pairs, cuts = np.unique(
+        np.stack([paths.path[edge], track], axis=1), axis=0, return_inverse=True
+    )
+    begin, end = np.full(len(pairs), np.inf), np.full(len(pairs), -np.inf)
+    np.minimum.at(begin, cuts.ravel(), place.min(axis=1))
+    np.maximum.at(end, cuts.ravel(), place.max(axis=1))
+    order = np.lexsort((begin, pairs[:, 0]))
+    path, track, begin, end = pairs[order, 0], pairs[order, 1], begin[order], end[order]
+    parted = path[1:] == path[:-1]
+    parted &= begin[1:] - end[:-1] > 2.0 * lead + check.slack
+    result = np.zeros(count, np.bool_)
+    result[track] = True
+    result[track[1:][parted]] = result[track[:-1][parted]] = False
+    return result
 
 
 def _check_bridges(check: StationCheck, overlaps: Overlaps, perforated: Bool, lead: float) -> None:
