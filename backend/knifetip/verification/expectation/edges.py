@@ -13,7 +13,7 @@ from knifetip.kernels import F64_1, inline_kernel, kernel
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.columns import F64, I32, I64
 from knifetip.verification.curves.curve import arc_curves, azimuth_at, line_curves, point_at
-from knifetip.verification.curves.curve_grid import list_curves
+from knifetip.verification.curves.curve_grid import CurveGrid, list_curves
 from knifetip.verification.curves.intervals import Overlaps
 from knifetip.verification.curves.near_points import (
     PointGrid,
@@ -141,11 +141,14 @@ class Edges:
             known, earlier = self._memory[name]
             if np.array_equal(known, curves):
                 return cast(Overlaps, earlier)
-        grid = self.compute_once("grid", lambda: list_curves(self.curve, _GRID_LIMIT))
-        result = search_overlaps(curves, grid, low, high, limit)
+        result = search_overlaps(curves, self.grid(), low, high, limit)
         if is_whole:
             self._memory[name] = (curves, result)
         return result
+
+    def grid(self) -> CurveGrid:
+        """Return a grid of the n ≥ 1 edges; checks share it."""
+        return self.compute_once("grid", lambda: list_curves(self.curve, _GRID_LIMIT))
 
     def touched_by_points(self, points: F64, limit: float) -> Overlaps:
         """Return the points, (n, 2) mm, that lie within ``limit`` mm of the edges, as overlaps of

@@ -27,6 +27,7 @@ from knifetip.model.dieline import LineType
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.common.context import CheckContext
+from knifetip.verification.checks.lines.edges_beside import edges_beside
 from knifetip.verification.checks.lines.groove_flanks import groove_width
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, line_curves, point_at
@@ -72,12 +73,19 @@ class _Sides:
 
 def check_near_lines(context: CheckContext) -> None:
     """Add a shortfall or a note for each two chains of edges that lie too near to each other."""
-    edges, _, _ = without_duplicates(context.edges.with_types(*_KINDS))
+    drawn = context.edges.with_types(*_KINDS)
     limits = _limits(context.board, context.machine)
     reach = float(limits.max())
-    if len(edges) < 2 or reach <= 0.0:
+    if len(drawn) < 2 or reach <= 0.0:
         return
-    sides = _sides(edges, reach, context.board.caliper)
+    # A ray that ends in the other line is compared with only a part of it.
+    compared = np.where(limits > reach - 2.0 * _TOUCH, limits + 2.0 * _TOUCH, limits)
+    selected = edges_beside(drawn, compared, _TOUCH, _ALONGSIDE)
+    if not selected.any():
+        return
+    edges, _, _ = without_duplicates(drawn)
+    beside = np.isin(edges.row, drawn.row[selected])
+    sides = _sides(edges, beside, reach, context.board.caliper)
     near = sides.distance < limits[edges.line_type[sides.edge], edges.line_type[sides.other]]
     rows = np.flatnonzero(near)
     if not len(rows):
@@ -165,14 +173,19 @@ def _limits(board: Board, machine: Machine) -> F64:
     return limits
 
 
-def _sides(edges: Edges, reach: float, caliper: float) -> _Sides:
-    """Return the places at which edges have another edge within ``reach`` mm beside them."""
+def _sides(edges: Edges, beside: Bool, reach: float, caliper: float) -> _Sides:
+    """Return the places at which edges have another edge within ``reach`` mm beside them.
+
+    ``beside``: mask of the edges of which places are searched, (n,).
+    """
     size = edges.curve[:, 5]
     pitch = max(_PITCH * caliper, _LEAST_PITCH, float(size.sum()) / _MOST_POINTS)
     # Along the whole sequence of edges, so that many short edges have few points.
     reached = np.cumsum(size)
     wanted = np.arange(0.5 * pitch, reached[-1], pitch)
     row = np.minimum(np.searchsorted(reached, wanted), len(size) - 1).astype(np.int64)
+    searched = beside[row]
+    wanted, row = wanted[searched], row[searched]
     place = np.clip(wanted - (reached - size)[row], 0.0, size[row])
     curve = edges.curve[row]
     points, heading = point_at(curve, place), azimuth_at(curve, place)
@@ -181,18 +194,18 @@ def _sides(edges: Edges, reach: float, caliper: float) -> _Sides:
     away = (reach + 2.0 * _TOUCH) * np.column_stack([np.cos(normal), np.sin(normal)])
     rays = np.concatenate([line_curves(points, points + away), line_curves(points, points - away)])
     met = edges.find_overlaps(rays, _TOUCH)
-    ray = met.curve.astype(np.int64)
-    point = ray % len(row)
-    edge, other = row[point], met.edge.astype(np.int64)
-    distance = met.along.mean(axis=1)
-    along = np.clip(met.place.mean(axis=1), 0.0, size[other])
+    distance = 0.5 * (met.along[:, 0] + met.along[:, 1])
+    # Lines that coincide are one line; each ray meets the edge at which it starts.
+    apart = np.flatnonzero(distance > JOIN_DISTANCE)
+    distance, other = distance[apart], met.edge[apart].astype(np.int64)
+    point = met.curve[apart].astype(np.int64) % len(row)
+    edge = row[point]
+    along = np.clip(met.place[apart].mean(axis=1), 0.0, size[other])
     turn = angle_between(azimuth_at(edges.curve[other], along), heading[point], 180.0)
-    # Lines that coincide are one line.
-    keep = distance > JOIN_DISTANCE
-    keep &= ~(edges.line_type[[edge, other]] == LineType.V_GROOVE).all(axis=0)
-    keep &= ~_adjacent(edges, edge, other)
-    keep &= turn <= _ALONGSIDE
-    kept = np.flatnonzero(keep)
+    kept = np.flatnonzero(turn <= _ALONGSIDE)
+    pair = edges.line_type[[edge[kept], other[kept]]]
+    kept = kept[~(pair == LineType.V_GROOVE).all(axis=0)]
+    kept = kept[~_adjacent(edges, edge[kept], other[kept])]
     # Only the nearest line beside a point counts, once for both sides.
     order = kept[np.lexsort((distance[kept], point[kept]))]
     first = np.ones(len(order), np.bool_)
