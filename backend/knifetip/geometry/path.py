@@ -225,13 +225,17 @@ def lengths_behind_corners(paths: Paths, kink: float) -> F64:
     A corner is a joint of two segments at which the path turns by more than ``kink`` degrees.  The
     length is infinite for a path without a corner.  The start of a closed path is no corner.
     """
+    result = np.full(len(paths), np.inf)
+    if len(paths.bulge) == len(paths):
+        return result
     ahead, arriving = arc.tangents(paths.start, paths.end, paths.bulge)
     turn = np.zeros(len(paths.bulge))
     turn[1:] = np.abs(turn_angle(azimuth(arriving)[:-1], azimuth(ahead)[1:]))
     turn[paths.first[:-1]] = 0.0
     # Exactly this angle, as it may be drawn, is no corner, however it is rounded.
     corner = np.flatnonzero(turn > kink + _KINK_ERROR)
-    result = np.full(len(paths), np.inf)
+    if not len(corner):
+        return result
     reached = np.concatenate([[0.0], np.cumsum(arc.length(paths.start, paths.end, paths.bulge))])
     owner = paths.path_of[corner]
     # The last assignment to a path is that of its last corner.
