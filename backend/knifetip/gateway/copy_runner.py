@@ -180,7 +180,9 @@ class CopyRunner:
                 break
             run.answered.clear()
             with suppress(TimeoutError):
-                await asyncio.wait_for(run.answered.wait(), left + 0.01)
+                # Not ``wait_for``, which loses a cancellation at the moment of an answer.
+                async with asyncio.timeout(left + 0.01):
+                    await run.answered.wait()
         self._journal.begin_copy(run.claim.job, copy)
 
     def _record_stop(self, run: JobRun, last: Progress, controller: Controller) -> None:

@@ -148,7 +148,9 @@ class MachineStation:
                 interval = WATCHED_INTERVAL if answer.watched else IDLE_INTERVAL
                 if self._tasks:
                     with suppress(TimeoutError):
-                        await asyncio.wait_for(self._wake.wait(), WATCHED_INTERVAL)
+                        # Not ``wait_for``, which loses a cancellation at the moment of a report.
+                        async with asyncio.timeout(WATCHED_INTERVAL):
+                            await self._wake.wait()
                 elif answer.waited < interval and not answer.operations:
                     await asyncio.sleep(interval - answer.waited)
         finally:

@@ -309,7 +309,8 @@ class _Server(uvicorn.Server):
         self._loop = asyncio.get_running_loop()
         while not await self.on_tick(0):
             with contextlib.suppress(TimeoutError):
-                await asyncio.wait_for(self._exit.wait(), 1.0)
+                async with asyncio.timeout(1.0):
+                    await self._exit.wait()
 
     @property
     def _service(self) -> Service:
