@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Final, Literal, NamedTuple
 
-from knifetip.dxf.export import export_dxf
 from knifetip.errors import DrawingTooLarge
 from knifetip.model.figure import Figure
 
@@ -60,6 +59,8 @@ def export(figure: Figure, form: ExportFormat, width: int) -> bytes:
 
             return write_png(figure, width)
         case "dxf":
+            from knifetip.dxf.export import export_dxf
+
             return export_dxf(figure)
         case "pdf":
             from knifetip.handover.pdf import write_pdf
