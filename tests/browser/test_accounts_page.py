@@ -18,7 +18,11 @@ from tests.browser.steps import go_to
 from tests.support.hostile_names import HOSTILE_NAMES, acting
 from tests.support.serving.server import square
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("accounts"),
+    pytest.mark.timeout(600),
+]
 
 
 @pytest.fixture(scope="module")
@@ -28,7 +32,14 @@ def shop(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shop
         yield opened
 
 
-@pytest.mark.parametrize("role", ROLES)
+# What the other roles can do in each view: test_roles_page.py.
+@pytest.mark.parametrize(
+    "role",
+    [
+        pytest.param(role, marks=() if role == AccessScope.DESIGNER else pytest.mark.long)
+        for role in ROLES
+    ],
+)
 def test_a_role_can_use_its_controls_only(
     browser: Browser, shop: Shop, screenshots: Path, role: AccessScope
 ) -> None:
