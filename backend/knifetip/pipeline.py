@@ -64,6 +64,7 @@ from knifetip.planning.sheet_outline import sheet_outline
 from knifetip.post.emit import process
 from knifetip.proof import PlacedJob, planned_notes, prove
 from knifetip.sequencing.air_moves import with_full_retracts
+from knifetip.sequencing.chosen_order import ChosenOrder, place_order
 from knifetip.sequencing.contour_starts import choose_starts
 from knifetip.sequencing.duration import duration
 from knifetip.sequencing.rest_path import keep_tracks
@@ -118,6 +119,7 @@ class _CleanedChoices:
 
     starts: Sequence[ChosenStart]
     work: ChosenWork
+    order: ChosenOrder | None
 
 
 def read(data: bytes, unit: str | None = None) -> Drawing:
@@ -275,7 +277,8 @@ def compile(
     offset = placement(cleaned.dieline, machine, options.sheet)
     with located_errors(drawing):
         starts = place_starts(options.contour_starts, dieline, cleaned, offset)
-        chosen = _CleanedChoices(starts, work_on_cleaned(work, cleaned))
+        order = place_order(options.work_order, dieline, cleaned)
+        chosen = _CleanedChoices(starts, work_on_cleaned(work, cleaned), order)
 
     def attempt(machine: Machine) -> Compiled:
         # Cutters that the machine does not carry have no limits of the board yet.
@@ -454,7 +457,7 @@ def _toolpath(
     found = []
     for outline in outlines:
         operations = plan(shifted, machine, board, options.corners, outline, offset, chosen.work)
-        operations = apply_starts(operations, chosen.starts)
+        operations = apply_starts(operations, chosen.starts, together=chosen.order is not None)
         progress(Stage.COMPENSATE, 0.2)
         toolpaths = [
             with_edge_feeds(compensate(_with_starts(operation, machine)), chosen.work)
@@ -462,7 +465,7 @@ def _toolpath(
         ]
         progress(Stage.SEQUENCE, 0.4)
         edges = None if outline is None else outline.edges
-        found.append(sequence(toolpaths, machine, edges, safety))
+        found.append(sequence(toolpaths, machine, edges, safety, chosen.order))
     # Leaving the sheet takes time, too: it does not pay for each drawing.
     toolpath = min(found, key=lambda one: duration(one, machine)) if len(found) > 1 else found[0]
     source = cleaned.dieline.source[np.maximum(toolpath.source, 0)]

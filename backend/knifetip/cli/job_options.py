@@ -147,5 +147,36 @@ class SheetOptions:
         return parse_sheet(self.sheet)
 
 
+@dataclass(frozen=True, slots=True)
+class WorkOrderOptions:
+    """The command-line option for the order of the tracks."""
+
+    work_order: Annotated[
+        str,
+        typer.Option(
+            metavar="EDGE,EDGE,…",
+            help="Numbers of edges in the order in which the tracks along them are begun, for "
+            "example 12,3,4. Default: the shortest way.",
+        ),
+    ] = ""
+
+    def record(self) -> tuple[int, ...]:
+        """Return the edges that the option lists.
+
+        Raises
+        ------
+        PlanError
+            The text is not a list of numbers.
+        """
+        words = [word.strip() for word in self.work_order.split(",")] if self.work_order else []
+        if not all(word.isascii() and word.isdigit() for word in words):
+            raise PlanError("order.bad-syntax", text=self.work_order)
+        return tuple(int(word) for word in words)
+
+
 #: Options of a job with a syntax of their own, by field.
-SYNTAX: Final[Mapping[str, type]] = {"corners": CornerOptions, "sheet": SheetOptions}
+SYNTAX: Final[Mapping[str, type]] = {
+    "corners": CornerOptions,
+    "sheet": SheetOptions,
+    "work_order": WorkOrderOptions,
+}

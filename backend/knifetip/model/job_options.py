@@ -13,7 +13,7 @@ from pydantic import Field
 
 from knifetip.fields import LISTED, Table
 from knifetip.model.corners import Corners
-from knifetip.model.edge_choice import EdgeChoice, LineTypeChoice
+from knifetip.model.edge_choice import EdgeChoice, EdgeRow, LineTypeChoice
 from knifetip.model.sheet import Sheet
 
 
@@ -119,6 +119,18 @@ class VerifiedOptions(Table):
         description="Feed factors of cuts, half-cuts and perforations; empty for the feeds of the "
         "tools. Of several for one edge the last counts, and one for the edge before one for its "
         "line type",
+    )
+
+    work_order: tuple[EdgeRow, ...] = Field(
+        default=(),
+        strict=False,  # JSON has lists
+        max_length=5000,
+        title="Order of the work",
+        description="Rows of edges in the drawing, counted from 0, in the order in which the "
+        "tracks along them are begun; empty for the shortest way. Tracks without such an edge come "
+        "where the way is short. The order of the operations stays: creases, V-grooves, half-cuts, "
+        "perforations, cuts; one tool after the other; and what lies inside a contour before the "
+        "contour. An order that contradicts this is refused",
     )
 
     @property

@@ -85,11 +85,19 @@ def place_starts(
     return result
 
 
-def apply_starts(operations: list[Operation], starts: Sequence[ChosenStart]) -> list[Operation]:
+def apply_starts(
+    operations: list[Operation], starts: Sequence[ChosenStart], *, together: bool = False
+) -> list[Operation]:
     """Return all operations, with closed paths that begin and run as the user has chosen.
 
     Paths whose direction is chosen become an operation of their own, since sequencing may not
     reverse them.
+
+    Parameters
+    ----------
+    together
+        The paths of an operation stay together, because the user has chosen their order; then none
+        of them is reversed.
 
     Raises
     ------
@@ -109,14 +117,17 @@ def apply_starts(operations: list[Operation], starts: Sequence[ChosenStart]) -> 
             if np.isin(operation.source, start.rows).any()
         ]
         found.update(number for number, _ in own)
-        result += _with_starts(operation, [start for _, start in own]) if own else [operation]
+        chosen = [start for _, start in own]
+        result += _with_starts(operation, chosen, together) if own else [operation]
     for number, start in enumerate(starts):
         if number not in found:
             raise PlanError("start.open", edge=start.edge, at_edges=[start.edge])
     return result
 
 
-def _with_starts(operation: Operation, starts: Sequence[ChosenStart]) -> list[Operation]:
+def _with_starts(
+    operation: Operation, starts: Sequence[ChosenStart], together: bool
+) -> list[Operation]:
     """Return an operation whose closed paths begin and run as chosen; see ``apply_starts``."""
     reverse: dict[int, tuple[bool, int]] = {}
     for start in starts:
@@ -150,6 +161,8 @@ def _with_starts(operation: Operation, starts: Sequence[ChosenStart]) -> list[Op
             operation = _begin_at(operation, segment, path, start)
     if not reverse or operation.side != 0:
         return [operation]
+    if together:
+        return [replace(operation, one_way=True)]
     one_way = np.isin(np.arange(len(operation.paths)), list(reverse))
     return [
         replace(operation.with_paths(np.flatnonzero(mask).astype(np.int32)), one_way=fixed)

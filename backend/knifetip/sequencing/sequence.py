@@ -1,8 +1,8 @@
 """sequence: join the toolpaths of all operations into one toolpath.
 
 Toolpaths keep their order, which is the working order of the operations.  The tracks of each
-toolpath (paths that the tool follows without lifting) are put into a short order; a track that
-encloses others comes after these.  If the tool
+toolpath (paths that the tool follows without lifting) are put into a short order, or into the one
+that the user has chosen; a track that encloses others comes after these.  If the tool
 permits it, a track may be run from its other end.  In air moves between tracks the head turns while
 it travels, at the least height that clears the board.  If the next track needs another tool, the
 head travels at the machine's travel height.  If the next tool is on another carriage of the gantry,
@@ -25,6 +25,13 @@ from knifetip.model.machine import Machine, Station
 from knifetip.model.tool import Reversal
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.air_moves import interference, lift_clear, turns_outside_board, unwind
+from knifetip.sequencing.chosen_order import (
+    ChosenOrder,
+    check_moves,
+    check_stages,
+    choose_ends,
+    in_chosen_order,
+)
 from knifetip.sequencing.enclosed_tracks import split_enclosed
 from knifetip.sequencing.free_blades import turn_free_blades
 from knifetip.sequencing.head import Head, MoveColumns, join_moves
@@ -48,6 +55,7 @@ def sequence(
     machine: Machine,
     outline: Paths | None = None,
     safety: float = 0.0,
+    chosen: ChosenOrder | None = None,
 ) -> Toolpath:
     """Return one toolpath that starts and ends at the parking position, at travel height.
 
@@ -66,11 +74,14 @@ def sequence(
         Least distance between the lowest point of the tool and the board's top face in turns
         between two cuts of the same tool.  Where a lift to this height is faster, it replaces the
         lift to the machine's clearance; 0 for the clearance everywhere.
+    chosen
+        Order of tracks that the user has chosen; None for a short one.
 
     Raises
     ------
     PlanError
-        The toolpaths contain no moves, or the work touches a keep-out zone of the machine.
+        The toolpaths contain no moves, the work touches a keep-out zone of the machine, or the
+        chosen order breaks a rule of the order.
     TravelExceeded
         A move would leave the limits of an axis.
     """
@@ -82,30 +93,39 @@ def sequence(
     ]
     if not work:
         raise PlanError("job.no-work")
+    if chosen is not None:
+        check_stages(chosen, work)
     head = Head(machine.station(int(work[0].tool[0])), machine)
     home, parts, count = head.pose, [], 0
     for toolpath in work:
         station = machine.station(int(toolpath.tool[0]))
         parts += head.change_station(station)
-        moves = _order_tracks(toolpath, station, machine, head.pose, count)
+        moves = _order_tracks(toolpath, station, machine, head.pose, count, chosen)
         parts += head.move_above(moves.pose[0])
         parts.append(moves)
         head.pose = moves.pose[-1]
         count = int(moves.track.max()) + 1
     parts += head.park()
     notes = tuple(note for toolpath in work for note in toolpath.notes)
-    joined = turn_free_blades(join_moves(home, parts, notes), machine)
-    result = _lower_turns(joined, machine, outline, safety)
+    joined = join_moves(home, parts, notes)
+    if chosen is not None:
+        check_moves(chosen, joined.source)
+    result = _lower_turns(turn_free_blades(joined, machine), machine, outline, safety)
     result = avoid_zones(result, machine)
     check_travel(result, machine)
     return result
 
 
 def _order_tracks(
-    toolpath: Toolpath, station: Station, machine: Machine, current: F64, count: int
+    toolpath: Toolpath,
+    station: Station,
+    machine: Machine,
+    current: F64,
+    count: int,
+    chosen: ChosenOrder | None,
 ) -> MoveColumns:
-    """Return the moves of a toolpath with its tracks in a short order, and an air move before each
-    track.
+    """Return the moves of a toolpath with its tracks in a short order, or in the chosen one, and an
+    air move before each track.
 
     ``toolpath``, ``station``, ``machine``: toolpath of one operation, and the station and machine
     that run it.
@@ -134,14 +154,14 @@ def _order_tracks(
         far, near = leave + rotate, entry + rotate
     x, y, _, c = machine.carriage_of(station).axes
     axes = (x, y, c)
-    order, flip = short_order(
-        np.stack([entry, far])[..., plane],
-        np.stack([leave, near])[..., plane],
-        current[plane],
-        np.array([[axis.velocity for axis in axes], [axis.acceleration for axis in axes]]),
-        period,
-        reversal,
-    )
+    entries, leaves = np.stack([entry, far])[..., plane], np.stack([leave, near])[..., plane]
+    pace = np.array([[axis.velocity for axis in axes], [axis.acceleration for axis in axes]])
+    order, flip = short_order(entries, leaves, current[plane], pace, period, reversal)
+    if chosen is not None:
+        rank = np.minimum.reduceat(chosen.ranks(columns.source), first[opens])
+        order = in_chosen_order(order, rank, len(chosen.rows))
+        if reversal != Reversal.ONE:
+            flip = choose_ends(order, entries, leaves, current[plane], pace, period)
     ordered = order_passes(
         columns,
         passes,

@@ -45,10 +45,12 @@ from knifetip.verification.checks.motion.outputs import check_switching
 from knifetip.verification.checks.motion.overlap import check_overlaps
 from knifetip.verification.checks.motion.program_figures import measure_program
 from knifetip.verification.checks.motion.zones import check_zones
+from knifetip.verification.checks.order.chosen_order import check_chosen_order
 from knifetip.verification.checks.order.chosen_starts import check_chosen_starts
 from knifetip.verification.checks.order.repeated_work import check_repeated_work
 from knifetip.verification.checks.order.work_order import check_work_order
 from knifetip.verification.curves.group_order import order_in_groups
+from knifetip.verification.expectation.chosen_order import ExpectedOrder
 from knifetip.verification.expectation.chosen_starts import ExpectedStart
 from knifetip.verification.expectation.edges import place_edges
 from knifetip.verification.expectation.sheet_area import SheetArea, place_sheet
@@ -81,6 +83,7 @@ class JobDetails(NamedTuple):
     #: starts and directions of closed cuts that the user has chosen
     starts: Sequence[ExpectedStart] = ()
     chosen: ChosenWork = NOTHING_CHOSEN  #: what the user has chosen for edges of the dieline
+    order: ExpectedOrder = ()  #: edges that must be begun in this order
 
 
 _NO_DETAILS: Final = JobDetails()
@@ -178,6 +181,7 @@ def verify(
     check_repeated_work(context, work)
     check_chosen_passes(context, work.paths)
     check_chosen_starts(context, job.starts, work.paths)
+    check_chosen_order(context, job.order, work.paths)
     check_edge_feeds(context, paths, moves, parts)
     check_near_lines(context)
     check_groove_flanks(context)

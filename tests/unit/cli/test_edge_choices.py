@@ -67,3 +67,14 @@ def test_other_values_are_refused(value: str, code: str) -> None:
     with pytest.raises(PlanError) as caught:
         parse_edge_choices(ContourStart, "--contour-starts", [value])
     assert caught.value.message.code == code
+
+
+def test_an_order_of_edges_is_a_list_of_numbers(knifetip: Command, drawing: Path) -> None:
+    out, report = drawing.with_suffix(".ngc"), drawing.with_suffix(".json")
+    words = ("-o", out, "--report", report, "--work-order")
+    assert knifetip("program", drawing, *TARGET, *words, "0, 2")[0] == 0
+    assert json.loads(report.read_text())["work_order"] == [0, 2]
+    for order, message in (("2,0", "in one track"), ("0,,2", "is not an order of edges")):
+        code, _, err = knifetip("program", drawing, *TARGET, *words, order)
+        assert code != 0
+        assert message in err

@@ -80,6 +80,56 @@ MESSAGES: Final[Entries] = {
         row="count",
         count="count",
     ),
+    "order.bad-syntax": entry(
+        "{text!r} is not an order of edges.",
+        "Write the numbers of the edges with commas between them, for example 12,3,4.",
+        text="text",
+    ),
+    "order.enclosed": entry(
+        "Edge {edge} cannot be cut before edge {other}: its contour encloses edge {other}, and "
+        "what lies inside a contour is cut while the sheet still holds it.",
+        "Put edge {other} before edge {edge}.",
+        edge="edge",
+        other="edge",
+    ),
+    "order.not-made": entry(
+        "Edge {edge} has a place in the order of the work, but no tool makes it.",
+        "Remove it from the order.",
+        edge="edge",
+    ),
+    "order.one-track": entry(
+        "Edge {other} cannot be made after edge {edge}: the tool makes it in one track, without a "
+        "lift, with an edge that comes before.",
+        "Give only one edge of each track a place in the order.",
+        edge="edge",
+        other="edge",
+    ),
+    "order.pieces": entry(
+        "Edge {edge} cannot be made before edge {other}: holes, slits and inner contours are cut "
+        "before outlines, and cuts of equal depth together, so that no tool works on loose board.",
+        "Put edge {other} before edge {edge}.",
+        edge="edge",
+        other="edge",
+    ),
+    "order.tools": entry(
+        "Edge {edge} cannot be made before edge {other}: the tool of station {other_station} makes "
+        "all its work before that of station {station}, so that each tool is changed once.",
+        "Put edge {other} before edge {edge}.",
+        edge="edge",
+        other="edge",
+        station="count",
+        other_station="count",
+    ),
+    "order.types": entry(
+        "Edge {edge} ({type}) cannot be made before edge {other} ({other_type}): creases come "
+        "first, while the board lies firmly, then V-grooves, half-cuts and perforations, and cuts "
+        "last.",
+        "Put edge {other} before edge {edge}.",
+        edge="edge",
+        other="edge",
+        type="text",
+        other_type="text",
+    ),
     "start.at-corner": entry(
         "The start chosen on edge {edge} is {distance:.2f} mm from an end of the edge, but the "
         "cutter needs {least:.2f} mm to enter beside it.",
@@ -129,6 +179,14 @@ MESSAGES: Final[Entries] = {
         "The program cuts edge {edge} against the chosen direction.",
         "Compile the job again.",
         edge="edge",
+    ),
+    "verify.other-order": entry(
+        "Edge {edge} must be made after edge {other}, but the program begins it before, in line "
+        "{line}.",
+        "Compile the job again.",
+        edge="edge",
+        other="edge",
+        line="count",
     ),
     "verify.other-passes": entry(
         "Edge {edge} must be cut in {passes:# pass|# passes} down to {depth:g} mm below the top "

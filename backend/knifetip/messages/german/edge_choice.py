@@ -57,6 +57,43 @@ TEXTS: Final[Texts] = {
         "{count:# Kante|# Kanten}, von 0 an gezählt.",
         "Eine Kante dieser Zeichnung wählen.",
     ),
+    "order.bad-syntax": Text(
+        "„{text}“ ist keine Reihenfolge von Kanten.",
+        "Die Nummern der Kanten mit Kommas dazwischen schreiben, zum Beispiel 12,3,4.",
+    ),
+    "order.enclosed": Text(
+        "Kante {edge} kann nicht vor Kante {other} geschnitten werden: Ihre Kontur umschließt "
+        "Kante {other}, und was in einer Kontur liegt, wird geschnitten, solange der Bogen es "
+        "hält.",
+        "Kante {other} vor Kante {edge} setzen.",
+    ),
+    "order.not-made": Text(
+        "Kante {edge} hat einen Platz in der Reihenfolge, aber kein Werkzeug bearbeitet sie.",
+        "Die Kante aus der Reihenfolge entfernen.",
+    ),
+    "order.one-track": Text(
+        "Kante {other} kann nicht nach Kante {edge} bearbeitet werden: Das Werkzeug macht sie in "
+        "einem Zug, ohne abzuheben, mit einer Kante, die vorher kommt.",
+        "Nur einer Kante jedes Zuges einen Platz in der Reihenfolge geben.",
+    ),
+    "order.pieces": Text(
+        "Kante {edge} kann nicht vor Kante {other} bearbeitet werden: Löcher, Schlitze und innere "
+        "Konturen werden vor Umrissen geschnitten und Schnitte gleicher Tiefe zusammen, damit kein "
+        "Werkzeug losen Karton bearbeitet.",
+        "Kante {other} vor Kante {edge} setzen.",
+    ),
+    "order.tools": Text(
+        "Kante {edge} kann nicht vor Kante {other} bearbeitet werden: Das Werkzeug von Station "
+        "{other_station} macht seine ganze Arbeit vor dem von Station {station}, damit jedes "
+        "Werkzeug nur einmal gewechselt wird.",
+        "Kante {other} vor Kante {edge} setzen.",
+    ),
+    "order.types": Text(
+        "Kante {edge} ({type}) kann nicht vor Kante {other} ({other_type}) bearbeitet werden: "
+        "Zuerst kommen Rillen, solange der Karton fest liegt, dann V-Nuten, Ritzungen und "
+        "Perforationen, zuletzt Schnitte.",
+        "Kante {other} vor Kante {edge} setzen.",
+    ),
     "start.at-corner": Text(
         "Der Anfang auf Kante {edge} ist {distance:.2f} mm von einem Ende der Kante entfernt, aber "
         "der Fräser braucht {least:.2f} mm, um daneben einzutauchen.",
@@ -95,6 +132,11 @@ TEXTS: Final[Texts] = {
     ),
     "verify.other-direction": Text(
         "Das Programm schneidet Kante {edge} gegen die gewählte Richtung.",
+        "Den Auftrag neu berechnen.",
+    ),
+    "verify.other-order": Text(
+        "Kante {edge} muss nach Kante {other} bearbeitet werden, aber das Programm beginnt sie "
+        "vorher, in Zeile {line}.",
         "Den Auftrag neu berechnen.",
     ),
     "verify.other-passes": Text(

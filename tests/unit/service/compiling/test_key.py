@@ -37,6 +37,7 @@ CHOICES = JobOptions(
     contour_starts=(ContourStart(edges=(3, 4), at=0.25, direction="reverse"),),
     cut_depths=(CutDepth(edges=(5,), passes=2, depth=1.5), CutDepth(line_type="cut", passes=3)),
     edge_feeds=(EdgeFeed(edges=(6,), factor=0.5),),
+    work_order=(8, 7),
     program_note="grain up",
 )
 FULL: dict[str, Any] = {

@@ -47,6 +47,18 @@ def test_a_start_on_an_edge_that_is_not_drawn_refuses_the_job(client: httpx.Clie
     assert job["message"]["code"] == "edge-choice.no-edge"
 
 
+def test_an_order_of_the_work_is_kept_with_the_job_and_refuses_it_if_it_breaks_a_rule(
+    client: httpx.Client,
+) -> None:
+    plain, program = made(client)
+    assert plain["work_order"] == []
+    job, same = made(client, work_order=[0, 2])
+    assert (job["state"], job["work_order"], same) == ("ready", [0, 2], program)
+    job, _ = made(client, work_order=[2, 0])
+    assert job["state"] == "refused"
+    assert job["message"]["arguments"]["error"]["code"] == "order.one-track"
+
+
 @pytest.mark.parametrize(
     ("fields", "path"),
     [
@@ -56,6 +68,9 @@ def test_a_start_on_an_edge_that_is_not_drawn_refuses_the_job(client: httpx.Clie
         ({"cut_depths": [{"edges": [0], "passes": 11}]}, "cut_depths"),
         ({"cut_depths": [{"edges": [0], "line_type": "cut", "passes": 2}]}, "cut_depths"),
         ({"cut_depths": [{"edges": [0], "depth": -1.0}]}, "cut_depths"),
+        ({"work_order": [-1]}, "work_order"),
+        ({"work_order": ["first"]}, "work_order"),
+        ({"work_order": list(range(5001))}, "work_order"),
     ],
 )
 def test_invalid_options_of_edges_are_refused_on_order(
