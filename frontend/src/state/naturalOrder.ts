@@ -2,6 +2,9 @@
 
 const ORDER = new Intl.Collator("en", { numeric: true });
 
+/** Compares two names. */
+export const naturalOrder = (a: string, b: string): number => ORDER.compare(a, b);
+
 interface Titled {
   readonly name: string;
   readonly title: string;
@@ -9,4 +12,4 @@ interface Titled {
 
 /** The same entries, ordered by their titles, or by their names where they have none. */
 export const byTitle = <Entry extends Titled>(entries: readonly Entry[]): Entry[] =>
-  [...entries].sort((a, b) => ORDER.compare(a.title || a.name, b.title || b.name));
+  [...entries].sort((a, b) => naturalOrder(a.title || a.name, b.title || b.name));
