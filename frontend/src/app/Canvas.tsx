@@ -2,13 +2,13 @@
 
 import { useEffect, useRef, useState } from "react";
 import { useScheme } from "../panels/shared/scheme";
+import type { PictureCommands } from "../state/commands/picture";
 import { useUiStore } from "../state/store";
 import type { Insets } from "../viewer/camera";
 import type { ViewerEvents } from "../viewer/contract";
 import { NoWebGL, Viewer } from "../viewer/viewer";
 import css from "./app.module.css";
 import { viewerColours } from "./colours";
-import type { PictureCommands } from "./shortcuts";
 import { useViewerContents } from "./useViewerContents";
 import { WebGlError } from "./WebGlError";
 

@@ -1,9 +1,12 @@
-/** Buttons that choose what a click on the canvas does: select, measure, draw or move. */
+/** Buttons that choose what the pointer does on the canvas: select, measure, draw or move. */
 
 import { ActionIcon, Tooltip } from "@mantine/core";
 import {
   IconCircle,
+  IconDimensions,
+  IconLassoPolygon,
   IconLine,
+  IconMarquee2,
   IconPointer,
   IconRuler2,
   IconVectorSpline,
@@ -11,7 +14,9 @@ import {
 import { type ComponentType, useEffect, useRef } from "react";
 import { translate } from "../language/translate";
 import overlayCss from "../panels/drawing/overlay.module.css";
+import { SelectMenu } from "../panels/drawing/SelectMenu";
 import { useRefusal } from "../state/accounts/accounts";
+import { useDimensions } from "../state/drafting/dimensions";
 import { type Tool, useDrafting } from "../state/drafting/drafting";
 import { useDrawing } from "../state/queries";
 import css from "./app.module.css";
@@ -22,7 +27,9 @@ const BUTTONS: readonly {
   label: string;
   Icon: ComponentType<{ size: number }>;
 }[] = [
-  { tool: null, label: translate("draftTools.selectEdges"), Icon: IconPointer },
+  { tool: null, label: translate("draftTools.selectEdgesKey"), Icon: IconPointer },
+  { tool: "box", label: translate("draftTools.selectByBoxKey"), Icon: IconMarquee2 },
+  { tool: "lasso", label: translate("draftTools.selectByLassoKey"), Icon: IconLassoPolygon },
   { tool: "measure", label: translate("draftTools.measureKey"), Icon: IconRuler2 },
   { tool: "line", label: translate("draftTools.drawALine"), Icon: IconLine },
   { tool: "circle", label: translate("draftTools.drawACircle"), Icon: IconCircle },
@@ -48,7 +55,7 @@ export function DraftTools() {
       aria-label={translate("draftTools.whatAClickDoes")}
     >
       {BUTTONS.map(({ tool, label, Icon }) => {
-        const changes = tool !== null && tool !== "measure";
+        const changes = tool === "line" || tool === "circle" || tool === "move";
         const why = changes ? (refusal ?? noUnit) : null;
         return (
           <Tooltip key={label} label={why ?? label} position="right">
@@ -66,6 +73,28 @@ export function DraftTools() {
           </Tooltip>
         );
       })}
+      <SelectMenu />
+      <DimensionsButton />
     </div>
+  );
+}
+
+function DimensionsButton() {
+  const shown = useDimensions((dimensions) => dimensions.shown);
+  const toggle = useDimensions((dimensions) => dimensions.toggle);
+  const label = translate("draftTools.showDimensionsKey");
+  return (
+    <Tooltip label={label} position="right">
+      <ActionIcon
+        variant={shown ? "light" : "subtle"}
+        color={shown ? "blue" : "gray"}
+        aria-label={label}
+        aria-pressed={shown}
+        onClick={toggle}
+        data-testid="dimensions"
+      >
+        <IconDimensions size={16} />
+      </ActionIcon>
+    </Tooltip>
   );
 }

@@ -1,32 +1,32 @@
 /** The page of a drawing: four steps from its lines to a job, each with a panel beside the canvas. */
 
 import "../messages/load";
-import { useEffect, useRef } from "react";
+import { Suspense, useEffect } from "react";
 import { translate } from "../language/translate";
 import { ProfileEditor } from "../panels/drawing/ProfileEditor";
 import { MainAction } from "../panels/steps/MainAction";
 import { STEP_PANELS } from "../panels/steps/panels";
 import { StepBar } from "../panels/steps/StepBar";
+import { setPicture } from "../state/commands/picture";
+import { useEdgeList } from "../state/drawing/edgeList";
 import { useFirstStep, useOrderChoices } from "../state/drawing/useSteps";
 import { useDrawing } from "../state/queries";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 import { DrawingError } from "./DrawingError";
 import { Picture } from "./Picture";
-import { listenToKeys, type PictureCommands } from "./shortcuts";
+import { listenToKeys } from "./shortcuts";
+import { EdgeList } from "./views";
 
 export function DrawingPage() {
-  const picture = useRef<PictureCommands | null>(null);
   const { data: drawing, error } = useDrawing();
   const step = useUiStore((ui) => ui.step);
   const editing = useUiStore((ui) => ui.editedProfile);
   const panelOpen = useUiStore((ui) => ui.panelOpen);
+  const listOpen = useEdgeList((list) => list.open) && step === "lines" && editing === null;
   useFirstStep();
   useOrderChoices();
-  useEffect(() => listenToKeys(() => picture.current), []);
-  const ready = useRef((keys: PictureCommands | null) => {
-    picture.current = keys;
-  });
+  useEffect(() => listenToKeys(), []);
   if (error !== null)
     return (
       <main className={css.whole}>
@@ -48,16 +48,24 @@ export function DrawingPage() {
       </header>
       {/* A step begins at its upper end. */}
       <aside
-        key={editing ?? step}
+        key={editing ?? `${step} ${listOpen}`}
         className={css.panel}
         hidden={!panelOpen}
         aria-label={translate("drawingPage.choicesOfThisStep")}
         data-step={step}
       >
-        {editing !== null ? <ProfileEditor name={editing} /> : Panel !== null && <Panel />}
+        {listOpen ? (
+          <Suspense fallback={null}>
+            <EdgeList />
+          </Suspense>
+        ) : editing !== null ? (
+          <ProfileEditor name={editing} />
+        ) : (
+          Panel !== null && <Panel />
+        )}
       </aside>
       <div className={css.stage}>
-        <Picture onReady={ready.current} />
+        <Picture onReady={setPicture} />
       </div>
     </main>
   );

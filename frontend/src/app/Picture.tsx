@@ -1,10 +1,11 @@
 /** The canvas with its controls: connects the viewer to the store. */
 
-import { useEffect, useReducer, useRef, useState } from "react";
+import { useEffect, useRef, useState } from "react";
 import type { Point } from "../geometry/records";
+import type { SelectMode } from "../geometry/selection";
 import { translate } from "../language/translate";
+import { AreaBar } from "../panels/drafting/AreaBar";
 import { DraftBar } from "../panels/drafting/DraftBar";
-import { DraftOverlay } from "../panels/drafting/DraftOverlay";
 import { usePickedPoints } from "../panels/drafting/usePickedPoints";
 import { ColourBar } from "../panels/drawing/ColourBar";
 import { EdgeTooltip } from "../panels/drawing/EdgeTooltip";
@@ -12,7 +13,8 @@ import { PathLegend } from "../panels/drawing/PathLegend";
 import { Scrubber } from "../panels/drawing/Scrubber";
 import { SelectionBar } from "../panels/drawing/SelectionBar";
 import { ViewBar } from "../panels/drawing/ViewBar";
-import { useDrafting } from "../state/drafting/drafting";
+import type { PictureCommands } from "../state/commands/picture";
+import { isAreaKind, useDrafting } from "../state/drafting/drafting";
 import { addCorner, cornerNear } from "../state/order/corners";
 import { queries, queryClient, useDrawing } from "../state/queries";
 import { useUiStore } from "../state/store";
@@ -22,7 +24,7 @@ import css from "./app.module.css";
 import { Canvas } from "./Canvas";
 import { DraftTools } from "./DraftTools";
 import { StatusBar } from "./StatusBar";
-import type { PictureCommands } from "./shortcuts";
+import { ViewOverlays } from "./ViewOverlays";
 import { ZoomControls } from "./ZoomControls";
 
 interface Props {
@@ -45,14 +47,22 @@ export function Picture({ onReady }: Props) {
   const [cursor, setCursor] = useState<Point | null>(null);
   const { data: drawing } = useDrawing();
   const step = useUiStore((ui) => ui.step);
-  const [, redrawDraft] = useReducer((count: number) => count + 1, 0);
+  const tool = useDrafting((draft) => draft.tool);
+  const areaMode = useDrafting((draft) => draft.areaMode);
+  /** Called whenever the view changes. */
+  const viewListeners = useRef(new Set<() => void>());
   const picked = usePickedPoints(scale);
   // The canvas keeps the events of the first rendering.
   const points = useRef(picked);
   useEffect(() => {
     points.current = picked;
   });
-  const [box, setBox] = useState<{ from: Point; to: Point } | null>(null);
+  const [area, setArea] = useState<readonly Point[] | null>(null);
+  useEffect(() => {
+    if (shown !== null)
+      shown.viewer.areaTool = isAreaKind(tool) ? { kind: tool, mode: areaMode } : null;
+  }, [shown, tool, areaMode]);
+  const unit = drawing?.unit === null ? "" : "mm";
   return (
     <>
       <Canvas
@@ -63,8 +73,8 @@ export function Picture({ onReady }: Props) {
             useUiStore
               .getState()
               .setHover(row === null && moves.length === 0 ? null : { row, moves, ...at }),
-          onSelect: (rows, add, at) => {
-            if (at === null || !points.current.pickPoint(at)) selectAt(rows, add, at);
+          onSelect: (rows, mode, at) => {
+            if (at === null || !points.current.pickPoint(at)) selectAt(rows, mode, at);
           },
           onCursor: (at) => {
             setCursor(at);
@@ -72,16 +82,16 @@ export function Picture({ onReady }: Props) {
           },
           onView: (scale) => {
             setScale(scale);
-            if (useDrafting.getState().tool !== null) redrawDraft();
+            for (const listener of viewListeners.current) listener();
           },
-          onBox: setBox,
+          onArea: setArea,
         }}
         onReady={onReady}
         onViewer={(viewer, host) => setShown(viewer && host && { viewer, host })}
       />
       {shown !== null && (
         <>
-          {box && <SelectionBox from={box.from} to={box.to} />}
+          {area !== null && <SelectionArea corners={area} />}
           <EdgeTooltip width={shown.host.clientWidth} height={shown.host.clientHeight} />
           <div className={css.overTop}>
             <ViewBar />
@@ -89,29 +99,34 @@ export function Picture({ onReady }: Props) {
           </div>
           {step === "lines" && (
             <>
-              <DraftOverlay toScreen={(place) => shown.viewer.toScreen(place)} />
+              <ViewOverlays viewer={shown.viewer} listeners={viewListeners.current} unit={unit} />
               <DraftTools />
             </>
           )}
           <div className={css.overBottom}>
-            {step === "lines" && <DraftBar />}
+            {step === "lines" && (
+              <>
+                <DraftBar />
+                <AreaBar />
+              </>
+            )}
             <SelectionBar />
             <PathLegend />
             {step === "check" && <Scrubber />}
           </div>
           <ZoomControls viewer={shown.viewer} />
-          <StatusBar scale={scale} cursor={cursor} unit={drawing?.unit === null ? "" : "mm"} />
+          <StatusBar scale={scale} cursor={cursor} unit={unit} />
         </>
       )}
     </>
   );
 }
 
-/** Handle a click or a box on the canvas: select edges, or a corner while corners are picked. */
-function selectAt(rows: readonly number[], add: boolean, at: Point | null): void {
+/** Handle a click or an area on the canvas: select edges, or a corner while corners are picked. */
+function selectAt(rows: readonly number[], mode: SelectMode, at: Point | null): void {
   const { pickingCorners, drawing, corners, selectEdges, set } = useUiStore.getState();
   if (!pickingCorners) {
-    selectEdges(rows, add);
+    selectEdges(rows, mode);
     return;
   }
   const edges =
@@ -122,16 +137,11 @@ function selectAt(rows: readonly number[], add: boolean, at: Point | null): void
   if (place !== null) set({ corners: addCorner(corners, place) });
 }
 
-function SelectionBox({ from, to }: { from: Point; to: Point }) {
+/** The area that is being drawn; its corners are pixels. */
+function SelectionArea({ corners }: { corners: readonly Point[] }) {
   return (
-    <div
-      className={css.box}
-      style={{
-        left: Math.min(from.x, to.x),
-        top: Math.min(from.y, to.y),
-        width: Math.abs(to.x - from.x),
-        height: Math.abs(to.y - from.y),
-      }}
-    />
+    <svg className={css.area} aria-hidden="true">
+      <polygon points={corners.map(({ x, y }) => `${x},${y}`).join(" ")} />
+    </svg>
   );
 }

@@ -3,6 +3,7 @@
 import { Indicator, VisuallyHidden } from "@mantine/core";
 import {
   IconBooks,
+  IconCommand,
   IconHistory,
   IconLayoutList,
   IconSettings,
@@ -14,6 +15,7 @@ import type { ReactNode } from "react";
 import { useLocation } from "wouter";
 import { translate } from "../language/translate";
 import { AccountButton } from "../panels/accounts/AccountButton";
+import { usePaletteRequests } from "../state/commands/paletteRequests";
 import { useMachineState } from "../state/job/useMachineState";
 import { drawingPath } from "../state/routes";
 import { useUiStore } from "../state/store";
@@ -67,6 +69,16 @@ export function Rail() {
         <IconHistory />
       </Place>
       <span className={css.gap} />
+      <button
+        type="button"
+        className={`${css.railPlace} ${css.palette}`}
+        title={translate("palette.openKey")}
+        onClick={() => usePaletteRequests.getState().request()}
+        data-testid="open-palette"
+      >
+        <IconCommand />
+        <span>{translate("palette.commands")}</span>
+      </button>
       <span className={css.account}>
         <AccountButton />
       </span>

@@ -7,12 +7,12 @@ import { OperatorDialog } from "../panels/accounts/OperatorForm";
 import { PreparationBanner } from "../panels/drawing/PreparationBanner";
 import { NotificationList } from "../panels/shared/NotificationList";
 import { ProgressOverlay } from "../panels/shared/ProgressOverlay";
-import { ShortcutsDialog } from "../panels/shared/ShortcutsDialog";
 import { useSchemeColours } from "../panels/shared/scheme";
 import { useMe } from "../state/accounts/accounts";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 import { DropZone } from "./DropZone";
+import { PaletteHost } from "./PaletteHost";
 import { Rail } from "./Rail";
 
 export function Shell({ children }: { children: ReactNode }) {
@@ -39,7 +39,7 @@ export function Shell({ children }: { children: ReactNode }) {
         <ProgressOverlay />
         <NotificationList />
       </section>
-      <ShortcutsDialog />
+      <PaletteHost />
       <OperatorDialog />
       {takesDrawings && <DropZone />}
     </div>

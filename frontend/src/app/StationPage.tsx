@@ -16,6 +16,7 @@ import { StationNotices, UnknownOutputs } from "../panels/station/StationNotices
 import { StationOperations } from "../panels/station/StationOperations";
 import { StationOutcome } from "../panels/station/StationOutcome";
 import css from "../panels/station/station.module.css";
+import type { PictureCommands } from "../state/commands/picture";
 import { useFollowedJob, useServerReached } from "../state/job/followMachine";
 import { isOnTable, needsOperator } from "../state/job/jobs";
 import {
@@ -31,7 +32,6 @@ import { HANDS, useHandsClear } from "../state/station/handsClear";
 import type { ViewerEvents } from "../viewer/contract";
 import { Canvas } from "./Canvas";
 import { NotFound } from "./NotFound";
-import type { PictureCommands } from "./shortcuts";
 
 interface Props {
   readonly machine: string;
@@ -48,7 +48,7 @@ const NO_EVENTS: ViewerEvents = {
   onSelect: () => {},
   onCursor: () => {},
   onView: () => {},
-  onBox: () => {},
+  onArea: () => {},
 };
 
 export function StationPage({ machine: name }: Props) {

@@ -2,7 +2,7 @@
 
 import { useEffect, useMemo, useRef } from "react";
 import { boundsOf } from "../geometry/bounds";
-import { type Edges, lineTypeOf } from "../geometry/records";
+import type { Edges } from "../geometry/records";
 import { type Sweep, sweepOf } from "../geometry/sweep";
 import { timeOf, totalSeconds } from "../geometry/timeline";
 import { type TipOffset, tipOffset } from "../geometry/tip";
@@ -10,8 +10,9 @@ import { workedSpans } from "../geometry/workedSpans";
 import { useScheme } from "../panels/shared/scheme";
 import { figureColours, stretchColours } from "../scene/figureColours";
 import type { Tools } from "../scene/swept";
+import type { PictureCommands } from "../state/commands/picture";
 import { isDropped } from "../state/drawing/importReport";
-import { layerKey, layerOf } from "../state/drawing/rows";
+import { shownEdges } from "../state/drawing/selecting";
 import { verdictMapOf } from "../state/drawing/verdictMap";
 import { isOnTable } from "../state/job/jobs";
 import { chosenPlaces } from "../state/order/edgeOptions";
@@ -31,7 +32,6 @@ import { runAboveBoard } from "../state/station/station";
 import { useUiStore } from "../state/store";
 import type { Viewer } from "../viewer/viewer";
 import { mapScale } from "./colours";
-import type { PictureCommands } from "./shortcuts";
 
 type MaybeViewer = Viewer | null;
 
@@ -110,10 +110,7 @@ function useShownEdges(viewer: MaybeViewer, edges: Edges | null, tools: Tools): 
     [edges, toolpath, verdict, tools],
   );
   useEffect(() => {
-    const isVisible = (row: number) => {
-      if (edges === null || hiddenTypes.has(lineTypeOf(edges.lineType[row]))) return false;
-      return !hiddenLayers.has(layerKey(layerOf(edges, row), edges.colour[row] ?? 0));
-    };
+    const isVisible = edges === null ? () => false : shownEdges(edges, hiddenTypes, hiddenLayers);
     const dropped = (row: number) => edges !== null && isDropped(edges, row);
     viewer?.showEdges(edges, isVisible, { ...figures, worked, dropped });
   }, [viewer, edges, hiddenTypes, hiddenLayers, figures, worked]);

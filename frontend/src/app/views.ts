@@ -17,6 +17,7 @@ const FETCH = {
   fold: () => import("./FoldPage"),
   layout: () => import("../panels/layout/LayoutEditor"),
   history: () => import("../panels/history/HistoryPage"),
+  edgeList: () => import("../panels/drawing/EdgeList"),
 } as const;
 
 /** A part of the page cannot be fetched. */
@@ -45,6 +46,7 @@ export const CartonPage = part(FETCH.cartons, (module) => module.CartonPage);
 export const FoldPage = part(FETCH.fold, (module) => module.FoldPage);
 export const LayoutEditor = part(FETCH.layout, (module) => module.LayoutEditor);
 export const HistoryPage = part(FETCH.history, (module) => module.HistoryPage);
+export const EdgeList = part(FETCH.edgeList, (module) => module.EdgeList);
 
 /** Fetch a page; a failure is shown when the page is wanted. */
 export function prefetch(view: keyof typeof FETCH): void {

@@ -32,12 +32,13 @@ const ALLOWED: readonly RegExp[] = [
   /^(GET|POST|PUT|PATCH|DELETE) \/api\//,
   /^(?:[A-Z+−?[\]]|\s)+$/,
   /^(Arrow(Left|Right|Up|Down)|Escape|Enter|Home|End|Tab|Shift|Files|Backspace|Delete)$/,
+  /^(Ctrl|((Ctrl\+)?(Shift\+)?[A-Z]\b ?)+)$/,
   /^(If-Match|Accept-Language|Link|ETag|Content-Type|Retry-After|X-Knifetip|NFKD|\w+Error)$/,
   /^(Inter Variable|ui-monospace|"?Inter)/,
   /^https:\/\/erp\.example/,
   // Data of SVG paths and pictures, selectors, colours.
   /^[MLACZHVaclhvz\d\s.,-]+$/,
-  /^(data:|hsl\(|linear-gradient|color-mix|input, textarea|button, a\[href\])/,
+  /^(data:|hsl\(|linear-gradient|color-mix|input, textarea|button, a)/,
 ];
 
 /** Modules whose strings are shaders, and descriptions of defects for developers. */

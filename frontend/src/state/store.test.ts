@@ -24,15 +24,15 @@ describe("the selection", () => {
 
   test("with Shift a click adds or removes an edge", () => {
     page().selectEdges([1]);
-    page().selectEdges([4], true);
+    page().selectEdges([4], "toggle");
     expect([...page().selection]).toEqual([1, 4]);
-    page().selectEdges([1], true);
+    page().selectEdges([1], "toggle");
     expect([...page().selection]).toEqual([4]);
   });
 
   test("a box only adds", () => {
     page().selectEdges([1, 2]);
-    page().selectEdges([2, 3], true);
+    page().selectEdges([2, 3], "add");
     expect([...page().selection]).toEqual([1, 2, 3]);
   });
 

@@ -8,6 +8,7 @@ import { create } from "zustand";
 import type { Corners, Lift, OrderDetails, Question, Sheet } from "../api/client";
 import type { ConnectionState } from "../api/events";
 import type { Box, LineType } from "../geometry/records";
+import { changedSelection, type SelectMode } from "../geometry/selection";
 import type { Change } from "./drawing/history";
 import { DEFAULT_CORNERS } from "./order/corners";
 import { DEFAULT_OPTIONS, type Options } from "./order/options";
@@ -108,7 +109,7 @@ export interface UiState extends OpenDrawing {
 
   open(drawing: string | null, job?: string | null, step?: Step | null): void;
   openJob(job: string | null): void;
-  selectEdges(rows: Iterable<number>, add?: boolean): void;
+  selectEdges(rows: Iterable<number>, mode?: SelectMode): void;
   setHover(hover: Hover | null): void;
   toggleType(type: string): void;
   toggleFileLayer(layer: string): void;
@@ -256,18 +257,11 @@ export const useUiStore = create<UiState>()((set) => ({
 
   open: (drawing, job = null, step = null) => set((page) => withDrawing(page, drawing, job, step)),
   openJob: (job) => set({ job, previewTime: null }),
-  selectEdges: (rows, add = false) =>
-    set(({ selection }) => {
-      if (!add) return { selection: new Set(rows), pin: null };
-      const listed = [...rows];
-      const next = new Set(selection);
-      // Clicking a selected edge removes it; a selection box only adds.
-      const [only] = listed;
-      if (listed.length === 1 && only !== undefined && next.delete(only))
-        return { selection: next };
-      for (const row of listed) next.add(row);
-      return { selection: next };
-    }),
+  selectEdges: (rows, mode = "replace") =>
+    set((page) => ({
+      selection: changedSelection(page.selection, rows, mode),
+      pin: mode === "replace" ? null : page.pin,
+    })),
   setHover: (hover) =>
     set((page) => {
       const before = page.hover?.moves;

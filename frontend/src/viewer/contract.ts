@@ -1,6 +1,7 @@
 /** Interface of the viewer: colours, events and visible layers. */
 
 import type { Point } from "../geometry/records";
+import type { SelectMode } from "../geometry/selection";
 import type { Palette } from "../scene/dieline";
 import type { Rgba } from "../scene/lines";
 import type { Marked } from "../scene/marks";
@@ -40,11 +41,12 @@ export interface ViewerColours extends PathColours {
 export interface ViewerEvents {
   /** Edge and moves under the cursor; both may be empty. */
   onHover(row: number | null, moves: readonly number[], at: Point): void;
-  /** Edges selected by a click at `at`, or by a box (`at` null). */
-  onSelect(rows: readonly number[], add: boolean, at: Point | null): void;
+  /** Edges selected by a click at `at`, or by an area (`at` null). */
+  onSelect(rows: readonly number[], mode: SelectMode, at: Point | null): void;
   onCursor(at: Point | null): void;
   onView(pixelsPerMm: number): void;
-  onBox(box: { from: Point; to: Point } | null): void;
+  /** Corners of the area that is being drawn (pixels); null when it is finished. */
+  onArea(corners: readonly Point[] | null): void;
 }
 
 /** Which layers are visible. */

@@ -1,5 +1,6 @@
 /** Finds the edge and the moves under the cursor. */
 
+import { rowsInside } from "../geometry/lasso";
 import { moveSegments } from "../geometry/moves";
 import { buildPickIndex, type PickIndex } from "../geometry/pick";
 import { type Box, type Edges, MOTIONS, type Point, type Segments } from "../geometry/records";
@@ -16,12 +17,14 @@ export class Picker {
   /** Built on first use. */
   private moves: { segments: Segments; index: PickIndex } | null = null;
   private timeline: Timeline | null = null;
+  private edges: Edges | null = null;
   private index: PickIndex | null = null;
   private visible: (row: number) => boolean = () => true;
 
   constructor(private readonly camera: PlaneCamera) {}
 
   setEdges(edges: Edges | null): void {
+    this.edges = edges;
     this.index = edges === null ? null : buildPickIndex(edges);
   }
 
@@ -59,16 +62,13 @@ export class Picker {
     );
   }
 
-  /** Edges inside the box between two points of the screen. */
-  edgesBetween(from: Point, to: Point): readonly number[] {
-    const a = this.camera.toPlane(from);
-    const b = this.camera.toPlane(to);
-    const box: Box = [
-      Math.min(a.x, b.x),
-      Math.min(a.y, b.y),
-      Math.max(a.x, b.x),
-      Math.max(a.y, b.y),
-    ];
-    return this.index === null ? [] : this.index.inside(box).filter(this.visible);
+  /** Edges inside a polygon of points of the screen. */
+  edgesInside(corners: readonly Point[]): readonly number[] {
+    if (this.index === null || this.edges === null) return [];
+    const polygon = corners.map((corner) => this.camera.toPlane(corner));
+    const xs = polygon.map(({ x }) => x);
+    const ys = polygon.map(({ y }) => y);
+    const box: Box = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+    return rowsInside(this.edges, this.index.inside(box).filter(this.visible), polygon);
   }
 }

@@ -3,17 +3,24 @@
  *
  *     drag, middle or right drag   pan         wheel, pinch    zoom about the cursor
  *     click                        select      shift + drag    select with a box
+ *     drag with an area tool       select      alt + drag      select with a lasso
  */
 
 import type { Point } from "../geometry/records";
+import { clickMode, type SelectMode } from "../geometry/selection";
+import { type AreaTool, areaOfDrag, extendedArea } from "./areaSelection";
 
 export interface PointerTarget {
   pan(dx: number, dy: number): void;
   zoom(factor: number, about: Point): void;
   hover(at: Point | null): void;
-  select(at: Point, add: boolean): void;
-  /** Called while a box is drawn, and with `final` when it is released. */
-  box(from: Point, to: Point, final: boolean): void;
+  select(at: Point, mode: SelectMode): void;
+  /** The tool that a drag draws an area with; null if it moves the view. */
+  areaTool(): AreaTool | null;
+  /** Called while an area is drawn, and with a mode when it is finished. */
+  area(corners: readonly Point[], mode: SelectMode | null): void;
+  /** Called if a second finger or the system ends the drawing of an area. */
+  areaCancelled(): void;
 }
 
 /** Maximum movement of a click (pixels). */
@@ -22,7 +29,8 @@ const LINE_HEIGHT = 16;
 
 export function listenToPointer(element: HTMLElement, target: PointerTarget): () => void {
   const held = new Map<number, Point>();
-  let pressed: { at: Point; button: number; shift: boolean; moved: boolean } | null = null;
+  let pressed: { at: Point; area: AreaTool | null; button: number; moved: boolean } | null = null;
+  let corners: readonly Point[] = [];
   const gone = new AbortController();
   const on = <K extends keyof HTMLElementEventMap>(
     name: K,
@@ -47,7 +55,11 @@ export function listenToPointer(element: HTMLElement, target: PointerTarget): ()
   on("pointerdown", (event) => {
     element.setPointerCapture(event.pointerId);
     held.set(event.pointerId, place(event));
-    pressed = { at: place(event), button: event.button, shift: event.shiftKey, moved: false };
+    if (pressed?.area != null) target.areaCancelled();
+    const area =
+      event.button === 0 && held.size === 1 ? areaOfDrag(target.areaTool(), event) : null;
+    pressed = { at: place(event), area, button: event.button, moved: false };
+    corners = [pressed.at];
     element.focus({ preventScroll: true });
   });
 
@@ -73,17 +85,20 @@ export function listenToPointer(element: HTMLElement, target: PointerTarget): ()
     const from = pressed.moved ? before : pressed.at;
     pressed.moved = true;
     held.set(event.pointerId, now);
-    if (pressed.shift && pressed.button === 0) target.box(pressed.at, now, false);
-    else target.pan(now.x - from.x, now.y - from.y);
+    if (pressed.area !== null) {
+      corners = extendedArea(pressed.area.kind, corners, now);
+      target.area(corners, null);
+    } else target.pan(now.x - from.x, now.y - from.y);
   });
 
   const release = (event: PointerEvent, finished: boolean) => {
     if (!held.delete(event.pointerId) || pressed === null || held.size > 0) return;
     const now = place(event);
-    if (pressed.moved && pressed.shift && pressed.button === 0) {
-      target.box(pressed.at, finished ? now : pressed.at, true);
+    if (pressed.moved && pressed.area !== null) {
+      if (finished) target.area(corners, pressed.area.mode);
+      else target.areaCancelled();
     } else if (!pressed.moved && pressed.button === 0 && finished) {
-      target.select(now, pressed.shift || event.ctrlKey || event.metaKey);
+      target.select(now, clickMode(event));
     }
     pressed = null;
   };

@@ -11,6 +11,7 @@ import type { Areas, Box, Edges, Point } from "../geometry/records";
 import type { Timeline } from "../geometry/timeline";
 import type { DielineStyle } from "../scene/dieline";
 import type { Tools } from "../scene/swept";
+import type { AreaTool } from "./areaSelection";
 import { type Insets, PlaneCamera } from "./camera";
 import { HeadClock } from "./clock";
 import type { ViewerColours, ViewerEvents, VisibleLayers } from "./contract";
@@ -61,6 +62,8 @@ export class Viewer {
   private frameRequest = 0;
   private measuring = false;
   private disposed = false;
+  /** What a drag selects edges with; null: a drag moves the view. */
+  areaTool: AreaTool | null = null;
   private hoverRow: number | null = null;
   private hoverMoves: readonly number[] = [];
   /** Box that the view was fitted to; null since the user has moved the view. */
@@ -94,16 +97,16 @@ export class Viewer {
       pan: (dx, dy) => this.panBy(dx, dy),
       zoom: (factor, about) => this.zoom(factor, about),
       hover: (at) => this.setCursor(at),
-      select: (at, add) => {
+      select: (at, mode) => {
         const row = this.picker.edgeAt(at, this.shown);
-        events.onSelect(row === null ? [] : [row], add, this.camera.toPlane(at));
+        events.onSelect(row === null ? [] : [row], mode, this.camera.toPlane(at));
       },
-      box: (from, to, final) => {
-        events.onBox(final ? null : { from, to });
-        if (final && this.edges !== null) {
-          events.onSelect(this.picker.edgesBetween(from, to), true, null);
-        }
+      areaTool: () => this.areaTool,
+      area: (corners, mode) => {
+        events.onArea(mode === null ? corners : null);
+        if (mode !== null) events.onSelect(this.picker.edgesInside(corners), mode, null);
       },
+      areaCancelled: () => events.onArea(null),
     });
     this.resize();
   }

@@ -5,7 +5,8 @@ import { useState } from "react";
 import { formatFixed } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { addEdits } from "../../state/actions";
-import { editsOf, type Tool, useDrafting } from "../../state/drafting/drafting";
+import { useDimensions } from "../../state/drafting/dimensions";
+import { type DraftTool, editsOf, isAreaKind, useDrafting } from "../../state/drafting/drafting";
 import { measure } from "../../state/drafting/measure";
 import type { EditedType } from "../../state/drawing/edits";
 import { ASSIGNABLE_TYPES, LINE_STYLES } from "../../state/drawing/palette";
@@ -15,13 +16,13 @@ import overlayCss from "../drawing/overlay.module.css";
 import css from "./drafting.module.css";
 import { choosePoint } from "./usePickedPoints";
 
-const FIRST: Readonly<Record<Tool, string>> = {
+const FIRST: Readonly<Record<DraftTool, string>> = {
   measure: translate("draftBar.chooseTheFirstPoint"),
   line: translate("draftBar.chooseTheStartOfTheLine"),
   circle: translate("draftBar.chooseTheCentre"),
   move: translate("draftBar.chooseTheEndToMove"),
 };
-const SECOND: Readonly<Record<Tool, string>> = {
+const SECOND: Readonly<Record<DraftTool, string>> = {
   measure: translate("draftBar.chooseTheSecondPoint"),
   line: translate("draftBar.chooseTheEndOfTheLine"),
   circle: translate("draftBar.chooseAPointOnTheCircle"),
@@ -34,7 +35,7 @@ const TYPES = ASSIGNABLE_TYPES.filter((type): type is EditedType => type !== "ig
 
 export function DraftBar() {
   const { tool, first, second, type, setType, choose } = useDrafting();
-  if (tool === null) return null;
+  if (tool === null || isAreaKind(tool)) return null;
   const draws = tool === "line" || tool === "circle";
   return (
     <Group
@@ -61,6 +62,9 @@ export function DraftBar() {
         />
       )}
       <PointFields />
+      {tool === "measure" && first !== null && second !== null && (
+        <KeepButton from={first} to={second} />
+      )}
       <CloseButton
         size="sm"
         aria-label={translate("draftBar.leaveTheTool")}
@@ -78,6 +82,26 @@ function Figures({ from, to }: { from: Parameters<typeof measure>[0]; to: typeof
     dy: formatFixed(dy, 2),
     angle: formatFixed(angle, 1),
   });
+}
+
+/** Keeps a measurement as a dimension of the view. */
+function KeepButton({ from, to }: { from: Parameters<typeof measure>[0]; to: typeof from }) {
+  const drawing = useUiStore((ui) => ui.drawing);
+  const keep = useDimensions((dimensions) => dimensions.keep);
+  const cancel = useDrafting((draft) => draft.cancel);
+  return (
+    <Button
+      size="compact-xs"
+      onClick={() => {
+        if (drawing === null) return;
+        keep(drawing, { from: { x: from.x, y: from.y }, to: { x: to.x, y: to.y } });
+        cancel();
+      }}
+      data-testid="keep-dimension"
+    >
+      {translate("draftBar.keepTheDimension")}
+    </Button>
+  );
 }
 
 /** X and Y of a point, for the keyboard and for exact places. */

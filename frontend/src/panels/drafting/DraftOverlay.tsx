@@ -3,14 +3,14 @@
 import type { Point } from "../../geometry/records";
 import type { Snapped } from "../../geometry/snap";
 import { formatFixed } from "../../language/numbers";
-import { useDrafting } from "../../state/drafting/drafting";
+import { isAreaKind, useDrafting } from "../../state/drafting/drafting";
 import { measure } from "../../state/drafting/measure";
 import css from "./drafting.module.css";
 
 /** Rendered anew whenever the view changes; `toScreen` gives the pixel of a place. */
 export function DraftOverlay({ toScreen }: { toScreen(place: Point): Point }) {
   const { tool, first, second, cursor } = useDrafting();
-  if (tool === null) return null;
+  if (tool === null || isAreaKind(tool)) return null;
   const last = second ?? cursor;
   const from = first === null ? null : toScreen(first);
   const to = last === null ? null : toScreen(last);

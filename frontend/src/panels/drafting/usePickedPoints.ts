@@ -4,7 +4,7 @@ import { useMemo } from "react";
 import type { Point } from "../../geometry/records";
 import { buildSnap } from "../../geometry/snap";
 import { addEdits } from "../../state/actions";
-import { editsOf, useDrafting } from "../../state/drafting/drafting";
+import { editsOf, isAreaKind, useDrafting } from "../../state/drafting/drafting";
 import { useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 
@@ -24,7 +24,7 @@ export function usePickedPoints(scale: number): {
   draftCursor(at: Point | null): void;
 } {
   const { data: edges } = useEdges();
-  const active = useDrafting((draft) => draft.tool !== null);
+  const active = useDrafting((draft) => draft.tool !== null && !isAreaKind(draft.tool));
   const snap = useMemo(
     () => (active && edges !== undefined ? buildSnap(edges) : null),
     [active, edges],

@@ -16,8 +16,8 @@ import {
   edgeQuestionTitle,
   isLineType,
   questionKey,
+  questionRows,
 } from "../../state/drawing/questions";
-import { rowsOfLayer } from "../../state/drawing/rows";
 import { useFormatLength, useFormatLineWidth } from "../../state/drawing/useFormatLength";
 import { useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
@@ -41,13 +41,7 @@ export function EdgeQuestion({ question, onAnswered }: Props) {
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
   const length = useFormatLength();
   const lineWidth = useFormatLineWidth();
-  const rows = useMemo(
-    () =>
-      question.edges.length > 0 || edges === undefined
-        ? question.edges
-        : rowsOfLayer(edges, question.layer, question.colour),
-    [question, edges],
-  );
+  const rows = useMemo(() => questionRows(edges, question), [question, edges]);
   const choices = question.choices.filter(isLineType);
   const { text, percent } = edgeQuestionText(question);
   const facts = useMemo(

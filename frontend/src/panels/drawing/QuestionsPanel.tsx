@@ -2,10 +2,11 @@
 
 import { ActionIcon, Group, Stack } from "@mantine/core";
 import { IconChevronLeft, IconChevronRight, IconHelpHexagonFilled } from "@tabler/icons-react";
-import { type ReactNode, useEffect, useRef, useState } from "react";
+import { type ReactNode, useEffect, useRef } from "react";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
 import { retypeEach } from "../../state/actions";
+import { useAsked } from "../../state/drawing/asked";
 import { LINE_STYLES } from "../../state/drawing/palette";
 import { suggestions } from "../../state/drawing/questions";
 import { useOpenQuestions } from "../../state/drawing/useSteps";
@@ -19,6 +20,7 @@ import { Swatch } from "../shared/Swatch";
 import { EdgeQuestion } from "./EdgeQuestion";
 import { previewHandlers } from "./previewHandlers";
 import { QuestionTable } from "./QuestionTable";
+import { AllAnswered, Settled, useSettled } from "./SettledQuestions";
 import { UnitQuestion } from "./UnitQuestion";
 
 /** With more questions, a button answers all at once. */
@@ -30,12 +32,16 @@ export function QuestionsPanel() {
   const { data: drawing } = useDrawing();
   const questions = useOpenQuestions();
   const refusal = useRefusal("PATCH /api/v1/drawings/{id}/edges");
-  const [wanted, setWanted] = useState(0);
+  const wanted = useAsked((asked) => asked.at);
+  const turn = useAsked((asked) => asked.turn);
+  const settled = useSettled(questions);
   const list = useRef<HTMLDivElement>(null);
   const at = Math.min(wanted, questions.length - 1);
   const [key, question] = questions[at] ?? ["", undefined];
   useZoomTo(key, question?.edges ?? []);
-  if (drawing === undefined || question === undefined) return null;
+  if (drawing === undefined) return null;
+  if (question === undefined)
+    return settled.length === 0 ? null : <AllAnswered settled={settled} />;
   const lineTypeQuestions = questions
     .map(([, one]) => one)
     .filter(({ kind }) => kind === "line-type");
@@ -56,26 +62,22 @@ export function QuestionsPanel() {
       <Stack ref={list} gap={8} data-testid="questions">
         {questions.length > 1 && (
           <Group gap={4} justify="space-between">
-            <Turn
-              label={translate("questionsPanel.previous")}
-              off={at === 0}
-              act={() => setWanted(at - 1)}
-            >
+            <Turn label={translate("questionsPanel.previousKey")} act={() => turn(-1)}>
               <IconChevronLeft size={17} />
             </Turn>
             <Figure aria-live="polite">
               {translate("questionsPanel.questionOf", { at: at + 1, all: questions.length })}
             </Figure>
             <Turn
-              label={translate("questionsPanel.next")}
-              off={at === questions.length - 1}
-              act={() => setWanted(at + 1)}
+              label={translate("questionsPanel.nextKey")}
+              act={() => turn(1)}
               testId="next-question"
             >
               <IconChevronRight size={17} />
             </Turn>
           </Group>
         )}
+        {settled.length > 0 && <Settled count={settled.length} />}
         {question.kind === "unit" ? (
           <UnitQuestion key={key} question={question} drawing={drawing} />
         ) : (
@@ -128,20 +130,18 @@ function useZoomTo(key: string, rows: readonly number[]): void {
 
 interface TurnProps {
   readonly label: string;
-  readonly off: boolean;
   readonly act: () => void;
   readonly testId?: string;
   readonly children: ReactNode;
 }
 
-function Turn({ label, off, act, testId, children }: TurnProps) {
+function Turn({ label, act, testId, children }: TurnProps) {
   return (
     <ActionIcon
       variant="default"
       size={32}
       aria-label={label}
       title={label}
-      disabled={off}
       onClick={act}
       data-testid={testId}
     >

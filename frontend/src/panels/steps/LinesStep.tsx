@@ -7,6 +7,7 @@ import { LayersPanel } from "../drawing/LayersPanel";
 import { LearnedPanel } from "../drawing/LearnedPanel";
 import { LineTypesPanel } from "../drawing/LineTypesPanel";
 import { PagesPanel } from "../drawing/PagesPanel";
+import { PanelSwitch } from "../drawing/PanelSwitch";
 import { QuestionsPanel } from "../drawing/QuestionsPanel";
 import { TaughtPanel } from "../drawing/TaughtPanel";
 import { UnitPanel } from "../drawing/UnitPanel";
@@ -14,6 +15,7 @@ import { UnitPanel } from "../drawing/UnitPanel";
 export function LinesStep() {
   return (
     <>
+      <PanelSwitch />
       <QuestionsPanel />
       <InspectorPanel />
       <LineTypesPanel />

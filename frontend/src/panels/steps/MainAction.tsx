@@ -12,6 +12,7 @@ import type { Job } from "../../api/client";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
 import { command, compile } from "../../state/actions";
+import { useEdgeList } from "../../state/drawing/edgeList";
 import { useOpenQuestions } from "../../state/drawing/useSteps";
 import { isCompiling, isQueued } from "../../state/job/jobs";
 import { useDrawing, useJob } from "../../state/queries";
@@ -37,13 +38,11 @@ export function MainAction() {
 
 /** Go to a step, and give the focus to a control of it. */
 function goTo(step: Step, selector: string): void {
+  useEdgeList.getState().show(false);
   const focus = () => document.querySelector<HTMLElement>(selector)?.focus();
-  if (useUiStore.getState().step === step) focus();
-  else {
-    useUiStore.getState().set({ step, panelOpen: true });
-    // The panel of the step is there after the next rendering.
-    setTimeout(focus, 60);
-  }
+  useUiStore.getState().set({ step, panelOpen: true });
+  // The panel of the step is there after the next rendering.
+  setTimeout(focus, 60);
 }
 
 function Answer({ questions }: { questions: number }) {

@@ -1,16 +1,22 @@
-/** The drawing tool of the canvas: what is being measured or drawn, point by point. */
+/** The tool of the canvas: what is being measured or drawn, point by point, or selected. */
 
 import { create } from "zustand";
 import type { Edit } from "../../api/client";
 import type { Point, Segments } from "../../geometry/records";
+import type { SelectMode } from "../../geometry/selection";
 import type { Snapped } from "../../geometry/snap";
 import { addedCircle, addedLine, type EditedType, movedEnds } from "../drawing/edits";
 
-export const TOOLS = ["measure", "line", "circle", "move"] as const;
-export type Tool = (typeof TOOLS)[number];
+export type DraftTool = "measure" | "line" | "circle" | "move";
+/** Tools with which a drag selects edges. */
+export type AreaKind = "box" | "lasso";
+export type Tool = DraftTool | AreaKind;
+
+export const isAreaKind = (tool: Tool | null): tool is AreaKind =>
+  tool === "box" || tool === "lasso";
 
 interface Drafting {
-  /** null: a click on the canvas selects edges. */
+  /** null: a click on the canvas selects an edge, and a drag moves the view. */
   readonly tool: Tool | null;
   /** First point; null before it is chosen. */
   readonly first: Snapped | null;
@@ -20,8 +26,11 @@ interface Drafting {
   readonly cursor: Snapped | null;
   /** Line type of new edges. */
   readonly type: EditedType;
+  /** What the edges in an area do to the selection. */
+  readonly areaMode: SelectMode;
   choose(tool: Tool | null): void;
   setType(type: EditedType): void;
+  setAreaMode(areaMode: SelectMode): void;
   setCursor(cursor: Snapped | null): void;
   /** Choose a point; returns both points if it was the second one. */
   pick(point: Snapped): readonly [Snapped, Snapped] | null;
@@ -36,8 +45,10 @@ export const useDrafting = create<Drafting>()((set, get) => ({
   ...NO_POINTS,
   cursor: null,
   type: "cut",
-  choose: (tool) => set({ tool, ...NO_POINTS, cursor: null }),
+  areaMode: "replace",
+  choose: (tool) => set({ tool, ...NO_POINTS, cursor: null, areaMode: "replace" }),
   setType: (type) => set({ type }),
+  setAreaMode: (areaMode) => set({ areaMode }),
   setCursor: (cursor) => set({ cursor }),
   pick: (point) => {
     const { first, second, tool } = get();

@@ -1,10 +1,11 @@
 /** Title, facts and text of a question card. */
 
 import type { FollowingEdges, Question } from "../../api/client";
-import { LINE_TYPES, type LineType } from "../../geometry/records";
+import { type Edges, LINE_TYPES, type LineType } from "../../geometry/records";
 import { translate } from "../../language/translate";
 import { messageText, type ServerMessage, typed } from "../../messages/translateMessage";
 import { colourName } from "./colours";
+import { rowsOfLayer } from "./rows";
 
 export interface QuestionText {
   /** Confidence of the most likely answer (%); null if there is none. */
@@ -84,6 +85,13 @@ export const followingTypes = (
 /** Identifies a question among those of a drawing and its job. */
 export const questionKey = ({ code, arguments: given }: ServerMessage): string =>
   JSON.stringify([code, given]);
+
+/** The edges that a question asks about; without a list, those of its layer and colour. */
+export const questionRows = (
+  edges: Edges | undefined,
+  { edges: rows, layer, colour }: Pick<Question, "edges" | "layer" | "colour">,
+): readonly number[] =>
+  rows.length > 0 || edges === undefined ? rows : rowsOfLayer(edges, layer, colour);
 
 /** The most likely answer to a question; null if there is none. */
 export function suggestedType(question: Question): LineType | null {
