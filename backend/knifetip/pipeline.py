@@ -30,7 +30,7 @@ from knifetip.compensation.edge_feeds import with_edge_feeds
 from knifetip.error_places import located_errors
 from knifetip.errors import OpenQuestions, PlanError
 from knifetip.formats import open_file
-from knifetip.geometry.columns import U8
+from knifetip.geometry.columns import F64, I32, U8
 from knifetip.languages.registry import with_language
 from knifetip.library import custom_profiles, load
 from knifetip.model.board import Board
@@ -66,7 +66,7 @@ from knifetip.proof import PlacedJob, planned_notes, prove
 from knifetip.sequencing.air_moves import with_full_retracts
 from knifetip.sequencing.chosen_order import ChosenOrder, place_order
 from knifetip.sequencing.contour_starts import choose_starts
-from knifetip.sequencing.duration import duration
+from knifetip.sequencing.duration import duration, durations
 from knifetip.sequencing.rest_path import keep_tracks
 from knifetip.sequencing.sequence import sequence
 from knifetip.sequencing.tracks import RestChoice, find_tracks, row_lines, select_rest
@@ -111,6 +111,10 @@ class Compiled:
     placement: tuple[float, float]  #: offset of the drawing on the sheet (mm)
     seconds: float  #: estimated machine time with accelerations (s)
     seconds_retracted: float  #: machine time if the tool retracted fully for every turn (s)
+    row_seconds: F64  #: (r,) s, share of each row of the tool path in ``seconds``
+    #: (n,) for each edge of the drawing the edge that has its rows in the tool path: itself, or
+    #: another one with which it is made; -1 if it is not made
+    made_as: I32
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -506,4 +510,14 @@ def _write_and_verify(
     verdict = prove(job, program.text, TOLERANCE, toolpath.notes)
     progress(Stage.DONE, 1.0)
     full = duration(with_full_retracts(toolpath, machine), machine)
-    return Compiled(toolpath, program, verdict, job.offset, duration(toolpath, machine), full)
+    times = durations(toolpath, machine)
+    return Compiled(
+        toolpath,
+        program,
+        verdict,
+        job.offset,
+        float(times.sum()),
+        full,
+        times,
+        job.checked.cleaned.made_as,
+    )

@@ -111,6 +111,16 @@ class Cleaned:
     off: F64  #: (n,) maximum distance of the drawn edge from the cleaned edges that cover it (mm)
     stretches: Stretches
 
+    @property
+    def made_as(self) -> I32:
+        """For each drawn edge the drawn edge that stands for it in ``dieline.source``, (n,).
+
+        -1 for a drawn edge that was dropped.
+        """
+        row = self.cleaned_row
+        source: I32 = np.where(row < 0, -1, self.dieline.source[np.maximum(row, 0)])
+        return source.astype(np.int32)
+
     def __post_init__(self) -> None:
         put = object.__setattr__
         put(self, "cleaned_row", freeze(self.cleaned_row, np.int32, -1))

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
 from knifetip.errors import PlanError
-from knifetip.geometry.columns import I32
+from knifetip.geometry.columns import F64, I32
 from knifetip.model.machine import Machine
 from knifetip.model.tool import kind_of
 from knifetip.model.toolpath import Toolpath
 from knifetip.presentation.columns import pack_columns, unpack_columns
-from knifetip.sequencing.tracks import Tracks, find_tracks, row_lines
+from knifetip.sequencing.tracks import Tracks, find_tracks, first_row_lines, row_lines
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
+
+#: The arrays of a packed tool path that are columns of ``Toolpath``.
+_MOVES: Final = ("pose", "bulge", "motion", "feed", "source", "tool", "track")
 
 
 def used_stations(compiled: Compiled, machine: Machine) -> list[dict[str, Any]]:
@@ -40,19 +43,17 @@ def program_lines(compiled: Compiled) -> I32:
 def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
     """Return the tool path as a block of bytes, with the stations of the machine as metadata.
 
-    The array ``line`` is the result of ``program_lines``.
+    The array ``line`` is the result of ``program_lines``; ``first_line``, ``seconds`` and
+    ``made_as`` are described by the route ``get_toolpath``.
     """
     path = compiled.toolpath
     return pack_columns(
         {
-            "pose": path.pose,
-            "bulge": path.bulge,
-            "motion": path.motion,
-            "feed": path.feed,
-            "source": path.source,
-            "tool": path.tool,
-            "track": path.track,
+            **{name: getattr(path, name) for name in _MOVES},
             "line": program_lines(compiled),
+            "first_line": first_row_lines(compiled.program, len(path)),
+            "seconds": compiled.row_seconds,
+            "made_as": compiled.made_as,
         },
         {
             "placement": [float(shift) for shift in compiled.placement],
@@ -70,6 +71,15 @@ def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
     )
 
 
+def unpack_seconds(block: bytes) -> F64 | None:
+    """Return the machine time of each move of a packed tool path, (n,) s.
+
+    None if an older version packed it.
+    """
+    columns, _ = unpack_columns(block)
+    return columns.get("seconds")
+
+
 def unpack_toolpath(block: bytes) -> tuple[Toolpath, Tracks]:
     """Return the tool path that ``pack_toolpath`` packed, without its notes, and its tracks.
 
@@ -81,6 +91,5 @@ def unpack_toolpath(block: bytes) -> tuple[Toolpath, Tracks]:
     columns, _ = unpack_columns(block)
     if "track" not in columns:
         raise PlanError("rest.old-program")
-    moves = {name: column for name, column in columns.items() if name != "line"}
-    path = Toolpath.from_new(moves, ())
+    path = Toolpath.from_new({name: columns[name] for name in _MOVES}, ())
     return path, find_tracks(path, columns["line"])

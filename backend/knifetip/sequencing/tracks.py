@@ -107,6 +107,18 @@ def row_lines(program: Program, rows: int) -> I32:
     return line
 
 
+def first_row_lines(program: Program, rows: int) -> I32:
+    """Return for each row of a toolpath the first program line that makes it, (rows,).
+
+    The lines are numbered from 1; a row without a program line has -1.
+    """
+    line = np.full(rows, -1, np.int32)
+    moving = np.flatnonzero(program.source >= 0)[::-1]
+    # Of several values for one row, the last is kept: that of the first line.
+    line[program.source[moving]] = moving + 1
+    return line
+
+
 def track_rows(toolpath: Toolpath) -> tuple[I64, I64]:
     """Return the first and the last row of each of the t tracks of a sequenced toolpath, (t,)."""
     rows = np.flatnonzero(toolpath.track >= 0)

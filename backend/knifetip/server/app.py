@@ -74,6 +74,7 @@ from knifetip.service.orders import confirmation_routes as confirmation
 from knifetip.service.orders import order_routes as orders
 from knifetip.service.orders import rest_routes as rest
 from knifetip.service.orders import routes as jobs
+from knifetip.service.orders import section_routes as sections
 from knifetip.service.processes.pool import ProcessPool, TaskCancelled, TaskFailed
 from knifetip.service.processes.tasks import import_stages
 from knifetip.service.processes.warm_up import WarmUp
@@ -97,7 +98,7 @@ _log = logging.getLogger("knifetip.api")
 _ROUTES = (
     drawings, customer_answers, cartons, layouts, nestings, stock, jobs, job_commands, orders,
     confirmation, queues, rest, history, events, machines, tools, library, definitions, profiles,
-    webhooks, xjdf, gateway, accounts, folding, handover,
+    webhooks, xjdf, gateway, accounts, folding, handover, sections,
 )  # fmt: skip
 
 

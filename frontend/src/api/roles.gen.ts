@@ -43,6 +43,7 @@ export const SCOPES_FOR = {
   "GET /api/v1/jobs/{id}/events": ["viewer"],
   "GET /api/v1/jobs/{id}/export": ["viewer"],
   "GET /api/v1/jobs/{id}/program": ["viewer"],
+  "GET /api/v1/jobs/{id}/section": ["viewer"],
   "GET /api/v1/jobs/{id}/ticket.pdf": ["viewer"],
   "GET /api/v1/jobs/{id}/toolpath": ["viewer"],
   "GET /api/v1/jobs/{id}/toolpath/export": ["viewer"],

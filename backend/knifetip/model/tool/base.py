@@ -13,6 +13,7 @@ from annotated_types import Ge, Gt
 
 from knifetip.geometry.columns import F64
 from knifetip.messages import Message
+from knifetip.model.tool.cross_section import CrossSection
 
 #: Types of dimensions with limits, which the library checks when it loads a machine.
 Positive: TypeAlias = Annotated[float, Gt(0)]
@@ -203,6 +204,17 @@ class Tool(ABC):
     def footprint(self) -> Footprint:
         """The mark that the tool leaves on the board, shown on the web page."""
         return Footprint()
+
+    def cross_section(self, depth: float) -> CrossSection:
+        """Return what the tool makes of the section of the board across its line.
+
+        Parameters
+        ----------
+        depth
+            Depth of the tip below the top face of the board, at most the caliper (mm).
+        """
+        del depth  # a tool without width leaves nothing that depends on it
+        return CrossSection()
 
     @property
     def dimensions(self) -> dict[str, float | bool]:

@@ -9,6 +9,7 @@ from typing import ClassVar
 
 from knifetip.geometry.tolerance import POINT
 from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, Tool
+from knifetip.model.tool.cross_section import CrossSection
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +72,15 @@ class CreaseWheel(Tool):
     def footprint(self) -> Footprint:
         """The mark that the wheel leaves on the board, with radius and rim width of the wheel."""
         return Footprint("wheel", radius=self.radius, width=self.width)
+
+    def cross_section(self, depth: float) -> CrossSection:
+        """Return the crease that the rim presses ``depth`` mm deep."""
+        return CrossSection(
+            top_width=self.width,
+            rim_width=self.width,
+            wheel_radius=self.radius,
+            contact_length=2.0 * self.contact(depth),
+        )
 
     @classmethod
     def best_for(cls, tools: Sequence[Tool], caliper: float) -> int:

@@ -10,6 +10,7 @@ import numpy as np
 from knifetip.geometry.columns import F64
 from knifetip.messages import Message
 from knifetip.model.tool.base import Footprint, TipCircle, Tool
+from knifetip.model.tool.cross_section import CrossSection
 
 
 class DiscTool(Tool):
@@ -91,6 +92,11 @@ class DiscTool(Tool):
         """Return the circle of the disc, which does not depend on ``depth``."""
         del depth  # the same at any depth
         return TipCircle(self.radius, 0.0, 0.0)
+
+    def cross_section(self, depth: float) -> CrossSection:
+        """Return the slot that the disc removes, which is as wide at every depth."""
+        del depth
+        return CrossSection(top_width=self.diameter)
 
     @property
     def diameter(self) -> float:

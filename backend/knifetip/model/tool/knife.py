@@ -19,6 +19,7 @@ from knifetip.model.tool.base import (
     Tool,
     pass_depths,
 )
+from knifetip.model.tool.cross_section import CrossSection
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +104,14 @@ class Knife(Tool):
             Thickness of the board (mm).
         """
         return thickness * math.tan(math.radians(self.blade_angle))
+
+    def cross_section(self, depth: float) -> CrossSection:
+        """Return the cut of the blade, which has no width across its line."""
+        return CrossSection(
+            blade_width=self.blade_width,
+            blade_angle=self.blade_angle,
+            blade_lead=self.lead(depth),
+        )
 
     def tip_circle(self, depth: float) -> TipCircle:
         """Return the circle about the axis of the head that contains the blade.

@@ -9,6 +9,7 @@ from typing import Annotated
 from annotated_types import Gt, Lt
 
 from knifetip.model.tool.base import Footprint, Positive, Reversal, TipCircle, Tool
+from knifetip.model.tool.cross_section import CrossSection
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +64,15 @@ class VCutter(Tool):
             blade=2.0 * self.half_width,
             left=self.back,
             behind=self.half_width,
+        )
+
+    def cross_section(self, depth: float) -> CrossSection:
+        """Return the groove ``depth`` mm deep that the blade cuts in two passes.
+
+        The flanks enclose twice the tilt: the board folds by this angle until they meet.
+        """
+        return CrossSection(
+            top_width=2.0 * depth * self.slope, flank_angle=self.tilt, fold_angle=2.0 * self.tilt
         )
 
     @property

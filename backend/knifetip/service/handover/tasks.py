@@ -18,7 +18,7 @@ from knifetip.model.figure import Figure
 from knifetip.model.machine import Machine
 from knifetip.model.stage import Progress
 from knifetip.model.toolpath import Motion, Toolpath
-from knifetip.presentation.toolpath import unpack_toolpath
+from knifetip.presentation.toolpath import unpack_seconds, unpack_toolpath
 from knifetip.sequencing.duration import durations
 
 
@@ -103,9 +103,7 @@ def _stations(job: JobData) -> tuple[StationUse, ...]:
     held = {} if machine is None else {one.number: one.tool for one in machine.stations}
     toolpath = _toolpath(job)
     lengths = np.zeros(256) if toolpath is None else _worked_lengths(toolpath)
-    seconds = None
-    if toolpath is not None and machine is not None:
-        seconds = _seconds(toolpath, machine)
+    seconds = None if toolpath is None else _seconds(job, toolpath)
     return tuple(
         StationUse(
             number,
@@ -136,14 +134,18 @@ def _worked_lengths(toolpath: Toolpath) -> F64:
     return sums
 
 
-def _seconds(toolpath: Toolpath, machine: Machine) -> F64 | None:
+def _seconds(job: JobData, toolpath: Toolpath) -> F64 | None:
     """Return the machine time of each station (s), by its number, (256,).
 
-    None if the machine does not have all stations of the program any more.
+    The times are those of the compile.  Those of a job that an older version compiled are computed
+    here; None if its machine does not have all stations of the program any more.
     """
-    if not set(np.unique(toolpath.tool).tolist()) <= {one.number for one in machine.stations}:
-        return None
-    sums: F64 = np.bincount(toolpath.tool, durations(toolpath, machine), minlength=256).astype(
-        float
-    )
+    times = None if job.toolpath is None else unpack_seconds(job.toolpath)
+    if times is None:
+        machine = job.machine
+        held = set() if machine is None else {one.number for one in machine.stations}
+        if machine is None or not set(np.unique(toolpath.tool).tolist()) <= held:
+            return None
+        times = durations(toolpath, machine)
+    sums: F64 = np.bincount(toolpath.tool, times, minlength=256).astype(float)
     return sums

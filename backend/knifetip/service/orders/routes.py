@@ -26,6 +26,7 @@ from knifetip.service.orders.exceptions import find_same_exceptions
 from knifetip.service.orders.job_answers import job_events, job_out, jobs_out
 from knifetip.service.orders.models import JobEvent, JobOut, JobsQuery
 from knifetip.service.orders.order_models import JobIn
+from knifetip.service.orders.program_models import ProgramLines
 from knifetip.service.orders.store import JobFilter
 from knifetip.service.orders.verdict_document import verdict_document, verdict_version
 from knifetip.service.orders.verdict_models import EarlierExceptions, VerdictOut
@@ -99,10 +100,21 @@ def get_job_events(
 
 @router.get("/{id}/program", response_class=PlainTextResponse, responses=NOT_MODIFIED)
 @requires(AccessScope.VIEWER)
-def get_program(service: ServiceDep, id: JobId) -> Response:
-    """Download the program of a job, byte for byte as it is sent to the machine."""
+def get_program(
+    service: ServiceDep, id: JobId, wanted: Annotated[ProgramLines, Query()]
+) -> Response:
+    """Download the program of a job, byte for byte as it is sent to the machine, or some lines.
+
+    Lines after the last one of the program are left out.
+    """
     row = service.store.jobs.get(id)
     text = service.store.jobs.column(id, "program")
+    if wanted.lines is not None:
+        first = wanted.first_line - 1
+        lines = text.split(b"\n")[:-1][first : first + wanted.lines]
+        part = b"".join(line + b"\n" for line in lines)
+        tag = f"{row.program_sha256}-{wanted.first_line}-{wanted.lines}"
+        return bytes_response(part, tag, "text/plain; charset=utf-8")
     stem = row.drawing_name.rpartition(".")[0] or row.drawing_name
     language = language_of(service.store.library, row)
     name = f"{stem}-{row.machine}{language.suffix if language else '.nc'}"
@@ -135,7 +147,13 @@ def get_toolpath(service: ServiceDep, id: JobId) -> Response:
     for a line), ``motion`` (number of the kind of the move, such as 0 for a rapid move), ``feed``
     (mm/min), ``source`` (row of the processed edge in the drawing; -1 between edges), ``tool``
     (station number), ``track`` (number of the track from 0, which is a path between two lifts; -1
-    between tracks) and ``line`` (number of the program line; -1 for none).
+    between tracks), ``first_line`` and ``line`` (first and last program line of the move, from 1;
+    -1 for none) and ``seconds`` (machine time of the move; their sum is that of one copy).
+
+    The array ``made_as`` has a value for each edge of the drawing: the edge in whose name
+    ``source`` has the moves, which is the edge itself or another one with which it is made; -1 if
+    it is not made.  Jobs that older versions compiled have no ``first_line``, ``seconds`` and
+    ``made_as``.
     """
     row = service.store.jobs.get(id)
     block = service.store.jobs.column(id, "toolpath")

@@ -29,8 +29,8 @@ LEAST = {
         list_drawings get_drawing get_edges get_picture get_import_report get_cleaning get_file
         export_drawing list_pages get_blanks list_layouts get_layout list_cartons get_carton_picture
         list_stock_sheets list_jobs list_orders get_job get_job_events get_verdict get_toolpath
-        get_earlier_exceptions
-        export_toolpath get_ticket export_job get_metrics get_folding get_folding_file get_nesting
+        get_earlier_exceptions export_toolpath get_section get_ticket export_job get_folding
+        get_folding_file get_nesting
         get_confirmation get_queue get_tracks list_history get_statistics get_events
         list_machines get_machine get_station get_operation list_machine_tools list_tool_events
         list_formats list_boards get_board list_tools list_library get_schema

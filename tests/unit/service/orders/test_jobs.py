@@ -61,6 +61,64 @@ def test_the_toolpath_has_columns_with_program_lines(
     assert (columns["line"] > 0).sum() >= 4
 
 
+def test_the_moves_have_all_lines_of_the_program_that_move_and_the_machine_time(
+    client: httpx.Client, ready: dict[str, Any]
+) -> None:
+    columns, _ = unpack_columns(client.get(f"/api/jobs/{ready['id']}/toolpath").content)
+    assert columns["seconds"].sum() == pytest.approx(ready["seconds"], rel=1e-12)
+    first, last = columns["first_line"], columns["line"]
+    assert ((first < 0) == (last < 0)).all()
+    assert (first[first > 0] <= last[first > 0]).all()
+    assert (np.diff(last[last > 0]) >= 0).all()
+    # Each line with a coordinate belongs to a move, except in the head and the foot.
+    text = client.get(f"/api/jobs/{ready['id']}/program").text.split("\n")
+    moving = {
+        number
+        for number, line in enumerate(text, start=1)
+        if re.match(r"(N\d+ )?(G[0123] )?[XYZC]-?\d", line)
+    }
+    covered = {
+        number
+        for start, end in zip(first.tolist(), last.tolist(), strict=True)
+        for number in range(start, end + 1)
+    }
+    assert len(moving) > 10
+    assert not {line for line in moving - covered if min(covered) < line < max(covered)}
+    assert columns["made_as"].tolist() == [0, 1, 2, 3]
+
+
+def test_lines_of_a_program_are_served_by_their_numbers(
+    client: httpx.Client, ready: dict[str, Any]
+) -> None:
+    address = f"/api/jobs/{ready['id']}/program"
+    whole = client.get(address).content.split(b"\n")[:-1]
+    part = client.get(address, params={"first_line": 3, "lines": 4})
+    assert part.content == b"".join(line + b"\n" for line in whole[2:6])
+    assert "content-disposition" not in part.headers
+    known = {"If-None-Match": part.headers["etag"]}
+    again = client.get(address, params={"first_line": 3, "lines": 4}, headers=known)
+    assert again.status_code == 304
+    last = client.get(address, params={"first_line": len(whole), "lines": 500})
+    assert last.content == whole[-1] + b"\n"
+    assert client.get(address, params={"first_line": len(whole) + 1, "lines": 5}).content == b""
+    for wrong in ({"first_line": 0, "lines": 5}, {"lines": 10_001}, {"line": 3}):
+        assert client.get(address, params=wrong).status_code == 422
+
+
+def test_an_edge_has_the_section_that_the_tools_make(
+    client: httpx.Client, ready: dict[str, Any]
+) -> None:
+    found = client.get(f"/api/jobs/{ready['id']}/section?edge=2").json()
+    (tool,) = found["tools"]
+    assert (tool["kind"], tool["shape"], tool["cross"]["blade_angle"]) == ("knife", "line", 10.0)
+    # The knife of demo-table cuts 0.3 mm into the mat.
+    assert (tool["depth"], tool["base"]) == (found["caliper"], 0.0)
+    assert tool["beyond"] == pytest.approx(0.3)
+    assert found["figures"]["deviation"] == pytest.approx(0.0, abs=0.01)
+    missing = client.get(f"/api/jobs/{ready['id']}/section?edge=4")
+    assert (missing.status_code, missing.json()["code"]) == (404, "override.no-such-edge")
+
+
 def test_the_verdict_has_a_row_for_every_edge(client: httpx.Client, ready: dict[str, Any]) -> None:
     verdict = client.get(f"/api/jobs/{ready['id']}/verdict").json()
     assert len(verdict["edge_deviation"]) == len(verdict["edge_uncut"]) == 4
