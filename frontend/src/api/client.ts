@@ -28,6 +28,9 @@ export type CheckedTable = Omit<Schemas["ConfirmIn"], "by">;
 export type Drawing = Schemas["DrawingOut"];
 export type DrawingSummary = Schemas["DrawingSummary"];
 export type Format = Schemas["FormatOut"];
+/** The section of the board across an edge, as a program makes it. */
+export type EdgeSection = Schemas["EdgeSectionOut"];
+export type ToolSection = Schemas["ToolSectionOut"];
 export type Finding = Schemas["FindingOut"];
 export type Job = Schemas["JobOut"];
 /** What an ERP system or a user attaches to an order. */
@@ -410,6 +413,27 @@ export const service = {
     const init = { params: byId(id), ...binary(signal) };
     return toolpathOf((await api.GET("/api/v1/jobs/{id}/toolpath", init)).data as ArrayBuffer);
   },
+  /** Some lines of a program, counted from 1; without those after its last one. */
+  programLines: async (
+    id: string,
+    first: number,
+    count: number,
+    signal: AbortSignal,
+  ): Promise<string[]> => {
+    const { data } = await api.GET("/api/v1/jobs/{id}/program", {
+      params: { ...byId(id), query: { first_line: first, lines: count } },
+      parseAs: "text",
+      signal,
+    });
+    return (data ?? "").split("\n").slice(0, -1);
+  },
+  section: (id: string, edge: number, signal: AbortSignal): Promise<EdgeSection> =>
+    dataOf(
+      api.GET("/api/v1/jobs/{id}/section", {
+        params: { ...byId(id), query: { edge } },
+        ...uncached(signal),
+      }),
+    ),
   programUrl: (id: string) => `/api/v1/jobs/${encodeURIComponent(id)}/program`,
   ticketUrl: (id: string, language: string) =>
     `/api/v1/jobs/${encodeURIComponent(id)}/ticket.pdf?language=${language}`,

@@ -153,6 +153,11 @@ export function toolpathOf(bytes: ArrayBuffer): Toolpath {
     source: column(from, "source", Int32Array),
     tool: column(from, "tool", Uint8Array),
     line: column(from, "line", Int32Array),
+    // Tool paths of older versions have neither.
+    ...(from.columns.has("first_line") && {
+      firstLine: column(from, "first_line", Int32Array),
+      seconds: column(from, "seconds", Float64Array),
+    }),
     placement: [placement[0] ?? 0, placement[1] ?? 0],
   };
 }

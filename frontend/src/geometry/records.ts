@@ -122,6 +122,10 @@ export interface Toolpath {
   readonly tool: Uint8Array;
   /** (n,) last program line of the move, counted from 1; -1 if it has none */
   readonly line: Int32Array;
+  /** (n,) first program line of the move; jobs of older versions have none */
+  readonly firstLine?: Int32Array;
+  /** (n,) machine time of the move (s); jobs of older versions have none */
+  readonly seconds?: Float64Array;
   /** Sheet coordinates = drawing coordinates + placement. */
   readonly placement: readonly [number, number];
 }

@@ -23,9 +23,15 @@ export interface Timeline {
   readonly toolpath: Toolpath;
 }
 
+/** The times of a tool path: those of the server, or for older jobs lengths over feeds. */
 export function buildTimeline(toolpath: Toolpath): Timeline {
-  const { pose, bulge, feed } = toolpath;
+  const { pose, bulge, feed, seconds } = toolpath;
   const clock = new Float64Array(bulge.length + 1);
+  if (seconds !== undefined) {
+    for (let row = 0; row < bulge.length; row++)
+      clock[row + 1] = (clock[row] as number) + (seconds[row] as number);
+    return { clock, toolpath };
+  }
   for (let row = 0; row < bulge.length; row++) {
     const a = row * 4;
     const distance = Math.hypot(

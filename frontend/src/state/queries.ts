@@ -154,6 +154,19 @@ export const queries = {
       staleTime: Number.POSITIVE_INFINITY,
       structuralSharing: false,
     }),
+  /** Lines of a program; a program never changes. */
+  programLines: (id: string, first: number, count: number) =>
+    queryOptions({
+      queryKey: ["programLines", id, first, count],
+      queryFn: ({ signal }) => service.programLines(id, first, count, signal),
+      staleTime: Number.POSITIVE_INFINITY,
+    }),
+  section: (id: string, edge: number) =>
+    queryOptions({
+      queryKey: ["section", id, edge],
+      queryFn: ({ signal }) => service.section(id, edge, signal),
+      staleTime: Number.POSITIVE_INFINITY,
+    }),
   /** Tracks and their states; the states belong to the last executed line of the job. */
   tracks: (id: string, line: number) =>
     queryOptions({

@@ -1,11 +1,13 @@
 /** Last step: the open job with its verdict, and the other jobs of the drawing. */
 
 import { translate } from "../../language/translate";
+import { hasProgram } from "../../state/job/jobs";
 import { useDrawing, useJob } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { InspectorPanel } from "../drawing/InspectorPanel";
 import { JobPanel } from "../job/JobPanel";
 import { JobsOfDrawing } from "../job/JobsOfDrawing";
+import { PlacePanels } from "../job/PlacePanels";
 import css from "../shared/panels.module.css";
 import { Note } from "../shared/parts";
 
@@ -21,6 +23,7 @@ export function CheckStep() {
           <Note>{translate("checkStep.thereIsNoProgramYet")}</Note>
         </section>
       )}
+      {job !== undefined && hasProgram(job) && <PlacePanels job={job} />}
       <InspectorPanel />
       {drawing !== undefined && <JobsOfDrawing drawing={drawing.id} open={job?.id ?? ""} />}
     </>
