@@ -737,7 +737,11 @@ export const de = {
   "verdictCard.andMoreFindings":
     "… und {findings, plural, one {# weiterer Befund} other {# weitere Befunde}}.",
   "verdictCard.programHasErrorsAndCannot": "Programm hat Fehler und kann nicht gesendet werden",
-  "verdictCard.toolCannotMakeEveryLine": "Das Werkzeug kann nicht jede Linie wie gezeichnet machen",
+  "verdictCard.toolCannotMakeLines":
+    "Das Werkzeug kann {shortfalls, plural, one {# Linie} other {# Linien}} nicht wie gezeichnet fertigen; die anderen schneidet es auf {deviation} genau in {seconds}.",
+  "verdictCard.acceptThem": "So annehmen …",
+  "verdictCard.andAtMorePlaces":
+    "{text} Das gilt auch an {places, plural, one {# weiteren Stelle} other {# weiteren Stellen}}.",
   "verdictCard.error": "Fehler",
   "verdictCard.shortfall": "Einschränkung",
   "verdictCard.note": "Hinweis",
@@ -1757,6 +1761,9 @@ export const de = {
     "Bis zu {length} nicht geschnitten an {places, plural, one {# Stelle} other {# Stellen}}",
   "verdictPlaces.eachClickShowsTheNext": "Jeder Klick zeigt die nächste Stelle",
   "documentPanel.file": "Datei und Regeln",
+  // panels/job/HeadFigures.tsx
+  "headFigures.heading": "Richtung",
+  "headFigures.lean": "Neigung",
   // panels/job/ProgramLines.tsx
   "programLines.programLines": "Programmzeilen",
   "programLines.lines": "{lines, plural, one {# Zeile} other {# Zeilen}}",

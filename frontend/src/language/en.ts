@@ -719,7 +719,11 @@ export const en = {
   "verdictCard.andMoreFindings":
     "… and {findings, plural, one {# more finding} other {# more findings}}.",
   "verdictCard.programHasErrorsAndCannot": "Program has errors and cannot be sent",
-  "verdictCard.toolCannotMakeEveryLine": "Tool cannot make every line as drawn",
+  "verdictCard.toolCannotMakeLines":
+    "The tool cannot make {shortfalls, plural, one {# line} other {# lines}} as drawn; it cuts the others to {deviation} in {seconds}.",
+  "verdictCard.acceptThem": "Accept this …",
+  "verdictCard.andAtMorePlaces":
+    "{text} The same at {places, plural, one {# more place} other {# more places}}.",
   "verdictCard.error": "Error",
   "verdictCard.shortfall": "Shortfall",
   "verdictCard.note": "Note",
@@ -1699,6 +1703,9 @@ export const en = {
     "Up to {length} not cut at {places, plural, one {# place} other {# places}}",
   "verdictPlaces.eachClickShowsTheNext": "Each click shows the next place",
   "documentPanel.file": "File and rules",
+  // panels/job/HeadFigures.tsx
+  "headFigures.heading": "Heading",
+  "headFigures.lean": "Lean",
   // panels/job/ProgramLines.tsx
   "programLines.programLines": "Program lines",
   "programLines.lines": "{lines, plural, one {# line} other {# lines}}",

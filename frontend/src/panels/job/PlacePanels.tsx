@@ -6,6 +6,7 @@ import { translate } from "../../language/translate";
 import { useTimeline } from "../../state/queries";
 import { Figure, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
+import { HeadFigures } from "./HeadFigures";
 
 const SectionPanel = lazy(() =>
   import("./SectionPanel").then((module) => ({ default: module.SectionPanel })),
@@ -21,6 +22,7 @@ export function PlacePanels({ job }: { job: Job }) {
   return (
     <>
       <Section title={translate("sectionPanel.sectionAtThisPlace")}>
+        <HeadFigures job={job} timeline={timeline} />
         <Suspense fallback={loading}>
           <SectionPanel key={job.id} job={job} timeline={timeline} />
         </Suspense>

@@ -4,12 +4,10 @@ import { Box, Flex, Group, Progress, Stack, Text } from "@mantine/core";
 import {
   IconAlertOctagonFilled,
   IconAlertTriangleFilled,
-  IconInfoCircle,
   IconRosetteDiscountCheckFilled,
-  IconRulerMeasure,
   IconStopwatch,
 } from "@tabler/icons-react";
-import { type ReactNode, useState } from "react";
+import { useState } from "react";
 import type { Finding, Job, VerdictSummary } from "../../api/client";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
@@ -28,12 +26,13 @@ import { useVerdict } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
 import css from "../shared/panels.module.css";
-import { Figures, Note } from "../shared/parts";
+import { Figures, LinkButton, Note } from "../shared/parts";
 import { AcceptForm } from "./AcceptForm";
+import { FindingKinds } from "./FindingKinds";
+import { FindingList } from "./FindingList";
 import { ShowCompensation } from "./ShowCompensation";
 import { VerdictPlaces } from "./VerdictPlaces";
 
-const SHOWN = 100;
 /** Half the side of the zoom box: at least (mm), and relative to the size of the area. */
 const MIN_VIEW = 8;
 const VIEW = 2;
@@ -51,8 +50,8 @@ export function VerdictCard({ job }: { job: Job }) {
   const { verdict } = job;
   if (verdict === null) return null;
   const findings = fullVerdict?.findings ?? [];
-  const problems = findings.filter(({ severity }) => severity !== "note");
-  const notes = findings.filter(({ severity }) => severity === "note");
+  const faults = findings.filter(({ severity }) => severity === "fault");
+  const others = findings.filter(({ severity }) => severity !== "fault");
   return (
     <article
       className={css.callout}
@@ -74,16 +73,23 @@ export function VerdictCard({ job }: { job: Job }) {
         </Box>
         <Text span c="ink.0" fz={14} fw={600} lh={1.4} data-testid="verdict-sentence">
           {title(verdict, findings)}
+          {job.actions.includes("accept") && (
+            <>
+              {" "}
+              <LinkButton fz={14} onClick={focusAcceptance} data-testid="to-acceptance">
+                {translate("verdictCard.acceptThem")}
+              </LinkButton>
+            </>
+          )}
         </Text>
       </Group>
       <Stack gap={4} mt={8} mx={-6} fz={12.5}>
         <VerdictPlaces verdict={verdict} />
         <Unreached verdict={verdict} />
-        <UnreachedEdges verdict={verdict} />
-        <WideSlits verdict={verdict} />
+        <FindingKinds verdict={verdict} findings={findings} />
       </Stack>
       <ShowCompensation />
-      {problems.length > 0 && <Findings findings={problems} />}
+      {faults.length > 0 && <FindingList findings={faults} />}
       {job.actions.includes("accept") && (
         <Permitted request="POST /api/v1/jobs/{id}/exceptions">
           <AcceptForm job={job} findings={findings} />
@@ -130,26 +136,9 @@ export function VerdictCard({ job }: { job: Job }) {
             ),
           )}
         </dl>
-        {notes.length > 0 && <Findings findings={notes} />}
+        {others.length > 0 && <FindingList findings={others} />}
       </details>
     </article>
-  );
-}
-
-/** A list of findings; a click zooms to the edges of one. */
-function Findings({ findings }: { findings: readonly Finding[] }) {
-  return (
-    <Box mah={260} fz={12} mt={8} mx={-6} style={{ overflow: "auto" }} data-testid="findings">
-      {findings.slice(0, SHOWN).map((finding, at) => (
-        // biome-ignore lint/suspicious/noArrayIndexKey: two findings may read alike
-        <Row key={at} finding={finding} />
-      ))}
-      {findings.length > SHOWN && (
-        <Note px={8}>
-          {translate("verdictCard.andMoreFindings", { findings: findings.length - SHOWN })}
-        </Note>
-      )}
-    </Box>
   );
 }
 
@@ -168,76 +157,21 @@ function title(verdict: VerdictSummary, findings: readonly Finding[]): string {
         });
   return isFaulty(verdict, findings)
     ? translate("verdictCard.programHasErrorsAndCannot")
-    : translate("verdictCard.toolCannotMakeEveryLine");
+    : translate("verdictCard.toolCannotMakeLines", {
+        shortfalls: verdict.shortfalls,
+        ...figures,
+      });
+}
+
+/** Go from the sentence to the form with which its shortfalls are accepted. */
+function focusAcceptance(): void {
+  document.querySelector<HTMLElement>("[data-testid=accept-reason]")?.focus();
 }
 
 /** Whether a program is refused for more than shortfalls. */
 const isFaulty = (verdict: VerdictSummary, findings: readonly Finding[]): boolean =>
   !verdict.accepted &&
   (findings.length === 0 || findings.some((finding) => finding.severity === "fault"));
-
-/** Icon and name of each severity. */
-const SEVERITIES: Readonly<
-  Record<Finding["severity"], { icon: ReactNode; name: string; colour: string }>
-> = {
-  fault: {
-    icon: <IconAlertOctagonFilled size={15} aria-hidden />,
-    name: translate("verdictCard.error"),
-    colour: "var(--bad)",
-  },
-  shortfall: {
-    icon: <IconAlertTriangleFilled size={15} aria-hidden />,
-    name: translate("verdictCard.shortfall"),
-    colour: "var(--warn)",
-  },
-  note: {
-    icon: <IconInfoCircle size={15} aria-hidden />,
-    name: translate("verdictCard.note"),
-    colour: "ink.3",
-  },
-};
-
-/** Edges that the tool cannot reach. */
-function UnreachedEdges({ verdict }: { verdict: VerdictSummary }) {
-  if (verdict.unreached_distance <= 0) return null;
-  return (
-    <KindRow kind="unreached">
-      {translate("verdictCard.ofTheCutLinesCannot", {
-        unreachedLength: formatLength(verdict.unreached_length),
-        unreachedDistance: formatHundredths(verdict.unreached_distance),
-      })}
-    </KindRow>
-  );
-}
-
-/** Slits that become as wide as the tool. */
-function WideSlits({ verdict }: { verdict: VerdictSummary }) {
-  if (verdict.slit_places === 0) return null;
-  return (
-    <KindRow kind="kerf">
-      {translate("verdictCard.inSlitsBecomeAsWide", {
-        slitLength: formatLength(verdict.slit_length),
-        slitPlaces: verdict.slit_places,
-      })}
-    </KindRow>
-  );
-}
-
-/** Row about all findings of one kind; a click zooms to their edges. */
-function KindRow({ kind, children }: { kind: string; children: ReactNode }) {
-  const { data: fullVerdict } = useVerdict();
-  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
-  const zoom = () => {
-    const own = (fullVerdict?.findings ?? []).filter((finding) => finding.kind === kind);
-    if (own.length > 0) zoomToEdges(own.flatMap(edgesOf));
-  };
-  return (
-    <button type="button" className={css.pick} onClick={zoom} data-testid={`kind-${kind}`}>
-      <IconRulerMeasure size={15} style={{ flex: "none", marginTop: 1 }} aria-hidden />
-      <span>{children}</span>
-    </button>
-  );
-}
 
 /** Areas that the tool cannot reach; each click zooms to the next one, the largest first. */
 function Unreached({ verdict }: { verdict: VerdictSummary }) {
@@ -318,51 +252,4 @@ function Deviation({ verdict }: { verdict: VerdictSummary }) {
       </Note>
     </div>
   );
-}
-
-function Row({ finding }: { finding: Finding }) {
-  const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
-  return (
-    <button
-      type="button"
-      className={css.pick}
-      disabled={finding.edge < 0}
-      onClick={() => zoomToEdges(edgesOf(finding))}
-      data-severity={finding.severity}
-      data-testid="finding"
-    >
-      <Text span mt={1} c={SEVERITIES[finding.severity].colour}>
-        {SEVERITIES[finding.severity].icon}
-      </Text>
-      <span>
-        <Text span fw={600} c={SEVERITIES[finding.severity].colour}>
-          {SEVERITIES[finding.severity].name}
-        </Text>
-        {" · "}
-        {place(finding)}
-        {messageText(finding)}
-        {finding.acceptance && (
-          <Text component="em" display="block" c="ink.3" data-testid="acceptance">
-            {translate("verdictCard.acceptedBy", {
-              by: finding.acceptance.by,
-              reason: finding.acceptance.reason,
-            })}
-          </Text>
-        )}
-      </span>
-    </button>
-  );
-}
-
-/** The edges that the tool makes as one with that of a finding, such as the chords of a curve. */
-const edgesOf = ({ edge, edges }: Finding): readonly number[] =>
-  edges.length > 0 ? edges : [edge];
-
-/** Edge and line of a finding, to put in front of its text. */
-function place(finding: Finding): string {
-  const parts = [
-    ...(finding.edge >= 0 ? [translate("verdictCard.edge", { edge: finding.edge })] : []),
-    ...(finding.line >= 0 ? [translate("verdictCard.programLine", { line: finding.line })] : []),
-  ].join(", ");
-  return parts && `${parts.charAt(0).toUpperCase()}${parts.slice(1)}: `;
 }
