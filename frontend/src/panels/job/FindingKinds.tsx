@@ -34,16 +34,22 @@ export function FindingKinds({ verdict, findings }: Props) {
           })
         : undefined,
   };
-  return kindsOf(findings).map(({ kind, severity, findings: own }) => (
-    <KindRow
-      key={`${severity} ${kind} ${own[0]?.code}`}
-      findings={own}
-      icon={severity === "note" || totals[kind] !== undefined ? null : "shortfall"}
-      testId={`kind-${kind}`}
-    >
-      {totals[kind] ?? firstText(own)}
-    </KindRow>
-  ));
+  const kinds = kindsOf(findings);
+  return kinds.map(({ kind, severity, findings: own }, at) => {
+    // Once for each kind, although some of its findings may be notes.
+    const isFirst = kinds.findIndex((one) => one.kind === kind) === at;
+    const total = isFirst ? totals[kind] : undefined;
+    return (
+      <KindRow
+        key={`${severity} ${kind} ${own[0]?.code}`}
+        findings={own}
+        icon={severity === "note" || total !== undefined ? null : "shortfall"}
+        testId={`kind-${kind}`}
+      >
+        {total ?? firstText(own)}
+      </KindRow>
+    );
+  });
 }
 
 /** The first finding of a kind, and at how many places there is the like. */
