@@ -8,6 +8,7 @@ from fastapi import Query, Request, Response
 from fastapi.concurrency import run_in_threadpool
 from fastapi.responses import PlainTextResponse
 
+from knifetip.presentation.program_lines import select_lines
 from knifetip.service.components import ServiceDep
 from knifetip.service.documents.responses import AnswerDep
 from knifetip.service.http.conditional import NOT_MODIFIED, TAG_PREFIX
@@ -110,9 +111,7 @@ def get_program(
     row = service.store.jobs.get(id)
     text = service.store.jobs.column(id, "program")
     if wanted.lines is not None:
-        first = wanted.first_line - 1
-        lines = text.split(b"\n")[:-1][first : first + wanted.lines]
-        part = b"".join(line + b"\n" for line in lines)
+        part = select_lines(text, wanted.first_line, wanted.lines)
         tag = f"{row.program_sha256}-{wanted.first_line}-{wanted.lines}"
         return bytes_response(part, tag, "text/plain; charset=utf-8")
     stem = row.drawing_name.rpartition(".")[0] or row.drawing_name
