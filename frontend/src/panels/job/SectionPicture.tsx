@@ -15,7 +15,7 @@ interface Props {
 
 /** Half the length of an arrow of a dimension (pixels), and shortest dimension with arrows. */
 const ARROW = 3.5;
-const SHORTEST = 12;
+const SHORTEST = 16;
 
 export function SectionPicture({ caliper, tool, measures }: Props) {
   const view = sectionView(caliper, tool);
