@@ -52,7 +52,7 @@ def check_perforations(
         )
     _check_bridges(check, overlaps, perforated, lead)
     size = np.bincount(check.track, check.curve[:, 5], minlength=len(dashed))
-    whole = size + lead
+    whole: F64 = (size + lead).astype(np.float64)
     # A perforation that is too short for a gap is one cut.
     alone = _tracks_without_gaps(check, overlaps, edge_rows, lead, len(dashed))
     alone &= _are_one_cut(whole, cut, gap, check.slack)
