@@ -49,6 +49,11 @@ def _other_tool(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt]:
     return f"{kind.word} becomes {chosen.word}", _typed(attempt, rows, chosen)
 
 
+def _perforation(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt]:
+    """Make folds as perforations with the knife."""
+    return "perforation", _typed(attempt, list(refusal.edges), LineType.PERFORATION)
+
+
 def _typed(attempt: Attempt, rows: list[int], kind: LineType) -> Attempt:
     line_type = attempt.line_type.copy()
     line_type[rows] = kind
@@ -148,6 +153,7 @@ def _whole_sheet(refusal: Refusal, attempt: Attempt) -> tuple[str, Attempt] | No
 
 _ACTIONS: Final[dict[str, Callable[[Refusal, Attempt], tuple[str, Attempt] | None]]] = {
     "question.tool": _other_tool,
+    "question.tool-for-folds": _perforation,
     "cut.too-short": _ignored,
     "cutter.does-not-fit": _thinner_cutter,
     "groove.along-edge": _as_crease,

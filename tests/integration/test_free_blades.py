@@ -19,9 +19,10 @@ from knifetip.errors import LibraryError
 from knifetip.library import load
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.machine import Machine
-from knifetip.model.tool import Knife
+from knifetip.model.tool import Knife, Laser
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.model.verdict import Severity, Verdict
+from knifetip.planning.questions import tool_questions
 from knifetip.verification.verify import verify
 from tests.support.shapes import closed, dieline, edges
 
@@ -387,3 +388,44 @@ def test_an_upright_blade_may_return_at_an_acute_corner(shift: tuple[float, floa
     table = machine("drag-knife-hpgl", blade_angle=0.0)
     verdict = judged(process(toolpath(table, line), table).text, table, line)
     assert codes(verdict) == set(), [finding.text for finding in verdict.findings]
+
+
+@pytest.mark.parametrize("name", MACHINES)
+@pytest.mark.parametrize("size", [2.5, 8.5, 60.0])
+@pytest.mark.parametrize("turn", [0.0, 175.0, 260.0])
+def test_folds_can_be_made_as_perforations(name: str, size: float, turn: float) -> None:
+    table = load.machine(name)
+    angle = math.radians(turn)
+    fold = ((200, 150), (200 + size * math.cos(angle), 150 + size * math.sin(angle)))
+
+    def blank(kind: LineType) -> Dieline:
+        return dieline(
+            (CUT, closed((100, 50), (300, 50), (300, 250), (100, 250))), (kind, edges(fold))
+        )
+
+    [question] = tool_questions(blank(LineType.CREASE), table)
+    assert question.message.code == "question.tool-for-folds"
+    assert question.choices[0] == "perforation"
+    perforated = blank(LineType.PERFORATION)
+    text = process(toolpath(table, perforated), table, table.dialect).text
+    assert judged(text, table, perforated).accepted
+    # Without its gaps, the fold is cut through.
+    cut = process(toolpath(table, blank(CUT)), table, table.dialect).text
+    assert judged(cut, table, perforated).accepted == (size < 10.0)
+
+
+def test_a_machine_without_a_knife_has_no_perforations_to_offer() -> None:
+    laser = load.machine("laser-table")
+    laser = replace(
+        laser, stations=tuple(one for one in laser.stations if isinstance(one.tool, Laser))
+    )
+    [question] = tool_questions(dieline((LineType.CREASE, edges(((10, 10), (50, 10))))), laser)
+    assert question.message.code == "question.tool"
+    assert question.choices == ("cut", "ignored")
+
+
+def test_a_groove_becomes_a_crease_before_anything_else() -> None:
+    grooved = dieline((LineType.V_GROOVE, edges(((10, 10), (50, 10)))))
+    [question] = tool_questions(grooved, load.machine("flat-cutter-hpgl"))
+    assert question.message.code == "question.tool"
+    assert question.choices[:3] == ("crease", "perforation", "half-cut")

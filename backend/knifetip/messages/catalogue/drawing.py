@@ -237,6 +237,15 @@ MESSAGES: Final[Entries] = {
         type="text",
         machine="text",
     ),
+    "question.tool-for-folds": entry(
+        "{machine} has no tool for {edges:# edge|# edges} of the line type {type}. Its knife can "
+        "make {edges:it|them} as {edges:a perforation|perforations}, with the cuts and gaps of the "
+        "board, or as {edges:a half-cut|half-cuts}. Which other line type should "
+        "{edges:this edge|these edges} get?",
+        edges="count",
+        type="text",
+        machine="text",
+    ),
     "question.unit": entry(
         "{reason} In which unit is the drawing? Its possible sizes are: {sizes:, }. {evidence}",
         reason="message",

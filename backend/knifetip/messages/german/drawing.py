@@ -173,6 +173,12 @@ TEXTS: Final[Texts] = {
         "{machine} hat kein Werkzeug für {edges:# Kante|# Kanten} der Linienart „{type:type}“. "
         "Welche andere Linienart {edges:soll diese Kante|sollen diese Kanten} bekommen?",
     ),
+    "question.tool-for-folds": Text(
+        "{machine} hat kein Werkzeug für {edges:# Kante|# Kanten} der Linienart „{type:type}“. Das "
+        "Messer kann sie als Perforation mit den Schnitten und Stegen der "
+        "Materialdatei oder als Ritzung herstellen. Welche andere Linienart "
+        "{edges:soll diese Kante|sollen diese Kanten} bekommen?",
+    ),
     "question.unit": Text(
         "{reason} In welcher Einheit ist die Zeichnung? Ihre möglichen Größen sind: {sizes:, }. "
         "{evidence}",
