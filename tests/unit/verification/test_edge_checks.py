@@ -531,3 +531,27 @@ def test_a_perforation_has_cuts_and_gaps() -> None:
     # 18.5 less the lead is 0.0944 past the end, and the gap before 15.5 is 2.9 of at most 2.4.
     past = perforated([(0, 3), (5, 8), (10, 13), (15.5, 18.5)]).findings
     assert {(f.kind, round(f.measure, 4)) for f in past} == {("overcut", 0.0944), ("uncut", 2.9056)}
+
+
+def test_a_cut_may_overrun_along_a_perforation_but_not_replace_it() -> None:
+    # In line: a slit as far as the outline, a perforation in the waste, and another slit.
+    lead, over = 2.3 * math.tan(math.radians(10.0)), 2.0 * math.tan(math.radians(10.0))
+    sides = ((0, 0, 40, 0, 0), (40, 0, 40, 40, 90), (40, 40, 0, 40, 180), (0, 40, 0, 0, 270))
+    drawn = dieline(
+        *SQUARE,
+        (CUT, 10, 20, 40, 20, 0.0),
+        (LineType.PERFORATION, 40, 20, 58, 20, 0.0),
+        (CUT, 58, 20, 80, 20, 0.0),
+    )
+
+    def codes(*lines: tuple[float, float]) -> set[str]:
+        slits = [(begin, 20.0, round(end, 4), 20.0, 0.0) for begin, end in lines]
+        text = cut_lines(*slits, *sides)
+        found = verify(text, drawn, (0.0, 0.0), MACHINE, BOARD).findings
+        return {one.message.code for one in found if one.refuses}
+
+    dashes = [(x, x + 3 - lead) for x in (40, 45, 50, 55)]
+    apart = [(10, 40 + over), *dashes, (58, 80 - lead)]
+    assert codes(*apart) == set()
+    assert "verify.perforation-cut" in codes((10, 80 - lead))
+    assert codes((10, 43 - lead), *dashes[1:], (58, 80 - lead)) != set()

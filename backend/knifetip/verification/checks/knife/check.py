@@ -102,8 +102,7 @@ class KnifeCheck(StationCheck):
             self._remove_leads(blade)
         self.check_plunges()
         overlaps = self.match_edges()
-        dashed = np.zeros(int(self.track.max(initial=-1)) + 1, np.bool_)
-        dashed[self.track[overlaps.curve[overlaps.best & perforated[overlaps.edge]]]] = True
+        dashed = self._dashed_tracks(overlaps, perforated, overrun_depth * slant)
         dashed |= self._tracks_along(overlaps, has_bridges)
         over = check_track_ends(self, solid_edges, solid_rows, ends, dashed, overrun_depth * slant)
         # An overrun crosses other edges, but it does not cut along them.
@@ -137,6 +136,24 @@ class KnifeCheck(StationCheck):
             self._record_faces(
                 overlaps, over, lead_depth * slant, (lead_depth - overrun_depth) * slant
             )
+
+    def _dashed_tracks(self, overlaps: Overlaps, perforated: Bool, overrun: float) -> Bool:
+        """Return the mask of the tracks that are cuts of perforations, (t,).
+
+        A cut that ends where a perforation begins may overrun along the perforation.
+
+        ``overlaps``: overlaps of the tip paths with the n edges.
+        ``perforated`` (n,): mask of the perforated edges.
+        ``overrun`` mm: length of an overrun.
+        """
+        count = int(self.track.max(initial=-1)) + 1
+        rows = np.flatnonzero(overlaps.best & perforated[overlaps.edge])
+        track = self.track[overlaps.curve[rows]]
+        along = np.bincount(track, np.diff(overlaps.along[rows])[:, 0], minlength=count)
+        size = np.bincount(self.track, self.curve[:, 5], minlength=count)
+        touches = np.bincount(track, minlength=count) > 0
+        result: Bool = touches & (along >= np.minimum(overrun + self.slack, 0.5 * size))
+        return result
 
     def _check_opposite_cuts(self, overlaps: Overlaps) -> None:
         """Add a finding for each edge that the knife cuts in both directions.
