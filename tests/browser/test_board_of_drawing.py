@@ -12,7 +12,11 @@ from playwright.sync_api import Page, expect
 
 from tests.support.writers import dxf_text as text
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("drawings"),
+    pytest.mark.timeout(600),
+]
 
 E_FLUTE, BOXBOARD = "Corrugated, E-flute 1.6 mm", "Folding boxboard 0.4 mm"
 

@@ -8,7 +8,11 @@ import httpx
 import pytest
 from playwright.sync_api import Page, expect
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("drawings"),
+    pytest.mark.timeout(600),
+]
 
 #: Time of a compile on a busy computer (ms).
 COMPILE = 120_000

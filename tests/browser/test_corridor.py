@@ -18,7 +18,11 @@ from tests.browser.accessibility import record_view
 from tests.browser.steps import choose_board, compile_again, go_to, open_details
 from tests.support.writers import dxf_text as text
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("drawings"),
+    pytest.mark.timeout(600),
+]
 
 #: A file without a unit, with one layer that is in no profile and one that is in every profile.
 ODD = """0
@@ -169,11 +173,13 @@ def ink(page: Page) -> int:
             ("cut", "crease"),
             ("Oscillating knife", "Crease wheel"),
         ),
-        (
+        # The test of copies below runs this drawing too.
+        pytest.param(
             "rigid-box-blank.dxf",
             "Greyboard 2.0 mm",
             ("cut", "v-groove"),
             ("Oscillating knife", "V-cutter"),
+            marks=pytest.mark.long,
         ),
     ],
 )

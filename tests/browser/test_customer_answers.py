@@ -14,7 +14,11 @@ from tests.browser.accessibility import record_view
 from tests.support.serving.server import square
 from tests.support.writers import dxf_text as text
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("drawings"),
+    pytest.mark.timeout(600),
+]
 
 #: Widths of the window of a desktop, a tablet and a telephone.
 WIDTHS = (1440, 768, 390)

@@ -11,7 +11,11 @@ from tests.browser.test_edge_options import select_left_edge
 from tests.support.serving.server import upload_drawing
 from tests.support.writers import dxf_text as text
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("drawings"),
+    pytest.mark.timeout(600),
+]
 
 
 def test_a_note_and_a_feed_are_sent_and_figures_are_shown(page: Page) -> None:

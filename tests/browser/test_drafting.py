@@ -9,7 +9,11 @@ from playwright.sync_api import Page, expect
 from tests.support.serving.server import upload_drawing
 from tests.support.writers import dxf_text as text
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("drawings"),
+    pytest.mark.timeout(600),
+]
 
 
 def open_lines(page: Page) -> str:

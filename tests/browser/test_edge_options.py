@@ -13,7 +13,11 @@ from tests.browser.steps import choose_board
 from tests.support.serving.server import upload_drawing
 from tests.support.writers import dxf_text as text
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("drawings"),
+    pytest.mark.timeout(600),
+]
 
 
 def select_left_edge(page: Page) -> None:

@@ -11,7 +11,7 @@ from tests.browser.own_machine import OwnMachine
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.xdist_group("browser"),
+    pytest.mark.xdist_group("drawings"),
     pytest.mark.timeout(120),
 ]
 

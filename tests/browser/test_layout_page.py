@@ -13,7 +13,7 @@ from tests.support.serving.server import square, upload_drawing
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.xdist_group("browser"),
+    pytest.mark.xdist_group("drawings"),
     pytest.mark.timeout(180),
 ]
 

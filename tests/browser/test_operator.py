@@ -11,7 +11,11 @@ from playwright.sync_api import Page, expect
 from tests.browser.conftest import Running
 from tests.browser.own_machine import OwnMachine
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("drawings"),
+    pytest.mark.timeout(600),
+]
 
 
 @pytest.fixture

@@ -13,7 +13,11 @@ from playwright.sync_api import Error as PlaywrightError
 from tests.browser.accessibility import assert_accessible
 from tests.browser.shop import Shop, add_users, open_shop, signed_in
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("accounts"),
+    pytest.mark.timeout(600),
+]
 
 MACHINE = "demo-table"
 

@@ -9,7 +9,11 @@ from playwright.sync_api import Page, Route, expect
 
 from knifetip.service.http.models import ServiceOut
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
+pytestmark = [
+    pytest.mark.browser,
+    pytest.mark.xdist_group("drawings"),
+    pytest.mark.timeout(600),
+]
 
 PARTS = 240
 

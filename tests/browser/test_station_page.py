@@ -32,7 +32,7 @@ from tests.support.serving.server import confirm_job
 
 pytestmark = [
     pytest.mark.browser,
-    pytest.mark.xdist_group("browser"),
+    pytest.mark.xdist_group("accounts"),
     pytest.mark.timeout(600),
 ]
 
