@@ -13,6 +13,7 @@ from hypothesis import settings
 
 from knifetip.cli import main
 from tests.support.command import Command
+from tests.support.databases import leave_half_to_long_runs
 from tests.support.examples import LEAST, QUICK
 from tests.support.revisions import write_later_steps
 from tests.support.serving.postgresql import (
@@ -34,6 +35,12 @@ settings.load_profile("knifetip")
 
 ROOT = Path(__file__).resolve().parents[1]
 CORPUS = Path(os.environ.get("KNIFETIP_CORPUS", ROOT.parent / "shared" / "corpus"))
+
+
+@pytest.hookimpl(tryfirst=True)  # before marked tests are deselected
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Let `make test` run each case of a test in one of the two databases, in turn."""
+    leave_half_to_long_runs(items)
 
 
 @pytest.fixture(scope="session", autouse=True)
