@@ -19,6 +19,8 @@ from tests.support.command import Command
 from tests.support.serving.server import LocalClient, run_server, square
 from tests.unit.service.xjdf.test_packages import order_for, zipped
 
+pytestmark = pytest.mark.xdist_group("watch")
+
 DEFAULTS = {"machine": "demo-table", "board": "e-flute"}
 NASTY = "\x1b[31mred\nline<b>.dxf"
 

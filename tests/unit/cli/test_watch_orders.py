@@ -25,6 +25,8 @@ from tests.support.command import Command
 from tests.support.serving.server import LocalClient, run_server, square
 from tests.unit.cli.test_watch import DEFAULTS, drop, jobs_of, result, run
 
+pytestmark = pytest.mark.xdist_group("watch")
+
 WATCH = ("--board", "e-flute", "--settle", 0, "--interval", 0.1, "--once")
 
 

@@ -17,6 +17,8 @@ import pytest
 from knifetip.service.settings import Settings
 from tests.support.serving.server import LocalClient, run_server, square
 
+pytestmark = pytest.mark.xdist_group("client")
+
 ROOT = Path(__file__).resolve().parents[3]
 EXAMPLE = ROOT / "backend" / "docs" / "howto" / "erp_example.py"
 

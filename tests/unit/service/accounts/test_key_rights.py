@@ -26,6 +26,8 @@ from tests.support.serving.server import (
     upload_drawing,
 )
 
+pytestmark = pytest.mark.xdist_group("key-rights")
+
 PASSWORD = "four words of text"
 ADMIN, DESIGNER, ORDER, STATION, WEBHOOKS, GATEWAY = (
     AccessScope(word) for word in ("admin", "designer", "order", "station", "webhooks", "gateway")

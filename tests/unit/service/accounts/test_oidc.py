@@ -30,6 +30,8 @@ from knifetip.service.store import Store
 from tests.support.serving.oidc_provider import CLIENT, SECRET, OidcProvider, run_provider
 from tests.support.serving.server import LocalClient, run_server
 
+pytestmark = pytest.mark.xdist_group("oidc")
+
 PASSWORD = "four words of text"
 CALLBACK = "/sign-in/oidc/callback"
 ROLES = {"shop": AccessScope.DESIGNER, "cutting": AccessScope.OPERATOR, "it": AccessScope.ADMIN}

@@ -23,6 +23,8 @@ from tests.support.serving.server import (
     upload_drawing,
 )
 
+pytestmark = pytest.mark.xdist_group("roles")
+
 #: Least role that may send each request, copied manually from the decision about accounts.
 LEAST = {
     "viewer": """

@@ -13,6 +13,8 @@ import pytest
 from knifetip.service.settings import Settings
 from tests.support.serving.server import run_server, square, upload_drawing
 
+pytestmark = pytest.mark.xdist_group("invalid-orders")
+
 URL = "/api/v1/orders/batch"
 JSON = {"Content-Type": "application/json"}
 AT = "body.orders.1"

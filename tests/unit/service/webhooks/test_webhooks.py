@@ -26,6 +26,8 @@ from tests.support.serving.server import (
 )
 from tests.support.serving.webhook_receiver import Call, Receiver, run_receiver
 
+pytestmark = pytest.mark.xdist_group("webhooks")
+
 
 @pytest.fixture(scope="module")
 def shop(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LocalClient]:

@@ -21,6 +21,8 @@ from tests.support.serving.server import (
 )
 from tests.unit.service.xjdf.test_packages import order_for, related, zipped
 
+pytestmark = pytest.mark.xdist_group("xjmf")
+
 NS = "{http://www.CIP4.org/JDFSchema_2_0}"
 HEADER = 'DeviceID="ERP" Time="2026-01-02T03:04:05+01:00"'
 MEDIA = "application/vnd.cip4-xjmf+xml"
