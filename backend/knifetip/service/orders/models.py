@@ -49,6 +49,9 @@ class JobsQuery(TimesQuery, DetailsQuery, PageQuery):
     machine: str = Field(
         default="", max_length=200, description="Name of the machine; empty for all machines"
     )
+    board: str = Field(
+        default="", max_length=200, description="Name of the board; empty for all boards"
+    )
 
 
 class ConfirmIn(JsonBody):

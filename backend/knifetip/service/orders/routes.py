@@ -67,7 +67,9 @@ def list_jobs(
 
     The header ``Link`` contains the URL of the next page.
     """
-    conditions = JobFilter(details_filter(wanted, request), wanted.drawing, wanted.machine)
+    conditions = JobFilter(
+        details_filter(wanted, request), wanted.drawing, wanted.machine, wanted.board
+    )
     rows = service.store.jobs.search(wanted.state, wanted.cursor, wanted.limit, wanted=conditions)
     last = rows[-1].serial if len(rows) == wanted.limit else None
     set_next_page(request, response, last, wanted.limit)

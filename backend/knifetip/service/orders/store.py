@@ -64,6 +64,7 @@ class JobFilter:
     details: DetailsFilter = field(default_factory=DetailsFilter)
     drawing: str = ""  #: id of the drawing
     machine: str = ""
+    board: str = ""
 
     def conditions(self) -> list[sa.ColumnElement[bool]]:
         """Return the conditions as SQL expressions."""
@@ -72,6 +73,8 @@ class JobFilter:
             found.append(Job.drawing == self.drawing)
         if self.machine:
             found.append(Job.machine == self.machine)
+        if self.board:
+            found.append(Job.board == self.board)
         return found
 
 
