@@ -81,7 +81,8 @@ def _kinds_of_edges() -> Iterator[tuple[str, type[EdgeChoice]]]:
     """Yield each option of edges with the class of its choices."""
     for name, option in JobOptions.model_fields.items():
         for kind in get_args(option.annotation):
-            if isinstance(kind, type) and issubclass(kind, EdgeChoice):
+            choice = isinstance(kind, type) and issubclass(kind, EdgeChoice)
+            if choice and not kind.own_form:
                 yield name, kind
 
 

@@ -53,6 +53,7 @@ from knifetip.model.stage import Progress, Stage, no_progress
 from knifetip.model.toolpath import Toolpath
 from knifetip.model.verdict import Verdict
 from knifetip.planning.boundary import BoardOutline
+from knifetip.planning.chosen_bridges import ChosenBridge, locate_bridges
 from knifetip.planning.chosen_depths import check_depths
 from knifetip.planning.chosen_starts import ChosenStart, apply_starts, place_starts
 from knifetip.planning.cutters import with_best_cutter
@@ -124,6 +125,7 @@ class _CleanedChoices:
     starts: Sequence[ChosenStart]
     work: ChosenWork
     order: ChosenOrder | None
+    bridges: Sequence[ChosenBridge]
 
 
 def read(data: bytes, unit: str | None = None) -> Drawing:
@@ -282,7 +284,8 @@ def compile(
     with located_errors(drawing):
         starts = place_starts(options.contour_starts, dieline, cleaned, offset)
         order = place_order(options.work_order, dieline, cleaned)
-        chosen = _CleanedChoices(starts, work_on_cleaned(work, cleaned), order)
+        bridges = locate_bridges(options.bridges, dieline, cleaned, offset)
+        chosen = _CleanedChoices(starts, work_on_cleaned(work, cleaned), order, bridges)
 
     def attempt(machine: Machine) -> Compiled:
         # Cutters that the machine does not carry have no limits of the board yet.
@@ -460,7 +463,16 @@ def _toolpath(
             outlines.append(sheet)
     found = []
     for outline in outlines:
-        operations = plan(shifted, machine, board, options.corners, outline, offset, chosen.work)
+        operations = plan(
+            shifted,
+            machine,
+            board,
+            options.corners,
+            outline,
+            offset,
+            chosen.work,
+            chosen.bridges,
+        )
         operations = apply_starts(operations, chosen.starts, together=chosen.order is not None)
         progress(Stage.COMPENSATE, 0.2)
         toolpaths = [

@@ -19,6 +19,7 @@ from knifetip.model.job_options import VerifiedOptions
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Finding, Severity, Verdict
 from knifetip.verification.checks.lines.replaced_lines import note_replaced
+from knifetip.verification.expectation.chosen_bridges import expected_bridges
 from knifetip.verification.expectation.chosen_order import expected_order
 from knifetip.verification.expectation.chosen_starts import expected_starts
 from knifetip.verification.verify import JobDetails, verify
@@ -67,6 +68,7 @@ def prove(
         expected_starts(job.options.contour_starts, drawn, cleaned, job.offset),
         work_on_cleaned(job.chosen, cleaned),
         expected_order(job.options.work_order, cleaned),
+        expected_bridges(job.options.bridges, drawn, cleaned, job.offset),
     )
     verdict = verify(
         text,

@@ -145,7 +145,7 @@ def _add_bridge_gaps(
     along = begin[row[ranked]] + fraction[ranked] * size[row[ranked]]
     along -= begin[paths.first[:-1][path]]
     ordered = np.lexsort((along, path))
-    gap = operation.bridge_width + 2.0 * cutter.radius
+    gap = operation.bridges[bridge[ranked[ordered]], 2] + 2.0 * cutter.radius
     pieces, owner, rows = insert_gaps(paths, path[ordered], along[ordered], gap)
     bridged = np.bincount(path, minlength=len(paths))[owner] > 0
     return (

@@ -135,7 +135,7 @@ def select_paths(paths: Paths, numbers: I32) -> tuple[Paths, I32]:
     )
 
 
-def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths, I32, I32]:
+def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float | F64) -> tuple[Paths, I32, I32]:
     """Cut gaps into closed paths, and return all paths.
 
     A closed path with n gaps becomes n open paths; a path without gaps is returned unchanged.
@@ -146,7 +146,7 @@ def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
         Path of each gap, and the distance of the gap's middle from the start along the path.  Gaps
         are sorted by path.
     gap : mm
-        Length of each gap.
+        Length of the gaps, one for all or (k,).
 
     Returns
     -------
@@ -167,7 +167,10 @@ def insert_gaps(paths: Paths, path: I32, middle: F64, gap: float) -> tuple[Paths
     # The last piece continues past the start of the path.
     last = np.flatnonzero(np.roll(first, -1))
     following[last] = middle[first] + length[path[last]]
-    begin[gapped], end[gapped] = middle + gap / 2.0, following - gap / 2.0
+    half = np.broadcast_to(gap, middle.shape) / 2.0
+    next_half = np.append(half[1:], 0.0)[: len(path)]
+    next_half[last] = half[first]
+    begin[gapped], end[gapped] = middle + half, following - next_half
     twice, rows = _traverse_twice(paths, many > 0)
     repeated, again = select_paths(twice, owner)
     pieces, order = trim_ends(repeated, begin, np.maximum(repeated.lengths - end, 0.0))

@@ -78,6 +78,31 @@ class EdgeFeed(LineTypeChoice):
     )
 
 
+class BridgeAt(EdgeChoice):
+    """A bridge (nick) at a place of an edge, which holds the part until it is broken out."""
+
+    own_form = True
+    types = ("cut",)
+
+    at: float = Field(
+        default=0.5,
+        ge=0.0,
+        le=1.0,
+        title="Middle",
+        description="Middle of the bridge, as a fraction of the length of the edge: 0 for its "
+        "start as drawn, 1 for its end",
+        json_schema_extra={"unit": "fraction"},
+    )
+    width: float = Field(
+        default=0.5,
+        ge=0.1,
+        le=20.0,
+        title="Width",
+        description="Width of the bridge in the top face (mm)",
+        json_schema_extra={"unit": "mm"},
+    )
+
+
 class VerifiedOptions(Table):
     """The options that determine what the verifier expects of a program."""
 
@@ -121,6 +146,14 @@ class VerifiedOptions(Table):
         "line type",
     )
 
+    bridges: tuple[BridgeAt, ...] = Field(
+        default=(),
+        strict=False,  # JSON has lists
+        max_length=1000,
+        title="Bridges",
+        description="Bridges on outlines of parts, one for each edge and entry; an outline with "
+        "such a bridge has no others. Empty for the bridges of the board",
+    )
     work_order: tuple[EdgeRow, ...] = Field(
         default=(),
         strict=False,  # JSON has lists

@@ -75,9 +75,8 @@ class Operation:
     acceleration: float = math.inf  #: lower one of the X and Y axes (mm/s²), for corner type auto
     interference: str = "trim"  #: "trim": leave unreachable areas uncut; or "refuse" the job
     deflection: tuple[float, float] = (0.0, 0.0)  #: δx, δy of a cutter under load (mm)
-    #: (k, 2) segment, and position along it (mm), of the middle of each bridge
-    bridges: F64 = field(default_factory=lambda: np.zeros((0, 2)))
-    bridge_width: float = 0.0  #: width of each bridge (mm)
+    #: (k, 3) segment, position of the middle along it (mm), and width (mm) of each bridge
+    bridges: F64 = field(default_factory=lambda: np.zeros((0, 3)))
     #: contours of other operations that the leads of a cutter must not enter; default none
     obstacles: Paths = NO_PATHS
     #: (p,) segment with which a closed path should begin (``ContourStarts``); (0,) for any
@@ -102,7 +101,7 @@ class Operation:
         put(self, "k_at", freeze(corner_parameters, np.float64, count))
         put(self, "corner_at", freeze(corner_types, np.uint8, count))
         put(self, "run_out", freeze(run_out, np.float64, len(self.paths), 2))
-        put(self, "bridges", freeze(self.bridges, np.float64, -1, 2))
+        put(self, "bridges", freeze(self.bridges, np.float64, -1, 3))
         put(self, "source", freeze(self.source, np.int32, count))
         put(self, "begin", freeze(self.begin, np.int32, -1))
         put(self, "fixed", freeze(self.fixed, np.int32, -1))

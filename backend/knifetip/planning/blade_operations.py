@@ -25,6 +25,7 @@ from knifetip.model.tool import Knife
 from knifetip.model.tool.base import equal_passes
 from knifetip.planning.boundary import BoardOutline, ends_at_waste
 from knifetip.planning.bridges import Spacing, ends_of_others, place_bridges
+from knifetip.planning.chosen_bridges import NO_BRIDGES, bridges_on_paths
 from knifetip.planning.cut_sides import CutSides
 from knifetip.planning.last_cuts import track_levels
 from knifetip.planning.layers import CutLayers, cut_layers
@@ -193,13 +194,23 @@ def _cut(outline: BoardOutline, dieline: Dieline, cuts: _Cuts, setup: Setup) -> 
     paths, source = chain_edges(dieline, cuts.rows, 180.0, cuts.group)
     has_bridges = np.zeros(len(paths), np.bool_)
     side = 0
-    if cuts.waste is not None and board.bridge_width > 0.0 and board.bridge_spacing > 0.0:
-        closed = paths.closed
-        spacing = Spacing(board.bridge_width, board.bridge_spacing)
-        avoid = ends_of_others(dieline, cuts.rows)
-        path, along = place_bridges(paths, closed, spacing, source, avoid, all_reachable(paths))
-        paths, old_path, segment = insert_gaps(paths, path, along, board.bridge_width)
-        has_bridges, source = closed[old_path], source[segment]
+    placed = NO_BRIDGES
+    if cuts.waste is not None:
+        placed = bridges_on_paths(setup.bridges, paths, source, 0.0)
+    by_board = board.bridge_width > 0.0 and board.bridge_spacing > 0.0
+    if cuts.waste is not None and (by_board or len(placed.path)):
+        held = np.isin(np.arange(len(paths)), placed.path)
+        if by_board:
+            automatic = paths.closed & ~held
+            spacing = Spacing(board.bridge_width, board.bridge_spacing)
+            avoid = ends_of_others(dieline, cuts.rows)
+            path, along = place_bridges(
+                paths, automatic, spacing, source, avoid, all_reachable(paths)
+            )
+            held |= automatic
+            placed = placed.merged_with(path, along, board.bridge_width)
+        paths, old_path, segment = insert_gaps(paths, placed.path, placed.along, placed.width)
+        has_bridges, source = held[old_path], source[segment]
     elif cuts.waste is not None and isinstance(tool, Knife) and tool.has_lead:
         paths, source = _keep_waste_left(paths, source, dieline, cuts.rows, cuts.waste)
         side = 1

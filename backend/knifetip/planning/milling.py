@@ -23,7 +23,6 @@ from knifetip.geometry.columns import F64, I8, I32, I64, Bool
 from knifetip.geometry.path import Paths, reverse_paths, select_paths
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import JOIN
-from knifetip.model.board import Board
 from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.job_options import CutDepth
@@ -31,6 +30,7 @@ from knifetip.model.operation import End, Operation
 from knifetip.model.tool import DiscTool
 from knifetip.model.tool.base import equal_passes
 from knifetip.planning.bridges import FEWEST, Spacing, ends_of_others, place_bridges
+from knifetip.planning.chosen_bridges import bridges_on_paths
 from knifetip.planning.contour_crossings import check_contour_crossings
 from knifetip.planning.corners import distances_to_corners, find_bends, match_choices_to_bends
 from knifetip.planning.cut_sides import cut_sides
@@ -134,8 +134,8 @@ def plan_milling(
         facing = milled & (np.abs(number - number[path_rows[0]]) == 1)
         obstacles, _ = select_paths(paths, np.flatnonzero(facing).astype(np.int32))
         held = subset.closed & (waste[path_rows] != 0)
-        bridges = _bridge_positions(subset, held, board, cutter, source[segment_rows], avoid)
-        if len(bridges):
+        bridges = _bridge_positions(subset, held, setup, cutter, source[segment_rows], avoid)
+        if len(bridges) and not setup.bridges:
             _check_divided(bridges, subset, part[segment_rows], source[segment_rows])
         depths = depth[path_rows][:, np.isfinite(depth[path_rows]).any(axis=0)]
         operation = setup.operation(
@@ -148,7 +148,6 @@ def plan_milling(
                 side=int(rank // len(layer) % 2),
                 bridges=bridges,
                 endable=endable[segment_rows],
-                bridge_width=board.bridge_width,
                 obstacles=obstacles,
                 corner=corners.type,
                 k=corners.k,
@@ -192,13 +191,13 @@ def _depths_of_paths(paths: Paths, source: I32, cutter: DiscTool, setup: Setup) 
 def _bridge_positions(
     paths: Paths,
     selected: Bool,
-    board: Board,
+    setup: Setup,
     cutter: DiscTool,
     source: I32,
     avoid: F64,
 ) -> F64:
-    """Return the index of the segment on which each of k bridges lies, and the position of the
-    bridge on that segment, (k, 2).
+    """Return the index of the segment on which each of k bridges lies, the position of the bridge
+    on that segment, and its width, (k, 3).
 
     The position is the distance from the start of the segment to the middle of the bridge (mm).
     At both ends of a bridge, the disc cuts one radius farther than the centre of the disc travels.
@@ -208,27 +207,33 @@ def _bridge_positions(
     ``source`` (n,): index in the dieline of the edge of each segment, for error messages.
     ``avoid`` (m, 2) mm: positions from which bridges keep away, if possible.
     """
-    if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
-        return np.zeros((0, 2))
-    gap = board.bridge_width + 2.0 * cutter.radius
-    # A slot narrower than two discs is cleared completely from its other side.
-    room = reachable_by_disc(paths, 2.0 * cutter.radius)
-    path, distance = place_bridges(
-        paths, selected, Spacing(gap, board.bridge_spacing), source, avoid, room
-    )
+    board = setup.board
+    closed = np.flatnonzero(selected)
+    placed = bridges_on_paths(setup.bridges, paths, source, cutter.radius, closed)
+    if board.bridge_width > 0.0 and board.bridge_spacing > 0.0:
+        gap = board.bridge_width + 2.0 * cutter.radius
+        # A slot narrower than two discs is cleared completely from its other side.
+        room = reachable_by_disc(paths, 2.0 * cutter.radius)
+        automatic = selected & ~np.isin(np.arange(len(paths)), placed.path)
+        path, distance = place_bridges(
+            paths, automatic, Spacing(gap, board.bridge_spacing), source, avoid, room
+        )
+        placed = placed.merged_with(path, distance, board.bridge_width)
     reached = np.cumsum(arc.length(paths.start, paths.end, paths.bulge))
     before = np.concatenate([[0.0], reached])
-    position = before[paths.first[:-1][path]] + distance
+    position = before[paths.first[:-1][placed.path]] + placed.along
     segment = np.clip(
-        np.searchsorted(reached, position), paths.first[path], paths.first[path + 1] - 1
+        np.searchsorted(reached, position),
+        paths.first[placed.path],
+        paths.first[placed.path + 1] - 1,
     )
-    return np.column_stack([segment, position - before[segment]])
+    return np.column_stack([segment, position - before[segment], placed.width])
 
 
 def _check_divided(bridges: F64, paths: Paths, part: I64, source: I32) -> None:
     """Raise ``NoRoomForBridges`` if a part of a blank that cuts divide has too few bridges.
 
-    ``bridges`` (k, 2): as returned by ``_bridge_positions``.
+    ``bridges`` (k, 3): as returned by ``_bridge_positions``.
     ``paths``: the contours, with n segments.
     ``part``, ``source`` (n,) and (n,): the part beside each segment, and the index in the dieline
     of its edge.

@@ -7,7 +7,7 @@ are cut before the contour itself.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 
 import numpy as np
@@ -23,6 +23,7 @@ from knifetip.model.operation import Operation
 from knifetip.model.tool import Planner
 from knifetip.planning.blade_operations import plan_blade_cuts, plan_half_cuts, plan_perforations
 from knifetip.planning.boundary import BoardOutline
+from knifetip.planning.chosen_bridges import ChosenBridge, check_made
 from knifetip.planning.crease_operations import plan_creases
 from knifetip.planning.cut_sides import cut_sides
 from knifetip.planning.dashes import distinct_edges
@@ -45,6 +46,7 @@ def plan(
     sheet: BoardOutline | None = None,
     placement: tuple[float, float] = (0.0, 0.0),
     chosen: ChosenWork = NOTHING_CHOSEN,
+    bridges: Sequence[ChosenBridge] = (),
 ) -> list[Operation]:
     """Return the operations that make a dieline, in working order.
 
@@ -63,6 +65,8 @@ def plan(
         Position of the origin of the drawing on the sheet, for the chosen corners.
     chosen
         What the user has chosen for edges of the dieline.
+    bridges
+        Bridges that the user has placed.
 
     Raises
     ------
@@ -133,7 +137,8 @@ def plan(
                     machine=machine.title,
                     at_edges=rows,
                 )
-            setup = Setup(machine, board, station, chosen)
+            setup = Setup(machine, board, station, chosen, bridges)
             planned = planners[station.planner(kind)](dieline, rows, setup)
             operations += planned if isinstance(planned, list) else [planned]
+    check_made(bridges, operations)
     return operations if corners is None else apply_choices(operations, corners, placement)

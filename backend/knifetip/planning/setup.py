@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -15,6 +15,7 @@ from knifetip.model.dieline import LineType
 from knifetip.model.job_options import CutDepth
 from knifetip.model.machine import Machine, Station
 from knifetip.model.operation import Operation
+from knifetip.planning.chosen_bridges import ChosenBridge
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -25,6 +26,7 @@ class Setup:
     board: Board
     station: Station
     chosen: ChosenWork = field(default_factory=dict)  #: choices for the edges of the dieline
+    bridges: Sequence[ChosenBridge] = ()  #: bridges that the user has placed
 
     def depth_groups(self, rows: I32, usual: float) -> Iterator[tuple[I64, float, int]]:
         """Yield the m edges in groups of equal passes and depth.

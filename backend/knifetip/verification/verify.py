@@ -50,6 +50,7 @@ from knifetip.verification.checks.order.chosen_starts import check_chosen_starts
 from knifetip.verification.checks.order.repeated_work import check_repeated_work
 from knifetip.verification.checks.order.work_order import check_work_order
 from knifetip.verification.curves.group_order import order_in_groups
+from knifetip.verification.expectation.chosen_bridges import ExpectedBridge
 from knifetip.verification.expectation.chosen_order import ExpectedOrder
 from knifetip.verification.expectation.chosen_starts import ExpectedStart
 from knifetip.verification.expectation.edges import place_edges
@@ -84,6 +85,7 @@ class JobDetails(NamedTuple):
     starts: Sequence[ExpectedStart] = ()
     chosen: ChosenWork = NOTHING_CHOSEN  #: what the user has chosen for edges of the dieline
     order: ExpectedOrder = ()  #: edges that must be begun in this order
+    bridges: Sequence[ExpectedBridge] = ()  #: bridges that the user has placed
 
 
 _NO_DETAILS: Final = JobDetails()
@@ -173,6 +175,7 @@ def verify(
         work.lines_before,
         chosen,
         swivels,
+        job.bridges,
     )
     check_knife_passes(context, executed)
     check_edges(context, last_passes(context, work))

@@ -260,12 +260,12 @@ def test_a_cutter_makes_only_cuts() -> None:
 def test_a_cutter_leaves_bridges_on_blanks_and_none_on_holes() -> None:
     held = replace(BOARD, bridge_width=0.8, bridge_spacing=150.0)
     hole, blank = plan(dieline((LineType.CUT, BLANK), (LineType.CUT, HOLE)), ROUTED, held)
-    assert (len(hole.bridges), len(blank.bridges), blank.bridge_width) == (0, 4, 0.8)
+    assert (len(hole.bridges), len(blank.bridges), blank.bridges[0, 2]) == (0, 4, 0.8)
     segment, along = blank.bridges[:, 0].astype(int), blank.bridges[:, 1]
     length = np.hypot(*(blank.paths.end - blank.paths.start).T)[segment]
     # The disc of 3 mm stops 3.4 mm before the middle, and keeps 5 mm off the corner.
     assert np.minimum(along, length - along).min() >= 5.0 + 3.4
-    assert plan(dieline((LineType.CUT, BLANK)), ROUTED, BOARD)[0].bridges.shape == (0, 2)
+    assert plan(dieline((LineType.CUT, BLANK)), ROUTED, BOARD)[0].bridges.shape == (0, 3)
 
 
 def test_there_is_no_bridge_where_the_disc_does_not_reach() -> None:

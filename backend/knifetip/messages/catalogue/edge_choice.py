@@ -7,6 +7,29 @@ from typing import Final
 from knifetip.messages.entry import Entries, entry
 
 MESSAGES: Final[Entries] = {
+    "bridge.at-corner": entry(
+        "The middle of the bridge on edge {edge} is {distance:.2f} mm from an end of the edge, but "
+        "the bridge and the tool need {least:.2f} mm.",
+        "Move the bridge, or make it narrower.",
+        edge="edge",
+        distance="number",
+        least="number",
+    ),
+    "bridge.no-outline": entry(
+        "A bridge was placed on edge {edge}, but this edge is no part of the closed outline of a "
+        "part.",
+        "Remove the bridge, or place it on the outline of a part.",
+        edge="edge",
+    ),
+    "bridge.too-near": entry(
+        "The bridges on edge {edge} and edge {other} are {distance:.2f} mm apart, but the tool "
+        "needs {least:.2f} mm from one middle to the other.",
+        "Move one of the bridges, or remove it.",
+        edge="edge",
+        other="edge",
+        distance="number",
+        least="number",
+    ),
     "depth.not-set": entry(
         "Passes or a depth were chosen for edge {edge}, but programs of {machine} do not set the "
         "depth of the knife.",
@@ -168,6 +191,19 @@ MESSAGES: Final[Entries] = {
         "or half-cut.",
         "Remove the choice, or choose an edge of a closed contour.",
         edge="edge",
+    ),
+    "verify.bridge-missing": entry(
+        "The program leaves no bridge at the chosen place on edge {edge}, where one of {width:g} "
+        "mm should stay.",
+        "Compile the job again.",
+        edge="edge",
+        width="number",
+    ),
+    "verify.bridge-not-chosen": entry(
+        "The program leaves a bridge of {width:.3f} mm on edge {edge}, where none was placed.",
+        "Compile the job again.",
+        edge="edge",
+        width="number",
     ),
     "verify.no-closed-cut": entry(
         "A direction was chosen for the closed cut with edge {edge}, but the program does not cut "

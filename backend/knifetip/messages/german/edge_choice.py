@@ -7,6 +7,21 @@ from typing import Final
 from knifetip.messages.language import Text, Texts
 
 TEXTS: Final[Texts] = {
+    "bridge.at-corner": Text(
+        "Die Mitte des Haltestegs auf Kante {edge} ist {distance:.2f} mm von einem Ende der Kante "
+        "entfernt, aber Steg und Werkzeug brauchen {least:.2f} mm.",
+        "Den Steg verschieben oder schmaler machen.",
+    ),
+    "bridge.no-outline": Text(
+        "Auf Kante {edge} wurde ein Haltesteg gesetzt, aber sie gehört nicht zum geschlossenen "
+        "Umriss eines Teils.",
+        "Den Steg entfernen oder auf den Umriss eines Teils setzen.",
+    ),
+    "bridge.too-near": Text(
+        "Die Haltestege auf Kante {edge} und Kante {other} sind {distance:.2f} mm voneinander "
+        "entfernt, aber das Werkzeug braucht {least:.2f} mm von Mitte zu Mitte.",
+        "Einen der Stege verschieben oder entfernen.",
+    ),
     "depth.not-set": Text(
         "Für Kante {edge} wurden Durchgänge oder eine Tiefe gewählt, aber Programme für {machine} "
         "stellen die Tiefe des Messers nicht ein.",
@@ -124,6 +139,16 @@ TEXTS: Final[Texts] = {
         "Für Kante {edge} wurde ein Anfang oder eine Richtung gewählt, aber sie gehört zu keinem "
         "geschlossenen Schnitt und zu keiner geschlossenen Ritzung.",
         "Die Angabe entfernen oder eine Kante einer geschlossenen Kontur wählen.",
+    ),
+    "verify.bridge-missing": Text(
+        "Das Programm lässt an der gewählten Stelle auf Kante {edge} keinen Haltesteg stehen, wo "
+        "einer von {width:g} mm bleiben soll.",
+        "Den Auftrag neu berechnen.",
+    ),
+    "verify.bridge-not-chosen": Text(
+        "Das Programm lässt auf Kante {edge} einen Haltesteg von {width:.3f} mm stehen, wo keiner "
+        "gesetzt wurde.",
+        "Den Auftrag neu berechnen.",
     ),
     "verify.no-closed-cut": Text(
         "Für den geschlossenen Schnitt mit Kante {edge} wurde eine Richtung gewählt, aber das "

@@ -14,7 +14,7 @@ from knifetip.library.definition import Definition, Shelf
 from knifetip.model.acceptance import Exceptions
 from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.interpretation import Interpretation
-from knifetip.model.job_options import ContourStart, CutDepth, EdgeFeed, JobOptions
+from knifetip.model.job_options import BridgeAt, ContourStart, CutDepth, EdgeFeed, JobOptions
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Acceptance
 from knifetip.service.compiling import key as module
@@ -37,6 +37,7 @@ CHOICES = JobOptions(
     contour_starts=(ContourStart(edges=(3, 4), at=0.25, direction="reverse"),),
     cut_depths=(CutDepth(edges=(5,), passes=2, depth=1.5), CutDepth(line_type="cut", passes=3)),
     edge_feeds=(EdgeFeed(edges=(6,), factor=0.5),),
+    bridges=(BridgeAt(edges=(9,), at=0.5, width=1.0),),
     work_order=(8, 7),
     program_note="grain up",
 )

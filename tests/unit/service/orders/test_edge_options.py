@@ -59,6 +59,40 @@ def test_an_order_of_the_work_is_kept_with_the_job_and_refuses_it_if_it_breaks_a
     assert job["message"]["arguments"]["error"]["code"] == "order.one-track"
 
 
+def test_bridges_are_kept_with_the_job_and_stay_in_the_board(client: httpx.Client) -> None:
+    _, program = made(client)
+    bridges = [{"edges": [1], "at": 0.5, "width": 2.0}]
+    job, held = made(client, bridges=bridges)
+    assert (job["state"], job["bridges"]) == ("ready", bridges)
+    # The knife is lifted once more, at the bridge.
+    assert held.count(b"G1 Z-") == program.count(b"G1 Z-") + 1
+
+
+def test_the_newest_order_of_a_customer_on_a_board_and_a_machine_is_found(
+    client: httpx.Client,
+) -> None:
+    drawing = upload_drawing(client, square())["id"]
+    orders = [
+        order_job(client, drawing, customer=customer, board=board, feed_factor=factor)["id"]
+        for customer, board, factor in (
+            ("Last Time Ltd", "e-flute", 0.5),
+            ("Last Time Ltd", "e-flute", 0.6),
+            ("Last Time Ltd", "b-flute", 0.7),
+            ("Other Ltd", "e-flute", 0.8),
+        )
+    ]
+    machine = client.get(f"/api/jobs/{orders[0]}").json()["machine"]
+
+    def newest(**wanted: str) -> list[tuple[str, float]]:
+        found = client.get("/api/jobs", params={"limit": 1, "machine": machine, **wanted}).json()
+        return [(job["id"], job["feed_factor"]) for job in found]
+
+    assert newest(customer="Last Time Ltd", board="e-flute") == [(orders[1], 0.6)]
+    assert newest(customer="Last Time Ltd", board="b-flute") == [(orders[2], 0.7)]
+    assert newest(customer="Last Time Ltd", board="c-flute") == []
+    assert client.get("/api/jobs", params={"board": "b" * 201}).status_code == 422
+
+
 @pytest.mark.parametrize(
     ("fields", "path"),
     [
@@ -69,6 +103,8 @@ def test_an_order_of_the_work_is_kept_with_the_job_and_refuses_it_if_it_breaks_a
         ({"cut_depths": [{"edges": [0], "line_type": "cut", "passes": 2}]}, "cut_depths"),
         ({"cut_depths": [{"edges": [0], "depth": -1.0}]}, "cut_depths"),
         ({"work_order": [-1]}, "work_order"),
+        ({"bridges": [{"edges": [0], "at": 0.5, "width": 0.0}]}, "bridges"),
+        ({"bridges": [{"edges": [0], "at": 1.5}]}, "bridges"),
         ({"work_order": ["first"]}, "work_order"),
         ({"work_order": list(range(5001))}, "work_order"),
     ],

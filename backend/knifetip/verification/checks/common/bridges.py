@@ -10,7 +10,7 @@ face and the cut in the bottom face begin at the same point.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Final
 
 import numpy as np
@@ -41,6 +41,11 @@ class Bridges:
     need: F64  #: (k,) mm, length that must be clear of corners
     spacing: F64  #: (k,) mm between the middles of this bridge and the next bridge of the path
     gap_without: F64  #: (k,) mm between the middles of the bridges before and after this bridge
+
+    def on_paths(self, mask: Bool) -> Bridges:
+        """Return the bridges on the paths of a mask, (c,)."""
+        kept = mask[self.path]
+        return Bridges(**{one.name: getattr(self, one.name)[kept] for one in fields(Bridges)})
 
 
 def find_bridges(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -15,6 +16,7 @@ from knifetip.model.machine import Machine
 from knifetip.model.verdict import UnreachedAreas
 from knifetip.verification.checks.common.stretch_figures import record_greatest
 from knifetip.verification.columns import F64, I32
+from knifetip.verification.expectation.chosen_bridges import ExpectedBridge
 from knifetip.verification.expectation.edges import Edges
 from knifetip.verification.expectation.sheet_area import SheetArea
 from knifetip.verification.findings import Findings
@@ -95,6 +97,7 @@ class CheckContext:
     chosen: ChosenWork = field(default_factory=dict)
     #: places at which free blades turn about their tips
     swivels: Swivels = field(default_factory=Swivels.none)
+    bridges: Sequence[ExpectedBridge] = ()  #: bridges that the user has placed
     #: rows of the dieline, positions (fraction of the edge), distances to the left of it (mm)
     samples: list[tuple[I32, F64, F64]] = field(default_factory=list)
     unreached: list[UnreachedAreas] = field(

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import chain
 from typing import Final
 
 import numpy as np
@@ -19,6 +20,11 @@ from knifetip.model.tool import Knife
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.common.base import StationCheck
 from knifetip.verification.checks.common.bridges import check_bridges, find_bridges
+from knifetip.verification.checks.common.hand_bridges import (
+    check_hand_bridges,
+    find_hand_bridges,
+    planned_widths,
+)
 from knifetip.verification.checks.common.stray_work import check_stray_work
 from knifetip.verification.checks.knife.blade_bends import check_blade_bends
 from knifetip.verification.checks.knife.blade_swivels import check_blade_swivels
@@ -87,14 +93,14 @@ class KnifeCheck(StationCheck):
         solid_rows = np.flatnonzero(~perforated)
         solid_edges = self.edges.with_types(LineType.CUT, LineType.HALF_CUT)
         ring = find_outlines(solid_edges).outer if self._needs_bridges else None
-        ends = knife_ends(
-            solid_edges,
-            cuts,
-            lead_depth * slant,
-            overrun_depth * slant,
-            ring,
-            blade.swivel if blade else 180.0,
-        )
+        lengths = lead_depth * slant, overrun_depth * slant
+        swivel = blade.swivel if blade else 180.0
+        ends = knife_ends(solid_edges, cuts, *lengths, ring, swivel)
+        if ring is not None and not self._board_has_bridges:
+            # Only outlines on which the user has placed bridges count as one path.
+            hand = find_hand_bridges(self.context, solid_edges, ends.paths)
+            ring &= hand.paths(len(ends.paths.length))[ends.paths.path]
+            ends = knife_ends(solid_edges, cuts, *lengths, ring, swivel)
         rounds = self._paths_with_bridges(solid_edges, ends.paths)
         has_bridges = np.zeros(len(self.edges), np.bool_)
         has_bridges[solid_rows[rounds[ends.paths.path]]] = True
@@ -281,15 +287,16 @@ class KnifeCheck(StationCheck):
 
     @property
     def _needs_bridges(self) -> bool:
-        """Return whether this check is for cuts through the board, and the board's record requires
-        bridges in such cuts.
+        """Return whether this check is for cuts through the board, and the board's record or the
+        user requires bridges in such cuts.
         """
+        wanted = self._board_has_bridges or len(self.context.bridges) > 0
+        return self.operation == OperationKind.CUT and wanted
+
+    @property
+    def _board_has_bridges(self) -> bool:
         board = self.context.board
-        return (
-            self.operation == OperationKind.CUT
-            and board.bridge_width > 0.0
-            and board.bridge_spacing > 0.0
-        )
+        return board.bridge_width > 0.0 and board.bridge_spacing > 0.0
 
     def _paths_with_bridges(self, solid_edges: Edges, paths: EdgePaths) -> Bool:
         """Return the mask of the paths that must have bridges, (c,).
@@ -302,6 +309,9 @@ class KnifeCheck(StationCheck):
             result |= paths.first < 0
             inner = ~find_outlines(solid_edges).outer
             result[paths.path[inner]] = False
+        if not self._board_has_bridges:
+            hand = find_hand_bridges(self.context, solid_edges, paths)
+            result &= hand.paths(len(result))
         return result
 
     def _tracks_along(self, overlaps: Overlaps, marked: Bool) -> Bool:
@@ -358,10 +368,14 @@ class KnifeCheck(StationCheck):
             solid_edges.row[edge],
             np.minimum(bridges.bare, lead + bridges.width),
         )
-        wide = bridges.width - board.bridge_width
+        hand = find_hand_bridges(self.context, solid_edges, paths)
+        by_board = ~hand.paths(len(required))
+        wide = bridges.width - planned_widths(bridges, hand, paths, board)
         np.add.at(self.figures.uncut, solid_edges.row[edge], np.where(wide > self.slack, wide, 0.0))
-        for kind, edge_row, message, measure in check_bridges(
-            bridges, paths, solid_edges, required, board, self.slack
+        automatic = bridges.on_paths(by_board)
+        for kind, edge_row, message, measure in chain(
+            check_bridges(automatic, paths, solid_edges, required & by_board, board, self.slack),
+            check_hand_bridges(bridges, hand, paths, solid_edges, self.slack),
         ):
             self.add_finding(kind, int(solid_rows[edge_row]), message, measure)
 

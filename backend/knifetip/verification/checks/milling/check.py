@@ -14,6 +14,7 @@ Source: "Tool radius compensation", equations 1-9.  The reach into corners was d
 
 from __future__ import annotations
 
+from itertools import chain
 from typing import Final
 
 import numpy as np
@@ -23,6 +24,7 @@ from knifetip.model.machine import Station
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.common.bridges import check_bridges, order_bridges
 from knifetip.verification.checks.common.context import CheckContext
+from knifetip.verification.checks.common.hand_bridges import check_hand_bridges, find_hand_bridges
 from knifetip.verification.checks.common.pass_depth import too_deep_spans, unfinished_spans
 from knifetip.verification.checks.milling.geometry import spans_near_points
 from knifetip.verification.checks.milling.paths import check_centre_paths, open_cut_mask
@@ -422,7 +424,8 @@ class _MillingCheck(MillingWork):
         in the centre's path less the disc's diameter.
         """
         board = self.context.board
-        if board.bridge_width <= 0.0 or board.bridge_spacing <= 0.0:
+        by_board = board.bridge_width > 0.0 and board.bridge_spacing > 0.0
+        if not by_board and not self.context.bridges:
             return np.zeros(len(edge), np.bool_)
         curve = self.edges.curve[edge]
         bent = curve[:, 0] != 0.0
@@ -434,6 +437,10 @@ class _MillingCheck(MillingWork):
         paths = knife_ends(self.edges, self.edges, 0.0, 0.0, self.bounds.outer).paths
         rounds = paths.first < 0
         rounds[paths.path[~self.bounds.outer]] = False
+        hand = find_hand_bridges(self.context, self.edges, paths)
+        on_hand = hand.paths(len(rounds))
+        if not by_board:
+            rounds &= on_hand
         is_bridge = rounds[paths.path[edge]] & (width > 0.0)
         edge, width = edge[is_bridge], width[is_bridge]
         begin, end = begin[is_bridge], end[is_bridge]
@@ -444,8 +451,10 @@ class _MillingCheck(MillingWork):
         )
         np.add.at(self.context.figures.setback, self.edges.row[edge], bare)
         bridges = order_bridges(path, middle, width, bare, bare, paths.length)
-        for kind, edge_row, message, measure in check_bridges(
-            bridges, paths, self.edges, rounds, board, self.slack
+        automatic = bridges.on_paths(~on_hand)
+        for kind, edge_row, message, measure in chain(
+            check_bridges(automatic, paths, self.edges, rounds & ~on_hand, board, self.slack),
+            check_hand_bridges(bridges, hand, paths, self.edges, self.slack),
         ):
             self.add_finding(kind, edge_row, message, measure)
         return is_bridge
