@@ -55,6 +55,8 @@ describe("an error", () => {
         lift: "clearance",
         feed_factor: 1,
         contour_starts: [],
+        work_order: [],
+        bridges: [],
         cut_depths: [],
         edge_feeds: [],
         program_note: "",

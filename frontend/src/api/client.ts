@@ -39,8 +39,13 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
   /** Revision of the drawing on display; null if unknown. */
   revision: number | null;
   copies: number;
-} & Pick<Job, "corners" | "sheet" | "lift" | keyof typeof OPTIONS | keyof typeof EDGE_OPTIONS> &
+} & Pick<
+    Job,
+    "corners" | "sheet" | "lift" | ListOption | keyof typeof OPTIONS | keyof typeof EDGE_OPTIONS
+  > &
   OrderDetails;
+/** The options of a job that are lists and have a form of their own. */
+export type ListOption = "work_order" | "bridges";
 export type JobState = Job["state"];
 /** A drawing with its newest job. */
 export type OrderRow = Schemas["OrderRow"];
@@ -122,6 +127,7 @@ export interface LastJobWanted {
   readonly drawing?: string;
   readonly customer?: string;
   readonly machine?: string;
+  readonly board?: string;
 }
 
 /** Conditions on drawings and their newest jobs, and the order of the list. */

@@ -15,6 +15,7 @@ import { SelectionBar } from "../panels/drawing/SelectionBar";
 import { ViewBar } from "../panels/drawing/ViewBar";
 import type { PictureCommands } from "../state/commands/picture";
 import { isAreaKind, useDrafting } from "../state/drafting/drafting";
+import { bridgeNear, useBridgePicking } from "../state/order/bridges";
 import { addCorner, cornerNear } from "../state/order/corners";
 import { queries, queryClient, useDrawing } from "../state/queries";
 import { useUiStore } from "../state/store";
@@ -97,12 +98,8 @@ export function Picture({ onReady }: Props) {
             <ViewBar />
             {step === "check" && <ColourBar />}
           </div>
-          {step === "lines" && (
-            <>
-              <ViewOverlays viewer={shown.viewer} listeners={viewListeners.current} unit={unit} />
-              <DraftTools />
-            </>
-          )}
+          <ViewOverlays viewer={shown.viewer} listeners={viewListeners.current} unit={unit} />
+          {step === "lines" && <DraftTools />}
           <div className={css.overBottom}>
             {step === "lines" && (
               <>
@@ -122,10 +119,11 @@ export function Picture({ onReady }: Props) {
   );
 }
 
-/** Handle a click or an area on the canvas: select edges, or a corner while corners are picked. */
+/** Handle a click or an area on the canvas: select edges, or place a corner or a bridge. */
 function selectAt(rows: readonly number[], mode: SelectMode, at: Point | null): void {
-  const { pickingCorners, drawing, corners, selectEdges, set } = useUiStore.getState();
-  if (!pickingCorners) {
+  const { pickingCorners, drawing, corners, options, selectEdges, set } = useUiStore.getState();
+  const { active: pickingBridges, width } = useBridgePicking.getState();
+  if (!pickingCorners && !pickingBridges) {
     selectEdges(rows, mode);
     return;
   }
@@ -133,6 +131,11 @@ function selectAt(rows: readonly number[], mode: SelectMode, at: Point | null): 
     drawing === null ? undefined : queryClient.getQueryData(queries.edges(drawing).queryKey);
   const [row] = rows;
   if (edges === undefined || row === undefined || at === null) return;
+  if (pickingBridges) {
+    const bridge = bridgeNear(edges, row, at, width);
+    if (bridge !== null) set({ options: { ...options, bridges: [...options.bridges, bridge] } });
+    return;
+  }
   const place = cornerNear(edges, row, at);
   if (place !== null) set({ corners: addCorner(corners, place) });
 }

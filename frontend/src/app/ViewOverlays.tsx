@@ -4,6 +4,8 @@ import { useEffect, useReducer } from "react";
 import type { Point } from "../geometry/records";
 import { DimensionOverlay } from "../panels/drafting/DimensionOverlay";
 import { DraftOverlay } from "../panels/drafting/DraftOverlay";
+import { OrderNumbers } from "../panels/order/OrderNumbers";
+import { useUiStore } from "../state/store";
 import type { Viewer } from "../viewer/viewer";
 
 interface Props {
@@ -21,7 +23,10 @@ export function ViewOverlays({ viewer, listeners, unit }: Props) {
       listeners.delete(redraw);
     };
   }, [listeners]);
+  const step = useUiStore((ui) => ui.step);
   const toScreen = (place: Point): Point => viewer.toScreen(place);
+  if (step === "process") return <OrderNumbers toScreen={toScreen} />;
+  if (step !== "lines") return null;
   return (
     <>
       <DimensionOverlay toScreen={toScreen} unit={unit} />

@@ -15,6 +15,7 @@ import { isDropped } from "../state/drawing/importReport";
 import { shownEdges } from "../state/drawing/selecting";
 import { verdictMapOf } from "../state/drawing/verdictMap";
 import { isOnTable } from "../state/job/jobs";
+import { bridgePlaces } from "../state/order/bridges";
 import { chosenPlaces } from "../state/order/edgeOptions";
 import { sheetBox } from "../state/order/sheet";
 import {
@@ -178,7 +179,12 @@ function useShownMarks(viewer: MaybeViewer, edges: Edges | null): void {
   const zoomRequest = useUiStore((ui) => ui.zoomRequest);
   const hasCorners = machines?.find(({ name }) => name === selected)?.offset_cuts === true;
   useEffect(
-    () => viewer?.showCorners([...(hasCorners ? corners.at : []), ...chosenPlaces(options, edges)]),
+    () =>
+      viewer?.showCorners([
+        ...(hasCorners ? corners.at : []),
+        ...chosenPlaces(options, edges),
+        ...bridgePlaces(options.bridges, edges),
+      ]),
     [viewer, corners, hasCorners, options, edges],
   );
   // biome-ignore lint/correctness/useExhaustiveDependencies: the rows refer to the edges

@@ -1678,6 +1678,56 @@ export const de = {
     "Wählen Sie Kanten in der Zeichnung aus, um ihnen eine eigene Tiefe, einen eigenen Vorschub oder Startpunkt zu geben.",
   "processStep.order": "Auftrag",
   "processStep.toolsOf": "Werkzeuge von {title}",
+  "processStep.workOrder": "Reihenfolge der Arbeit",
+  "workOrder.noProgramYet":
+    "Erstellen Sie einmal das Programm: Dann stehen hier seine Züge in der Reihenfolge der Arbeit, und Sie können sie verschieben.",
+  "workOrder.shortest":
+    "Die Züge stehen in der Reihenfolge des kürzesten Wegs. Ziehen Sie sie oder verschieben Sie sie mit den Pfeilen.",
+  "workOrder.byHand": "Das nächste Programm macht die Züge in dieser Reihenfolge.",
+  "workOrder.tooMany":
+    "{n} Züge sind zu viele, um sie von Hand zu ordnen; höchstens {most} werden aufgelistet.",
+  "workOrder.byTheShortestWay": "Auf dem kürzesten Weg",
+  "workOrder.track": "{type}, {n, plural, one {Kante {edge}} other {# Kanten ab Kante {edge}}}",
+  "workOrder.edgesAndTool":
+    "{n, plural, one {Kante {edge}} other {# Kanten ab {edge}}} · Werkzeug {station}",
+  "workOrder.creasesFirst":
+    "zuerst kommen Rillen, solange der Karton fest liegt, dann V-Nuten, Ritzungen und Perforationen, zuletzt Schnitte.",
+  "workOrder.oneToolAfterTheOther":
+    "jedes Werkzeug macht seine ganze Arbeit, bevor das nächste genommen wird.",
+  "workOrder.insideFirst":
+    "was in einer Kontur liegt, wird geschnitten, solange der Bogen es hält.",
+  "workOrder.comesBefore": "„{first}“ kommt vor „{second}“: {why}",
+  "workOrder.howToMove":
+    "Leertaste hebt den Zug an, Pfeiltasten verschieben ihn, noch einmal Leertaste setzt ihn ab; Escape bricht ab.",
+  "workOrder.drag": "Zug {place} verschieben: {name}",
+  "workOrder.moveUp": "Früher: {name}",
+  "workOrder.moveDown": "Später: {name}",
+  "workOrder.atPlace": "{name}: Platz {place} von {count}",
+  "workOrder.tracksInOrder":
+    "{n, plural, one {# Zug hat} other {# Züge haben}} einen eigenen Platz",
+  "lastTime.asLastTime": "Wie beim letzten Mal",
+  "lastTime.undo": "Rückgängig",
+  "lastTime.from": "Aus dem Auftrag {order} vom {when}.",
+  "lastTime.sameAs": "Die Angaben sind die des letzten Auftrags. {from}",
+  "lastTime.ofCustomer":
+    "Es ist der neueste Auftrag von {customer} auf diesem Material und dieser Maschine.",
+  "lastTime.anyCustomer":
+    "Es ist der neueste Auftrag auf diesem Material und dieser Maschine; ein Kunde ist nicht angegeben.",
+  "bridges.bridges": "Haltestege",
+  "bridges.onlyThese": "Ein Umriss mit einem von Hand gesetzten Steg hat nur solche Stege.",
+  "bridges.byTheBoard": "Ohne von Hand gesetzten Steg haben Umrisse die des Materials.",
+  "bridges.requiredByTheBoard":
+    "Das Material hat Stege von {width} mm, höchstens {spacing} mm voneinander. Ein Umriss mit einem von Hand gesetzten Steg hat nur solche.",
+  "bridges.noneByTheBoard":
+    "Das Material hat keine Stege. Setzen Sie welche, wo ein Teil gehalten werden muss.",
+  "bridges.clickTheOutline":
+    "Klicken Sie in der Zeichnung auf die Stellen am Umriss eines Teils, an denen Karton stehen bleiben soll.",
+  "bridges.widthOfTheNext": "Breite",
+  "bridges.place": "Stege setzen",
+  "bridges.finish": "Stege fertig gesetzt",
+  "bridges.at": "Kante {edge}, {place} mm ab ihrem Anfang",
+  "bridges.widthOf": "Breite des Stegs: {place}",
+  "bridges.placed": "{n, plural, one {# Steg} other {# Stege}} von Hand gesetzt",
   "checkStep.thereIsNoProgramYet":
     "Es gibt noch kein Programm. Erstellen Sie es: Dann zeigt dieser Schritt, ob es Ihre Zeichnung fertigt.",
   "jobsOfDrawing.otherJobsOfThisDrawing": "Andere Aufträge dieser Zeichnung",

@@ -1621,6 +1621,50 @@ export const en = {
     "Select edges in the drawing to give them a depth, a feed or a start of their own.",
   "processStep.order": "Order",
   "processStep.toolsOf": "Tools of {title}",
+  "processStep.workOrder": "Order of the work",
+  "workOrder.noProgramYet":
+    "Prepare the program once: its tracks are then listed here in working order, and you can move them.",
+  "workOrder.shortest":
+    "The tracks are in the order of the shortest way. Drag them, or move them with the arrows.",
+  "workOrder.byHand": "The next program makes the tracks in this order.",
+  "workOrder.tooMany": "{n} tracks are too many to sort by hand; at most {most} are listed.",
+  "workOrder.byTheShortestWay": "By the shortest way",
+  "workOrder.track": "{type}, {n, plural, one {edge {edge}} other {# edges from edge {edge}}}",
+  "workOrder.edgesAndTool":
+    "{n, plural, one {Edge {edge}} other {# edges from {edge}}} · tool {station}",
+  "workOrder.creasesFirst":
+    "creases are made first, while the board lies firmly, then V-grooves, half-cuts and perforations, and cuts last.",
+  "workOrder.oneToolAfterTheOther": "each tool makes all its work before the next one is taken.",
+  "workOrder.insideFirst": "what lies inside a contour is cut while the sheet still holds it.",
+  "workOrder.comesBefore": "“{first}” comes before “{second}”: {why}",
+  "workOrder.howToMove":
+    "Press the space bar to lift the track, the arrow keys to move it, and the space bar again to put it down; Escape cancels.",
+  "workOrder.drag": "Move track {place}: {name}",
+  "workOrder.moveUp": "Earlier: {name}",
+  "workOrder.moveDown": "Later: {name}",
+  "workOrder.atPlace": "{name}: place {place} of {count}",
+  "workOrder.tracksInOrder":
+    "{n, plural, one {# track has} other {# tracks have}} a place of their own",
+  "lastTime.asLastTime": "As last time",
+  "lastTime.undo": "Undo",
+  "lastTime.from": "From order {order} of {when}.",
+  "lastTime.sameAs": "The options are those of the last order. {from}",
+  "lastTime.ofCustomer": "It is the newest order of {customer} on this board and machine.",
+  "lastTime.anyCustomer": "It is the newest order on this board and machine; no customer is given.",
+  "bridges.bridges": "Bridges",
+  "bridges.onlyThese": "An outline with a bridge placed by hand has only such bridges.",
+  "bridges.byTheBoard": "Without a bridge placed by hand, outlines have those of the board.",
+  "bridges.requiredByTheBoard":
+    "The board has bridges of {width} mm, at most {spacing} mm apart. An outline with a bridge placed by hand has only such bridges.",
+  "bridges.noneByTheBoard": "The board has no bridges. Place them where a part must be held.",
+  "bridges.clickTheOutline":
+    "In the drawing, click the places on the outline of a part where board should stay.",
+  "bridges.widthOfTheNext": "Width",
+  "bridges.place": "Place bridges",
+  "bridges.finish": "Finish placing bridges",
+  "bridges.at": "Edge {edge}, {place} mm from its start",
+  "bridges.widthOf": "Width of the bridge: {place}",
+  "bridges.placed": "{n, plural, one {# bridge} other {# bridges}} placed by hand",
   "checkStep.thereIsNoProgramYet":
     "There is no program yet. Prepare it: then this step shows whether it makes your drawing.",
   "jobsOfDrawing.otherJobsOfThisDrawing": "Other jobs of this drawing",

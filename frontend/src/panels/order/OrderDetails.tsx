@@ -53,7 +53,8 @@ export function OrderCard({ job }: { job: Job }) {
   const metadata = Object.entries(job.metadata);
   const changed = changedOptions(job);
   const ofEdges = changedEdgeOptions(job);
-  const listed = metadata.length + changed.length + ofEdges.length;
+  const [inOrder, bridges] = [job.work_order.length, job.bridges.length];
+  const listed = metadata.length + changed.length + ofEdges.length + inOrder + bridges;
   if (!hasDetails(job) && job.notes === "" && listed === 0) return null;
   return (
     <Paper px={10} py={8} data-testid="order-card">
@@ -79,6 +80,18 @@ export function OrderCard({ job }: { job: Job }) {
               </dd>
             </Box>
           ))}
+          {inOrder > 0 && (
+            <Box display="contents" data-testid="changed-work_order">
+              <dt>{translate("processStep.workOrder")}</dt>
+              <dd>{translate("workOrder.tracksInOrder", { n: inOrder })}</dd>
+            </Box>
+          )}
+          {bridges > 0 && (
+            <Box display="contents" data-testid="changed-bridges">
+              <dt>{translate("bridges.bridges")}</dt>
+              <dd>{translate("bridges.placed", { n: bridges })}</dd>
+            </Box>
+          )}
           {metadata.map(([key, value]) => (
             <Box key={key} display="contents">
               <dt>{key}</dt>

@@ -8,10 +8,13 @@ import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
 import { InspectorPanel } from "../drawing/InspectorPanel";
 import { MachineTools } from "../job/MachineTools";
+import { BridgesForm } from "../order/BridgesForm";
 import { CornersForm } from "../order/CornersForm";
 import { EdgeChoiceList } from "../order/EdgeOptions";
+import { LastTime } from "../order/LastTime";
 import { OptionFields } from "../order/OptionFields";
 import { OrderDetailsForm } from "../order/OrderDetailsForm";
+import { WorkOrderList } from "../order/WorkOrderList";
 import { Note } from "../shared/parts";
 import { Section } from "../shared/Section";
 
@@ -27,7 +30,9 @@ export function ProcessStep() {
       <Section title={translate("processStep.howItIsMade")}>
         <Permitted request="POST /api/v1/jobs">
           <Stack gap={10}>
+            <LastTime />
             {chosen?.offset_cuts === true && <CornersForm />}
+            <BridgesForm />
             {hasLeastLift(chosen) && (
               <Checkbox
                 label={translate("orderPanel.leastLiftInTurnsMm", {
@@ -51,6 +56,11 @@ export function ProcessStep() {
             <EdgeChoiceList />
             <Note>{translate("processStep.selectEdgesInTheDrawing")}</Note>
           </Stack>
+        </Permitted>
+      </Section>
+      <Section title={translate("processStep.workOrder")}>
+        <Permitted request="POST /api/v1/jobs">
+          <WorkOrderList />
         </Permitted>
       </Section>
       <Section title={translate("processStep.order")}>

@@ -2,6 +2,7 @@
 
 import type { Job, RestChoice, Track } from "../../api/client";
 import { MOTIONS, type Toolpath } from "../../geometry/records";
+import { segmentData } from "../../geometry/svgPath";
 import { translate } from "../../language/translate";
 
 /** What the new job makes: all tracks from one on, those of its tool, or the whole program. */
@@ -149,17 +150,10 @@ export function trackOutlines(toolpath: Toolpath, tracks: readonly Track[]): rea
     const y = toolpath.pose[4 * row + 5] ?? 0;
     const [x0, y0] = [toolpath.pose[4 * row] ?? 0, toolpath.pose[4 * row + 1] ?? 0];
     if (open !== track) part.push(`M${x0} ${y0}`);
-    part.push(segment(x0, y0, x, y, toolpath.bulge[row] ?? 0));
+    part.push(segmentData(x0, y0, x, y, toolpath.bulge[row] ?? 0));
     open = track;
   }
   return parts.map((part) => part.join(""));
-}
-
-function segment(x0: number, y0: number, x: number, y: number, bulge: number): string {
-  const chord = Math.hypot(x - x0, y - y0);
-  if (Math.abs(bulge) < 1e-9 || chord === 0) return `L${x} ${y}`;
-  const radius = (chord * (1 + bulge * bulge)) / (4 * Math.abs(bulge));
-  return `A${radius} ${radius} 0 0 ${bulge > 0 ? 1 : 0} ${x} ${y}`;
 }
 
 /** Box of all positions of the head at work: x, y, width and height (mm). */

@@ -1,12 +1,13 @@
 /** Options of a job that need no form of their own. */
 
-import type { Job } from "../../api/client";
+import type { Job, ListOption } from "../../api/client";
 import { OPTIONS } from "../../api/options.gen";
 import { EDGE_OPTION_NAMES, type EdgeChoice, type EdgeOptionName } from "./edgeOptions";
 
 export type OptionName = keyof typeof OPTIONS;
-export type Options = Pick<Job, OptionName | EdgeOptionName>;
+export type Options = Pick<Job, OptionName | EdgeOptionName | ListOption>;
 
+const LIST_OPTIONS: readonly ListOption[] = ["work_order", "bridges"];
 export const OPTION_NAMES = Object.keys(OPTIONS) as OptionName[];
 
 /** An option with a plain value, as the server declares it. */
@@ -25,11 +26,11 @@ export const optionField = (name: OptionName): OptionField => OPTIONS[name];
 
 const valuesOf = (
   plain: (name: OptionName) => unknown,
-  ofEdges: (name: EdgeOptionName) => unknown,
+  list: (name: EdgeOptionName | ListOption) => unknown,
 ): Options =>
   Object.fromEntries([
     ...OPTION_NAMES.map((name) => [name, plain(name)]),
-    ...EDGE_OPTION_NAMES.map((name) => [name, ofEdges(name)]),
+    ...[...EDGE_OPTION_NAMES, ...LIST_OPTIONS].map((name) => [name, list(name)]),
   ]) as Options;
 
 export const DEFAULT_OPTIONS = valuesOf(
