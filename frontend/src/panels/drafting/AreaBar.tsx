@@ -29,7 +29,7 @@ export function AreaBar() {
       gap={10}
       data-testid="area-bar"
     >
-      <Text fz={12.5} role="status" maw={300}>
+      <Text fz={12.5} role="status" maw={300} visibleFrom="xs">
         {HINTS[tool]}
       </Text>
       <SegmentedControl

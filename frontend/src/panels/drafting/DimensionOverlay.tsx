@@ -21,8 +21,8 @@ interface Props {
 }
 
 /** Distance of a dimension line from what it measures (pixels). */
-const OVERALL = 34;
-const SELECTED = 15;
+const OVERALL = 14;
+const SELECTED = 12;
 /** A dimension line that is shorter has no figure (pixels). */
 const SHORTEST = 26;
 
@@ -62,7 +62,9 @@ export function DimensionOverlay({ toScreen, unit }: Props) {
           {overall !== null && sides(overall, OVERALL)}
         </g>
         <g className={css.dimension} data-tone="selected" data-testid="selection-size">
-          {size?.kind === "box" && sides(size.box, SELECTED)}
+          {size?.kind === "box" &&
+            String(size.box) !== String(overall) &&
+            sides(size.box, SELECTED)}
           {size?.kind === "line" && line(size.from, size.to, figure(size.length), SELECTED)}
           {size?.kind === "arc" && line(size.centre, size.at, `R ${figure(size.radius)}`, 0)}
         </g>

@@ -51,7 +51,8 @@ export function EdgeTable({ edges, listed, sort, onSort }: Props) {
     getScrollElement: () => grid.current,
     estimateSize: () => HEIGHT,
     overscan: 8,
-    // The head covers the first row.
+    // The head is above the rows, and stays in view.
+    scrollMargin: HEIGHT,
     scrollPaddingStart: HEIGHT,
   });
   const place = active === null ? -1 : (places.get(active) ?? -1);
@@ -98,8 +99,8 @@ export function EdgeTable({ edges, listed, sort, onSort }: Props) {
     choose(at, event.shiftKey ? "range" : event.ctrlKey || event.metaKey ? "toggle" : "alone");
 
   const shown = rows.getVirtualItems();
-  const above = shown[0]?.start ?? 0;
-  const below = rows.getTotalSize() - (shown.at(-1)?.end ?? 0);
+  const above = (shown[0]?.start ?? HEIGHT) - HEIGHT;
+  const below = rows.getTotalSize() - ((shown.at(-1)?.end ?? HEIGHT) - HEIGHT);
   return (
     <div ref={grid} className={css.grid}>
       <table
@@ -224,7 +225,7 @@ function Row({ edges, row, place, selected, active, onClick }: RowProps) {
   const length = useFormatLength();
   const type = lineTypeOf(edges.lineType[row]);
   const layer = layerOf(edges, row);
-  const state = STATE_TITLES[edgeState(edges, row)];
+  const state = edgeState(edges, row);
   return (
     <tr
       id={rowId(place)}
@@ -244,7 +245,8 @@ function Row({ edges, row, place, selected, active, onClick }: RowProps) {
       </td>
       <td title={layer}>{layer}</td>
       <td data-column="length">{length(edges.length[row] ?? 0)}</td>
-      <td title={state}>{state}</td>
+      {/* Most edges are as drawn: the others stand out. */}
+      <td title={STATE_TITLES[state]}>{state === "kept" ? "" : STATE_TITLES[state]}</td>
     </tr>
   );
 }

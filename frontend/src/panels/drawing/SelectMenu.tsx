@@ -40,7 +40,8 @@ export function SelectMenu() {
       width={300}
       trapFocus
       shadow="md"
-      withinPortal
+      // On a phone there is no space beside the button.
+      middlewares={{ flip: true, shift: { crossAxis: true, padding: 8 } }}
     >
       <Popover.Target>
         <Tooltip label={translate("selectMenu.selectEdgesBy")} position="right" disabled={open}>
