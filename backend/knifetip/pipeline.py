@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 
@@ -31,6 +32,7 @@ from knifetip.error_places import located_errors
 from knifetip.errors import OpenQuestions, PlanError
 from knifetip.formats import open_file
 from knifetip.geometry.columns import F64, I32, U8
+from knifetip.geometry.similarity import Similarity
 from knifetip.languages.registry import with_language
 from knifetip.library import custom_profiles, load
 from knifetip.model.board import Board
@@ -61,6 +63,12 @@ from knifetip.planning.nothing_to_make import check_has_work
 from knifetip.planning.placement import placement
 from knifetip.planning.plan import check_corners, plan
 from knifetip.planning.questions import tool_questions
+from knifetip.planning.registration import (
+    check_on_table,
+    lay_edges,
+    lay_options,
+    measured_similarity,
+)
 from knifetip.planning.sheet_outline import sheet_outline
 from knifetip.post.emit import process
 from knifetip.proof import PlacedJob, planned_notes, prove
@@ -100,6 +108,7 @@ __all__ = [
 TOLERANCE = 0.01
 
 _DEFAULT_OPTIONS = JobOptions()
+Options = TypeVar("Options", bound=VerifiedOptions)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -116,6 +125,8 @@ class Compiled:
     #: (n,) for each edge of the drawing the edge that has its rows in the tool path: itself, or
     #: another one with which it is made; -1 if it is not made
     made_as: I32
+    #: the map from the drawing to the table, if marks were measured
+    similarity: Similarity | None = None
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -274,13 +285,14 @@ def compile(
     if open_questions:
         raise OpenQuestions([question.as_json() for question in open_questions])
     progress(Stage.CLEAN, 0.02)
+    unlaid, dieline, options = dieline, *_lay(dieline, options)
     with located_errors(drawing):
         work = chosen_work(options, dieline)
         dieline = with_depths(dieline, work, board.caliper)
         check_depths(work, dieline, machine, board)
     checked = clean_checked(dieline)
     cleaned = checked.cleaned
-    offset = placement(cleaned.dieline, machine, options.sheet)
+    offset = _place(cleaned.dieline, machine, options)
     with located_errors(drawing):
         starts = place_starts(options.contour_starts, dieline, cleaned, offset)
         order = place_order(options.work_order, dieline, cleaned)
@@ -292,7 +304,7 @@ def compile(
         machine = machine.for_board(board).at_feed(options.feed_factor)
         with located_errors(drawing, cleaned, offset):
             toolpath = _toolpath(cleaned, offset, machine, board, options, chosen, progress)
-        job = PlacedJob(checked, offset, machine, board, options, chosen=work)
+        job = PlacedJob(checked, offset, machine, board, options, chosen=work, unlaid=unlaid)
         with located_errors(drawing):
             return _write_and_verify(job, toolpath, notes, progress)
 
@@ -339,13 +351,14 @@ def compile_rest(
     """
     progress(Stage.CLEAN, 0.02)
     machine = machine.for_board(board).at_feed(options.feed_factor)
+    unlaid, dieline, options = dieline, *_lay(dieline, options)
     work = chosen_work(options, dieline)
     checked = clean_checked(with_depths(dieline, work, board.caliper))
-    offset = placement(checked.cleaned.dieline, machine, options.sheet)
+    offset = _place(checked.cleaned.dieline, machine, options)
     progress(Stage.SEQUENCE, 0.4)
     with located_errors(drawing):
         toolpath = keep_tracks(rest.toolpath, rest.tracks, machine, board.caliper)
-        job = PlacedJob(checked, offset, machine, board, options, rest.earlier, work)
+        job = PlacedJob(checked, offset, machine, board, options, rest.earlier, work, unlaid)
         return _write_and_verify(job, toolpath, notes, progress)
 
 
@@ -416,9 +429,10 @@ def verify(
         Too many edges overlap.
     """
     machine = machine.for_board(board).at_feed(options.feed_factor)
+    unlaid, dieline, options = dieline, *_lay(dieline, options)
     work = chosen_work(options, dieline)
     checked = clean_checked(with_depths(dieline, work, board.caliper))
-    job = PlacedJob(checked, placement, machine, board, options, earlier, work)
+    job = PlacedJob(checked, placement, machine, board, options, earlier, work, unlaid)
     return prove(job, text, tolerance)
 
 
@@ -427,6 +441,27 @@ def check_options(options: JobOptions, machine: Machine) -> None:
     check_corners(options.corners, machine)
     if options.lift == "least" and machine.turn_clearance == 0.0:
         raise PlanError("lift.not-stated", machine=machine.title)
+
+
+def _lay(dieline: Dieline, options: Options) -> tuple[Dieline, Options]:
+    """Return edges and options as they lie on the table by the measured marks of a sheet.
+
+    They are unchanged if no marks were measured.  Raises PlanError if the marks fit too badly.
+    """
+    similarity = measured_similarity(options)
+    return lay_edges(dieline, similarity), lay_options(options, similarity)
+
+
+def _place(dieline: Dieline, machine: Machine, options: VerifiedOptions) -> tuple[float, float]:
+    """Return the shift (x, y) in mm that moves edges to their position on the machine's table.
+
+    It is 0 for edges that lie there by measured marks.  Raises TravelExceeded if they extend past
+    the table.
+    """
+    if measured_similarity(options) is None:
+        return placement(dieline, machine, options.sheet)
+    check_on_table(dieline, machine)
+    return 0.0, 0.0
 
 
 def _toolpath(
@@ -457,7 +492,9 @@ def _toolpath(
     progress(Stage.PLAN, 0.05)
     outlines: list[BoardOutline | None] = [None]
     if options.sheet is not None:
-        sheet = sheet_outline(options.sheet, shifted, machine)
+        similarity = measured_similarity(options)
+        turn = 0.0 if similarity is None else similarity.turn
+        sheet = sheet_outline(options.sheet, shifted, machine, turn)
         # Only grooves run out past the edges of a sheet.
         if (shifted.line_type == LineType.V_GROOVE).any():
             outlines.append(sheet)
@@ -532,4 +569,5 @@ def _write_and_verify(
         full,
         times,
         job.checked.cleaned.made_as,
+        measured_similarity(job.options),
     )

@@ -14,11 +14,13 @@ from knifetip.cleaning.map_back import map_to_drawn
 from knifetip.messages import Message
 from knifetip.model.board import Board
 from knifetip.model.chosen_work import ChosenWork, work_on_cleaned
+from knifetip.model.dieline import Dieline
 from knifetip.model.earlier_work import EarlierWork
 from knifetip.model.job_options import VerifiedOptions
 from knifetip.model.machine import Machine
 from knifetip.model.verdict import Finding, Severity, Verdict
 from knifetip.verification.checks.lines.replaced_lines import note_replaced
+from knifetip.verification.checks.registration.check import check_registration
 from knifetip.verification.expectation.chosen_bridges import expected_bridges
 from knifetip.verification.expectation.chosen_order import expected_order
 from knifetip.verification.expectation.chosen_starts import expected_starts
@@ -36,6 +38,8 @@ class PlacedJob:
     options: VerifiedOptions = field(default_factory=VerifiedOptions)
     earlier: Sequence[EarlierWork] = ()  #: work that is done on the sheet
     chosen: ChosenWork = field(default_factory=dict)  #: choices for the drawn edges
+    #: the edges in the drawing's coordinates, if the drawn ones lie by measured marks
+    unlaid: Dieline | None = None
 
 
 def prove(
@@ -69,6 +73,7 @@ def prove(
         work_on_cleaned(job.chosen, cleaned),
         expected_order(job.options.work_order, cleaned),
         expected_bridges(job.options.bridges, drawn, cleaned, job.offset),
+        job.options.registration,
     )
     verdict = verify(
         text,
@@ -81,11 +86,12 @@ def prove(
         job=details,
     )
     mapped = map_to_drawn(verdict, cleaned, drawn)
+    registered = check_registration(job.options.registration, job.unlaid, drawn, job.offset)
     notes = (*note_replaced(drawn, cleaned), *planned_notes(cleaned.notes), *planned_notes(planned))
     return replace(
         mapped,
-        accepted=mapped.accepted and not lost,
-        findings=(*lost, *mapped.findings, *notes),
+        accepted=mapped.accepted and not lost and not any(one.refuses for one in registered),
+        findings=(*lost, *registered, *mapped.findings, *notes),
     )
 
 

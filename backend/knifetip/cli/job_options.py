@@ -17,12 +17,16 @@ from knifetip.cli.check_option import check_option
 from knifetip.errors import PlanError
 from knifetip.fields import InvalidFields, check_fields
 from knifetip.model.corners import CornerAt, Corners
+from knifetip.model.registration import Registration
 from knifetip.model.sheet import Sheet
 
 NUMBER: Final = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,2})?"
 _CORNER: Final = re.compile(
     rf"\s*(?P<x>{NUMBER})\s*,\s*(?P<y>{NUMBER})\s*=\s*(?P<type>\w+)\s*(?::\s*(?P<k>{NUMBER})\s*)?",
     re.ASCII,
+)
+_MARK: Final = re.compile(
+    rf"\s*({NUMBER})\s*,\s*({NUMBER})\s*(?:=\s*({NUMBER})\s*,\s*({NUMBER})\s*)?", re.ASCII
 )
 _SHEET: Final = re.compile(
     rf"\s*({NUMBER})\s*[xX×]\s*({NUMBER})\s*(?::\s*({NUMBER})\s*)?", re.ASCII
@@ -147,6 +151,69 @@ class SheetOptions:
         return parse_sheet(self.sheet)
 
 
+def parse_mark(text: str) -> tuple[tuple[float, float], tuple[float, float] | None]:
+    """Return the position of a mark in the drawing, and on the table if it was measured (mm).
+
+    Parameters
+    ----------
+    text
+        Value of the option ``--mark``: ``X,Y`` or ``X,Y=X,Y``.
+
+    Raises
+    ------
+    PlanError
+        The text does not have one of these forms.
+    """
+    match = _MARK.fullmatch(text)
+    if match is None:
+        raise PlanError("command.bad-mark", text=text)
+    drawn = float(match[1]), float(match[2])
+    return drawn, None if match[3] is None else (float(match[3]), float(match[4]))
+
+
+@dataclass(frozen=True, slots=True)
+class MarkOptions:
+    """Command-line options for the marks of a printed sheet."""
+
+    mark: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="X,Y[=X,Y]",
+            help="Mark of a printed sheet: its position in the drawing and, if it was measured, "
+            "on the table, in mm; given at least twice. The program then follows the print. "
+            "Default: a sheet without marks.",
+        ),
+    ] = None
+    mark_scale: Annotated[
+        Literal["fit", "keep"] | None,
+        typer.Option(
+            help="Whether the drawing is also scaled to the measured marks (fit) or keeps its size "
+            "(keep). Default: fit."
+        ),
+    ] = None
+    mark_limit: Annotated[
+        float | None,
+        typer.Option(help="Greatest permitted error of a measured mark, in mm. Default: 0.5."),
+    ] = None
+
+    def record(self) -> Registration | None:
+        """Return the marks that the options describe; None if no mark is given.
+
+        Raises
+        ------
+        PlanError
+            An option has an invalid value.
+        """
+        if not self.mark:
+            return None
+        pairs = [parse_mark(text) for text in self.mark]
+        given = {"scale": self.mark_scale, "limit": self.mark_limit}
+        fields: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
+        fields["marks"] = tuple(drawn for drawn, _ in pairs)
+        fields["measured"] = tuple(found for _, found in pairs if found is not None)
+        return check_option(Registration, "--mark", fields)
+
+
 @dataclass(frozen=True, slots=True)
 class WorkOrderOptions:
     """The command-line option for the order of the tracks."""
@@ -177,6 +244,7 @@ class WorkOrderOptions:
 #: Options of a job with a syntax of their own, by field.
 SYNTAX: Final[Mapping[str, type]] = {
     "corners": CornerOptions,
+    "registration": MarkOptions,
     "sheet": SheetOptions,
     "work_order": WorkOrderOptions,
 }

@@ -11,6 +11,7 @@ import numpy as np
 
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, U8, Bool
+from knifetip.geometry.similarity import Similarity
 from knifetip.model.dieline import LineType
 from knifetip.model.figure import Figure, FigureLayer
 from knifetip.model.interpretation import NO_OVERRIDE
@@ -96,6 +97,8 @@ def path_figure(toolpath: bytes, drawing: bytes, machine: Machine) -> Figure:
     drawn = drawing_figure(drawing)
     placement = np.array(meta["placement"])
     line_ends = np.concatenate([np.zeros((0, 2, 2)), *(one.ends for one in drawn.layers)])
+    if (similarity := meta.get("similarity")) is not None:
+        line_ends = Similarity(*similarity).apply(line_ends)
     line_bulge = np.concatenate([np.zeros(0), *(one.bulge for one in drawn.layers)])
     layers = (
         _layer(_Style("LINE", 8), "#8a919c", line_ends + placement, line_bulge),

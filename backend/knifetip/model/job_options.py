@@ -7,6 +7,7 @@ the page (see the how-to page "Add an option of an order").
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -14,6 +15,7 @@ from pydantic import Field
 from knifetip.fields import LISTED, Table
 from knifetip.model.corners import Corners
 from knifetip.model.edge_choice import EdgeChoice, EdgeRow, LineTypeChoice
+from knifetip.model.registration import Registration
 from knifetip.model.sheet import Sheet
 
 
@@ -111,6 +113,11 @@ class VerifiedOptions(Table):
         description="Sheet that was cut to size before the job; the operator must load this "
         "sheet. Null if the sheet may be larger than the drawing",
     )
+    registration: Registration | None = Field(
+        default=None,
+        description="Marks of a printed sheet, by which the job follows the print: they are "
+        "measured on the table before the start. Null for a sheet without marks",
+    )
     feed_factor: float = Field(
         default=1.0,
         ge=0.1,
@@ -171,6 +178,7 @@ class VerifiedOptions(Table):
         """Comments about the options at the head of a program."""
         return (
             *([self.sheet.note] if self.sheet else []),
+            *([self.registration.note] if self.registration else []),
             *([f"feed factor {self.feed_factor:g}"] if self.feed_factor != 1.0 else []),
         )
 
@@ -196,6 +204,17 @@ class JobOptions(VerifiedOptions):
         "the side of the board that lies up. Letters that controllers do not take become spaces; "
         "empty for none",
     )
+
+    def with_measured(self, places: Sequence[tuple[float, float]]) -> JobOptions:
+        """Return the options with marks that were measured at some places (mm).
+
+        Without places, the sheet lies at the origin of the machine.  Options of a sheet without
+        marks are returned unchanged.
+        """
+        if self.registration is None:
+            return self
+        registration = self.registration.model_copy(update={"measured": tuple(places)})
+        return self.model_copy(update={"registration": registration})
 
     @property
     def head_notes(self) -> tuple[str, ...]:

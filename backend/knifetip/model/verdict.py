@@ -39,7 +39,7 @@ class Finding:
     """A fault, shortfall or note of the verifier, with its position and measured value."""
 
     #: deviation, overcut, uncut, stray, depth, heading, order, feed, travel, program, unreached,
-    #: kerf, fold, beside, near or planned
+    #: kerf, fold, beside, near, registration or planned
     kind: str
     message: Message  #: what was found, without edge and program line
     measure: float  #: measured value (mm; degrees for a heading and a fold)

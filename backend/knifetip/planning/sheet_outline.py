@@ -16,6 +16,7 @@ leaves the surface before it turns.  The length was derived for knifetip.
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 import numpy as np
@@ -25,6 +26,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.azimuth import left_normal
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.geometry.path import Paths
+from knifetip.geometry.similarity import Similarity
 from knifetip.geometry.tolerance import GAP
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import extents
@@ -40,7 +42,9 @@ _LEAST_SINE: Final = 0.5
 _SPARE: Final = 0.05
 
 
-def sheet_outline(sheet: Sheet, dieline: Dieline, machine: Machine) -> BoardOutline:
+def sheet_outline(
+    sheet: Sheet, dieline: Dieline, machine: Machine, turn: float = 0.0
+) -> BoardOutline:
     """Return the outline of a sheet on the machine's table.
 
     Parameters
@@ -51,6 +55,8 @@ def sheet_outline(sheet: Sheet, dieline: Dieline, machine: Machine) -> BoardOutl
         Edges of the drawing in sheet coordinates, at their position on the table.
     machine
         The machine on whose table the sheet lies.
+    turn : °
+        Angle by which the sheet is turned on the table, counter-clockwise.
 
     Raises
     ------
@@ -62,7 +68,9 @@ def sheet_outline(sheet: Sheet, dieline: Dieline, machine: Machine) -> BoardOutl
         return _drawn_outline(dieline)
     width, height = sheet.size
     has_work = ~np.isin(dieline.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
-    low_x, low_y, high_x, high_y = extents(dieline.ends[has_work], dieline.bulge[has_work])
+    back = Similarity(math.cos(math.radians(turn)), -math.sin(math.radians(turn)), 0.0, 0.0)
+    along = dieline.ends[has_work] if turn == 0.0 else back.apply(dieline.ends[has_work])
+    low_x, low_y, high_x, high_y = extents(along, dieline.bulge[has_work])
     left, below = sheet.margins
     x, y = float(low_x) - left, float(low_y) - below
     if high_x > x + width + GAP or high_y > y + height + GAP:
@@ -74,7 +82,10 @@ def sheet_outline(sheet: Sheet, dieline: Dieline, machine: Machine) -> BoardOutl
             needed_x=high_x - x,
             needed_y=high_y - y,
         )
-    right, top = x + width, y + height
+    # Clockwise, so that the outside is on the left.
+    corner = np.array([(x, y), (x, y + height), (x + width, y + height), (x + width, y)])
+    corner = corner if turn == 0.0 else back.inverse.apply(corner)
+    (x, y), (right, top) = corner.min(axis=0).tolist(), corner.max(axis=0).tolist()
     if min(x, y) < -GAP or right > machine.width + GAP or top > machine.height + GAP:
         raise PlanError(
             "sheet.off-table",
@@ -86,8 +97,6 @@ def sheet_outline(sheet: Sheet, dieline: Dieline, machine: Machine) -> BoardOutl
             width=machine.width,
             height=machine.height,
         )
-    # Clockwise, so that the outside is on the left.
-    corner = np.array([(x, y), (x, top), (right, top), (right, y)])
     return BoardOutline(corner, np.roll(corner, -1, axis=0), np.zeros(4))
 
 

@@ -57,6 +57,8 @@ def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
         },
         {
             "placement": [float(shift) for shift in compiled.placement],
+            # a, b, x, y of ``geometry.similarity``: from the drawing to the table.
+            "similarity": None if compiled.similarity is None else list(compiled.similarity),
             "dialect": compiled.program.dialect,
             "stations": [
                 {

@@ -72,6 +72,7 @@ from knifetip.service.nestings.runner import NestingRunner
 from knifetip.service.orders import command_routes as job_commands
 from knifetip.service.orders import confirmation_routes as confirmation
 from knifetip.service.orders import order_routes as orders
+from knifetip.service.orders import registration_routes as registration
 from knifetip.service.orders import rest_routes as rest
 from knifetip.service.orders import routes as jobs
 from knifetip.service.orders import section_routes as sections
@@ -97,8 +98,8 @@ _log = logging.getLogger("knifetip.api")
 
 _ROUTES = (
     drawings, customer_answers, cartons, layouts, nestings, stock, jobs, job_commands, orders,
-    confirmation, queues, rest, history, events, machines, tools, library, definitions, profiles,
-    webhooks, xjdf, gateway, accounts, folding, handover, sections,
+    confirmation, registration, queues, rest, history, events, machines, tools, library,
+    definitions, profiles, webhooks, xjdf, gateway, accounts, folding, handover, sections,
 )  # fmt: skip
 
 

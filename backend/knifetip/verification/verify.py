@@ -23,6 +23,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.earlier_work import EarlierWork
 from knifetip.model.job_options import CutDepth
 from knifetip.model.machine import Machine
+from knifetip.model.registration import Registration
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Samples, Verdict
 from knifetip.verification.checks.common.chosen_passes import check_chosen_passes
@@ -54,6 +55,7 @@ from knifetip.verification.expectation.chosen_bridges import ExpectedBridge
 from knifetip.verification.expectation.chosen_order import ExpectedOrder
 from knifetip.verification.expectation.chosen_starts import ExpectedStart
 from knifetip.verification.expectation.edges import place_edges
+from knifetip.verification.expectation.measured_marks import sheet_turn
 from knifetip.verification.expectation.sheet_area import SheetArea, place_sheet
 from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.joined_work import join_work
@@ -86,6 +88,8 @@ class JobDetails(NamedTuple):
     chosen: ChosenWork = NOTHING_CHOSEN  #: what the user has chosen for edges of the dieline
     order: ExpectedOrder = ()  #: edges that must be begun in this order
     bridges: Sequence[ExpectedBridge] = ()  #: bridges that the user has placed
+    #: marks by which the edges of the dieline lie on the table, if they were measured
+    registration: Registration | None = None
 
 
 _NO_DETAILS: Final = JobDetails()
@@ -144,7 +148,7 @@ def verify(
     edges = place_edges(dieline, placement)
     figures = MeasuredFigures.zeros(len(dieline))
     findings, joined_findings = Findings(), Findings()
-    area = None if sheet is None else place_sheet(sheet, edges)
+    area = None if sheet is None else place_sheet(sheet, edges, sheet_turn(job.registration))
     earlier, chosen = job.earlier, job.chosen
     split = CutDepth in chosen
     moves, tip, paths, swivels = _trace(text, machine, board, tolerance, findings, area, split)

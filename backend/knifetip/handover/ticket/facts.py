@@ -61,3 +61,4 @@ class TicketFacts(NamedTuple):
     accepted: tuple[Accepted, ...] = ()
     stations: tuple[StationUse, ...] = ()
     lengths: tuple[TypeLength, ...] = ()
+    registration: Message | None = None  #: how a printed sheet lies; None for a sheet without marks

@@ -87,6 +87,8 @@ class Sentences:
             x, y = facts.corner
             code = "ticket.place-drawing" if facts.sheet is None else "ticket.place-at"
             yield self.word("ticket.place"), self.word(code, x=x, y=y)
+        if facts.registration is not None:
+            yield self.word("ticket.marks"), render(facts.registration, self._language)
         yield self.word("ticket.copies"), str(facts.copies)
         yield self.word("ticket.machine"), facts.machine
         yield self.word("ticket.times"), self._times()

@@ -38,9 +38,17 @@ MESSAGES: Final[Entries] = {
         "Prepared: {note}",
         note="text",
     ),
+    "check.sheet-at-stops": entry(
+        "The printed sheet lies at the stops, exactly where the drawing begins. {stated}",
+        stated="message",
+    ),
     "check.sheet-larger": entry(
         "A sheet that is larger than the drawing lies in its place. {place}",
         place="message?",
+    ),
+    "check.sheet-measured": entry(
+        "The printed sheet has not moved since its marks were measured. {stated}",
+        stated="message",
     ),
     "check.sheet-outline": entry(
         "The sheet, cut to the outline of the drawing, lies in its place. {place}",

@@ -258,6 +258,21 @@ MESSAGES: Final[Entries] = {
     ),
     "field.too-long": entry("{path} is longer than {most} characters", path="text", most="count"),
     "field.too-many": entry("{path} has more than {most} values", path="text", most="count"),
+    "field.close-marks": entry(
+        "{path}: the mark at X {x:g}, Y {y:g} mm is only {distance:.1f} mm away from another one; "
+        "marks must be at least {least:g} mm apart",
+        path="text",
+        x="number",
+        y="number",
+        distance="number",
+        least="number",
+    ),
+    "field.measured-marks": entry(
+        "{path} has {marks} marks, and {measured} of them were measured; measure all or none",
+        path="text",
+        marks="count",
+        measured="count",
+    ),
     "field.too-many-copies": entry(
         "{path} contains {count} copies of drawings; a sheet may have {limit}",
         path="text",

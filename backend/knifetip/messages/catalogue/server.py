@@ -247,6 +247,11 @@ MESSAGES: Final[Entries] = {
         "Write for example --corner-at 300,100=C or --corner-at 300,100=D:0.3.",
         text="text",
     ),
+    "command.bad-mark": entry(
+        "The option --mark {text!r} does not have the form X,Y or X,Y=X,Y.",
+        "Write for example --mark 5,5 or, for a measured mark, --mark 5,5=31.2,24.8.",
+        text="text",
+    ),
     "command.bad-option": entry(
         "The option {option} cannot be used: {faults:; }.",
         "{faults:hint} knifetip program --help describes all options.",

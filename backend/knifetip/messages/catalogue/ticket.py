@@ -48,6 +48,7 @@ MESSAGES: Final[Entries] = {
         length="number",
     ),
     "ticket.machine": entry("Machine"),
+    "ticket.marks": entry("Marks"),
     "ticket.metres": entry("{length:,.2f} m", length="number"),
     "ticket.minutes": entry("{minutes:,} min {seconds} s", minutes="count", seconds="count"),
     "ticket.more": entry(

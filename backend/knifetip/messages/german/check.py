@@ -31,8 +31,15 @@ TEXTS: Final[Texts] = {
     "check.setup": Text(
         "Vorbereitet: {note}",
     ),
+    "check.sheet-at-stops": Text(
+        "Der gedruckte Bogen liegt an den Anschlägen, genau dort, wo die Zeichnung beginnt. "
+        "{stated}",
+    ),
     "check.sheet-larger": Text(
         "Ein Bogen, der größer ist als die Zeichnung, liegt an seinem Platz. {place}",
+    ),
+    "check.sheet-measured": Text(
+        "Der gedruckte Bogen liegt unbewegt, seit seine Marken gemessen wurden. {stated}",
     ),
     "check.sheet-outline": Text(
         "Der Bogen, auf die Außenkontur der Zeichnung zugeschnitten, liegt an seinem Platz. "

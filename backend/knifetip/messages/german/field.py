@@ -176,6 +176,13 @@ TEXTS: Final[Texts] = {
     "field.too-many": Text(
         "{path} hat mehr als {most} Werte",
     ),
+    "field.close-marks": Text(
+        "{path}: Die Marke bei X {x:g}, Y {y:g} mm ist nur {distance:.1f} mm von einer anderen "
+        "entfernt; Marken müssen mindestens {least:g} mm auseinander liegen",
+    ),
+    "field.measured-marks": Text(
+        "{path} hat {marks} Marken, davon sind {measured} gemessen; alle messen oder keine",
+    ),
     "field.too-many-copies": Text(
         "{path} enthält {count} Exemplare von Zeichnungen; ein Bogen darf {limit} haben",
     ),

@@ -214,6 +214,10 @@ TEXTS: Final[Texts] = {
         "Die Option --corner-at „{text}“ hat nicht die Form X,Y=TYP oder X,Y=TYP:K.",
         "Zum Beispiel --corner-at 300,100=C oder --corner-at 300,100=D:0.3 schreiben.",
     ),
+    "command.bad-mark": Text(
+        "Die Option --mark „{text}“ hat nicht die Form X,Y oder X,Y=X,Y.",
+        "Zum Beispiel --mark 5,5 schreiben oder, für eine gemessene Marke, --mark 5,5=31.2,24.8.",
+    ),
     "command.bad-option": Text(
         "Die Option {option} kann nicht verwendet werden: {faults:; }.",
         "{faults:hint} knifetip program --help beschreibt alle Optionen.",

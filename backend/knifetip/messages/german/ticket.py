@@ -32,6 +32,7 @@ TEXTS: Final[Texts] = {
     "ticket.lengths": Text("Längen der Zeichnung"),
     "ticket.line-type": Text("{type:type}: {length:,.2f} m"),
     "ticket.machine": Text("Maschine"),
+    "ticket.marks": Text("Marken"),
     "ticket.metres": Text("{length:,.2f} m"),
     "ticket.minutes": Text("{minutes:,} min {seconds} s"),
     "ticket.more": Text("und {count:# weitere|# weitere}"),

@@ -92,8 +92,8 @@ class GatewayStore:
             stays ``queued``, and the gateway sends nothing to the machine until ``heartbeat``
             returns ``start``.  If the gateway claims again before that, it gets the same job with a
             new epoch, and the operator must confirm again.  If False, the job is stored as
-            ``running`` before this method returns, unless it continues another job: the operator
-            must confirm such a job on every machine.
+            ``running`` before this method returns, unless it continues another job, or has marks
+            of a printed sheet: the operator must confirm such a job on every machine.
         feeds
             Whether the machine feeds its sheets itself.  The operator must then confirm the first
             sheet of each batch (see ``batches``), a job with a worn tool, and a job before which an
@@ -131,6 +131,8 @@ class GatewayStore:
                 id = row.id
                 # A begun sheet may have been moved, and a broken tool must have been replaced.
                 confirm = manual or row.resumes is not None
+                # The operator measures the marks of a printed sheet.
+                confirm = confirm or row.options.registration is not None
                 confirm = confirm or (
                     feeds
                     and (

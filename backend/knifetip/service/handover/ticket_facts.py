@@ -13,6 +13,7 @@ from knifetip.messages import from_json
 from knifetip.model.board import Board
 from knifetip.model.interpretation import NO_OVERRIDE
 from knifetip.model.machine import Machine
+from knifetip.planning.registration import describe_registration
 from knifetip.presentation.columns import unpack_columns
 from knifetip.service.components import Service
 from knifetip.service.database.tables import Drawing, Job
@@ -71,6 +72,7 @@ def ticket_data(service: Service, id: str, address: str) -> TicketData:
         lines=row.lines,
         summary=row.verdict_summary,
         accepted=_accepted(verdict),
+        registration=describe_registration(row.options),
     )
     return TicketData(facts, drawing.edges, JobData(overrides, toolpath, row.tools, machine))
 
@@ -118,12 +120,16 @@ def _board(service: Service, row: Job) -> Board | None:
 def _corner(row: Job, toolpath: bytes | None, drawing: Drawing) -> tuple[float, float] | None:
     """Return where the sheet of a job, or else its drawing, begins on the table (mm).
 
-    None if the job is not compiled, because the place follows from the program.
+    None if the job is not compiled, because the place follows from the program, or if it lies by
+    measured marks.
     """
     bounds = drawing.summary.get("bounds")
     if toolpath is None or not bounds:
         return None
-    placement = unpack_columns(toolpath)[1]["placement"]
+    meta = unpack_columns(toolpath)[1]
+    if meta.get("similarity") is not None:
+        return None  # the sheet lies by its marks
+    placement = meta["placement"]
     sheet = row.options.sheet
     left, below = (0.0, 0.0) if sheet is None or sheet.size is None else sheet.margins
     return bounds[0] + placement[0] - left, bounds[1] + placement[1] - below

@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 import sqlalchemy as sa
-from sqlalchemy.orm import Session
+from sqlalchemy.orm import Session, aliased
 
 from knifetip.contract.job import LEASED, ON_TABLE, Confirmation, State
 from knifetip.service.database.acting import acting_limits
@@ -134,9 +134,30 @@ def next_queued(machine: str) -> sa.Select[Job]:
 
     A job whose machine or board has changed since its compile is left in the queue, because the
     operator must first have it compiled again.  So is one whose program the machine has refused.
+
+    While the measured sheet of a job lies on the table, no other job is claimed: the job is being
+    compiled for the sheet, or waits in the queue again.
     """
     free = (Job.on_hold.is_(False), Job.check_refusal.is_(None))
-    return waiting_jobs(machine).where(*free, ~outdated()).limit(1)
+    measured = aliased(Job)
+    on_table = (
+        sa.exists()
+        .where(
+            measured.machine == machine,
+            measured.state.in_((State.RECEIVED, State.COMPILING, State.QUEUED)),
+            measured.on_hold.is_(False),
+            measured.check_refusal.is_(None),
+            _is_measured(measured),
+        )
+        .correlate(None)
+    )
+    own = sa.or_(_is_measured(Job), ~on_table)
+    return waiting_jobs(machine).where(*free, ~outdated(), own).limit(1)
+
+
+def _is_measured(job: type[Job]) -> sa.ColumnElement[bool]:
+    """Return the condition that the marks of a job's printed sheet were measured."""
+    return job.stored_options[("registration", "measured", 0, 0)].as_float().is_not(None)
 
 
 def waiting_jobs(machine: str) -> sa.Select[Job]:

@@ -7,7 +7,7 @@ from functools import partial
 
 from fastapi import Response
 
-from knifetip.errors import OpenQuestions, WrongState
+from knifetip.errors import OpenQuestions, PlanError, WrongState
 from knifetip.library.definition import Definition, Shelf, machine_of
 from knifetip.model.acceptance import Exceptions
 from knifetip.model.dieline import LineType
@@ -200,6 +200,7 @@ def _require_answers(service: Service, order: JobIn) -> PreparedOrder:
 def _store(service: Service, prepared: PreparedOrder, key: RequestKey | None) -> Job:
     """Store the job of an order about whose drawing no question is open."""
     order = prepared.order
+    _check_marks(order)
     ordered = JobOrder(
         machine=order.machine,
         board=order.board,
@@ -213,6 +214,16 @@ def _store(service: Service, prepared: PreparedOrder, key: RequestKey | None) ->
         details=details_columns(order),
     )
     return service.store.jobs.add(prepared.drawing, ordered, key)
+
+
+def _check_marks(order: JobIn) -> None:
+    """Raise ``PlanError`` for marks that an order states as measured, or for several sheets."""
+    if order.registration is None:
+        return
+    if order.registration.measured:
+        raise PlanError("registration.measured-in-order", source=["registration", "measured"])
+    if order.copies > 1:
+        raise PlanError("registration.one-copy", source=["copies"], copies=order.copies)
 
 
 def _exceptions_of_order(service: Service, ordered: ExceptionsIn | None) -> Exceptions | None:

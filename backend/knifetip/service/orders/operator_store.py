@@ -24,6 +24,7 @@ from knifetip.contract.job import (
 )
 from knifetip.errors import WrongState
 from knifetip.messages import Message
+from knifetip.model.job_options import JobOptions
 from knifetip.service.content.store import ContentStore
 from knifetip.service.database.engine import Database
 from knifetip.service.database.request_key import RequestKey
@@ -191,30 +192,82 @@ class OperatorStore:
             if (repeated := self._keys.repeated(session, id, key)) is not None:
                 return repeated
             row = self._transitions.lock(session, id)
-            if row.rest is not None:
-                raise WrongState("rest.bound-to-sheet", job=id, machine=row.machine)
-            machine, board = newest_versions(session, row)
-            self._transitions.move(
-                session,
-                id,
-                Action.RECOMPILE,
-                OPERATOR,
-                Message("job.recompiled"),
-                new_epoch=row.epoch + 1,
-                machine_version=machine,
-                board_version=board,
-                release=row.release or row.state == State.QUEUED,
-                attempt=row.attempt + 1,
-                confirmation=Confirmation.NONE.value,
-                requested_action="",
-                owner="",
-                lease=0.0,
-                message=None,
-                check_refusal=None,
-                progress=0.0,
-                **_WITHOUT_PROGRAM,
-            )
+            # Offsets of stations may have changed with which the marks were measured.
+            self._compile_again(session, row, row.options.with_measured(()), OPERATOR)
             return self._transitions.lock(session, id)
+
+    def register(
+        self,
+        id: str,
+        options: JobOptions,
+        event: Message,
+        by: str = "",
+        key: RequestKey | None = None,
+    ) -> Job:
+        """Have a job compiled again for a printed sheet as it lies on the table; return the job.
+
+        It is queued again when its new program is accepted, before the jobs that wait.
+
+        Parameters
+        ----------
+        id
+            Id of the job.
+        options
+            The options of the job with its measured marks.
+        event
+            Description of the measurement, for the log of events.
+        by
+            Name of the operator, for the log of events.
+
+        Raises
+        ------
+        WrongState
+            The job does not wait at its machine for its first confirmation, its machine or board
+            was deleted, its machine runs above the board, or it continues a sheet.
+        """
+        with self._db.writing() as session:
+            if (repeated := self._keys.repeated(session, id, key)) is not None:
+                return repeated
+            row = self._transitions.lock(session, id)
+            if row.state != State.QUEUED or not awaits_confirmation(row, self._db.clock()):
+                raise WrongState("registration.not-waiting", job=id)
+            if dry_run_on(session, row.machine, self._db.timer()):
+                raise WrongState("dry-run.in-progress", job=row.id)
+            actor = Actor(ActorKind.OPERATOR, by)
+            self._transitions.write_job_event(session, id, row.state, actor, event, row.machine)
+            self._compile_again(session, row, options, actor)
+            return self._transitions.lock(session, id)
+
+    def _compile_again(self, session: Session, row: Job, options: JobOptions, actor: Actor) -> None:
+        """Have a job compiled again with options; it is queued then if it was queued.
+
+        Raises ``WrongState``: the job is neither ``ready`` nor ``queued``, its machine or board was
+        deleted, or it continues a sheet.
+        """
+        if row.rest is not None:
+            raise WrongState("rest.bound-to-sheet", job=row.id, machine=row.machine)
+        machine, board = newest_versions(session, row)
+        self._transitions.move(
+            session,
+            row.id,
+            Action.RECOMPILE,
+            actor,
+            Message("job.recompiled"),
+            new_epoch=row.epoch + 1,
+            machine_version=machine,
+            board_version=board,
+            stored_options=options.model_dump(mode="json"),
+            release=row.release or row.state == State.QUEUED,
+            attempt=row.attempt + 1,
+            confirmation=Confirmation.NONE.value,
+            requested_action="",
+            owner="",
+            lease=0.0,
+            message=None,
+            check_refusal=None,
+            progress=0.0,
+            **_WITHOUT_PROGRAM,
+        )
 
     def recheck(self, id: str, key: RequestKey | None = None) -> Job:
         """Let the machine take a job again whose program it has refused, and return the job.

@@ -436,6 +436,9 @@ def _continued_columns(before: Job, continuation: Continuation) -> dict[str, Any
         for name, column in sa.inspect(Job).columns.items()
         if not column.info.get(OWN)
     }
+    if rest is None:
+        # A new sheet lies elsewhere: its marks are measured again.
+        changed["stored_options"] = before.options.with_measured(()).model_dump(mode="json")
     return copied | changed
 
 

@@ -69,7 +69,7 @@ class FindingOut(MessageOut):
 
     kind: str = Field(
         description="Kind of the finding: deviation, overcut, uncut, stray, depth, heading, order, "
-        "feed, travel, program, unreached, kerf, fold or planned"
+        "feed, travel, program, unreached, kerf, fold, registration or planned"
     )
     severity: Severity = Field(
         default=Severity.FAULT,

@@ -326,6 +326,9 @@ def check_transferable(row: Job) -> None:
     """Raise ``WrongState`` unless a job is ready, or waits and is not claimed, on any sheet."""
     if row.rest is not None:
         raise WrongState("rest.bound-to-sheet", job=row.id, machine=row.machine)
+    registration = row.options.registration
+    if registration is not None and registration.measured:
+        raise WrongState("registration.bound-to-machine", job=row.id, machine=row.machine)
     if row.state != State.READY and not is_waiting(row):
         raise _not_waiting_error(row)
 

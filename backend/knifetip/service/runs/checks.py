@@ -17,6 +17,7 @@ from knifetip.contract.job import LEASED, Confirmation
 from knifetip.errors import LibraryError, RequestError, WrongState
 from knifetip.messages import Message
 from knifetip.model.machine import Machine
+from knifetip.planning.registration import describe_registration
 from knifetip.service.database.engine import short
 from knifetip.service.database.tables import Job
 from knifetip.service.library.store import LibraryStore
@@ -62,6 +63,8 @@ class CheckList:
         machine = self._machine(row)
         left = unfinished_sheet(session, row)
         checks = [Check("board", self._board(row)), Check("sheet", _sheet_message(row, machine))]
+        if (marks := _marks_check(row)) is not None:
+            checks.append(marks)
         if left:
             checks.append(Check("unfinished-sheet", Message("check.unfinished-sheet", job=left)))
         for tool in row.tools:
@@ -150,6 +153,20 @@ def _feeds(row: Job, machine: Machine | None) -> bool:
     return machine is not None and machine.feed == "automatic"
 
 
+def _marks_check(row: Job) -> Check | None:
+    """Return the check of the marks of a job; None for a sheet without marks.
+
+    Its id depends on whether they were measured: a person who states that the sheet lies as
+    measured has not stated that it lies at the stops.
+    """
+    registration, stated = row.options.registration, describe_registration(row.options)
+    if registration is None or stated is None or row.rest is not None:
+        return None
+    if registration.measured:
+        return Check("sheet-measured", Message("check.sheet-measured", stated=stated))
+    return Check("sheet-at-stops", Message("check.sheet-at-stops", stated=stated))
+
+
 def _sheet_message(row: Job, machine: Machine | None) -> Message:
     """Return the text about the sheet of a job and its place on the table."""
     if row.rest is not None:
@@ -163,6 +180,8 @@ def _sheet_message(row: Job, machine: Machine | None) -> Message:
     else:
         x, y = machine.origin
         place = Message("check.drawing-place", x=x, y=y)
+    if row.options.registration is not None and row.options.registration.measured:
+        place = None  # the sheet lies by its marks
     if sheet is None:
         return Message("check.sheet-larger", place=place)
     if sheet.size is None:

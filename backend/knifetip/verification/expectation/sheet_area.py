@@ -73,12 +73,14 @@ class SheetArea:
         return result
 
 
-def place_sheet(sheet: Sheet, edges: Edges) -> SheetArea:
+def place_sheet(sheet: Sheet, edges: Edges, turn: complex = 1.0) -> SheetArea:
     """Return the area of a sheet on which the edges of a drawing are made.
 
     ``edges`` are all edges of the drawing in sheet coordinates.  The area has no chords if the
     sheet was cut to the outline of the drawing, and its edges do not show where that is: the cuts
     form no outline, or an edge lies outside every outline and is not connected with any.
+
+    ``turn`` is exp(i · angle) of the angle by which a rectangular sheet is turned on the table.
     """
     has_work = ~np.isin(edges.line_type, (LineType.IGNORED, LineType.UNCLASSIFIED))
     if sheet.size is None:
@@ -93,11 +95,21 @@ def place_sheet(sheet: Sheet, edges: Edges) -> SheetArea:
     points = np.concatenate(_chords(edges.curve[has_work]))
     if len(points) == 0:
         return SheetArea(points, points)
-    low = points.min(axis=0) - np.array(sheet.margins)
+    # Along the sides of the sheet, which lie along the axes of the drawing.
+    low = _turned(points, turn.conjugate()).min(axis=0) - np.array(sheet.margins)
     corners = low + np.array(sheet.size) * np.array(
         [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
     )
+    corners = _turned(corners, turn)
     return SheetArea(corners, np.roll(corners, -1, axis=0))
+
+
+def _turned(points: F64, turn: complex) -> F64:
+    """Return points, (n, 2) mm, turned about the origin by the angle of a number of modulus 1."""
+    if turn == 1.0:
+        return points
+    place = (points[:, 0] + 1j * points[:, 1]) * turn
+    return np.stack([place.real, place.imag], axis=1)
 
 
 def _has_cuts_apart(bounds: CutOutlines, area: SheetArea) -> bool:

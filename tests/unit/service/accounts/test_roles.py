@@ -32,7 +32,7 @@ LEAST = {
         export_drawing list_pages get_blanks list_layouts get_layout list_cartons get_carton_picture
         list_stock_sheets list_jobs list_orders get_job get_job_events get_verdict get_toolpath
         get_earlier_exceptions export_toolpath get_section get_ticket export_job get_folding
-        get_folding_file get_nesting
+        get_folding_file get_nesting get_registration
         get_confirmation get_queue get_tracks list_history get_statistics get_events
         list_machines get_machine get_station get_operation list_machine_tools list_tool_events
         list_formats list_boards get_board list_tools list_library get_schema
@@ -55,6 +55,7 @@ LEAST = {
         release_job recheck_job confirm_job hold_job resume_job confirm_end finish_job requeue_job
         scrap_job move_job change_job transfer_job continue_job ask_for_operation record_tool_change
         set_tool_life state_hands_clear withdraw_hands_clear renew_jog
+        fit_registration register_job
     """,
     "admin": """
         save_machine delete_machine save_board delete_board save_tool delete_tool
@@ -75,7 +76,7 @@ GATEWAY = {
 }
 #: What only people with the role and keys with the scope ``station`` may do.
 AT_MACHINE = {
-    *("confirm_job", "resume_job", "confirm_end"),
+    *("confirm_job", "resume_job", "confirm_end", "fit_registration", "register_job"),
     *("ask_for_operation", "state_hands_clear", "withdraw_hands_clear", "renew_jog"),
 }
 #: What a key with the scope ``station`` may do beside that.
