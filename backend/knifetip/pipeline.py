@@ -56,7 +56,7 @@ from knifetip.model.toolpath import Toolpath
 from knifetip.model.verdict import Verdict
 from knifetip.planning.boundary import BoardOutline
 from knifetip.planning.chosen_bridges import ChosenBridge, locate_bridges
-from knifetip.planning.chosen_depths import check_depths
+from knifetip.planning.chosen_depths import check_crease_depths, check_depths
 from knifetip.planning.chosen_starts import ChosenStart, apply_starts, place_starts
 from knifetip.planning.cutters import with_best_cutter
 from knifetip.planning.nothing_to_make import check_has_work
@@ -290,6 +290,7 @@ def compile(
         work = chosen_work(options, dieline)
         dieline = with_depths(dieline, work, board.caliper)
         check_depths(work, dieline, machine, board)
+        check_crease_depths(work, dieline, machine, board)
     checked = clean_checked(dieline)
     cleaned = checked.cleaned
     offset = _place(cleaned.dieline, machine, options)

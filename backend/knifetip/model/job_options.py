@@ -66,6 +66,20 @@ class CutDepth(LineTypeChoice):
     )
 
 
+class CreaseDepth(LineTypeChoice):
+    """How deep the wheel presses some creases."""
+
+    types = ("crease", "combi")
+    depth: float = Field(
+        gt=0.0,
+        le=100.0,
+        title="Depth of the crease",
+        description="Depth of the crease below the top face of the board (mm), less than the "
+        "board is thick, instead of the depth of the board along or across the grain",
+        json_schema_extra={"unit": "mm"},
+    )
+
+
 class EdgeFeed(LineTypeChoice):
     """The feed with which some edges are cut."""
 
@@ -142,6 +156,14 @@ class VerifiedOptions(Table):
         description="Passes and depths of cuts and half-cuts; empty for those of tool and board. "
         "Of several for one edge the last counts, and one for the edge before one for its line "
         "type",
+    )
+    crease_depths: tuple[CreaseDepth, ...] = Field(
+        default=(),
+        strict=False,  # JSON has lists
+        max_length=1000,
+        title="Depth of creases",
+        description="Depths of creases; empty for those of the board. Of several for one edge the "
+        "last counts, and one for the edge before one for its line type",
     )
     edge_feeds: tuple[EdgeFeed, ...] = Field(
         default=(),

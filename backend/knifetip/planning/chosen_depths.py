@@ -11,7 +11,7 @@ from knifetip.languages.registry import find_language
 from knifetip.model.board import Board
 from knifetip.model.chosen_work import ChosenWork
 from knifetip.model.dieline import Dieline, LineType
-from knifetip.model.job_options import CutDepth
+from knifetip.model.job_options import CreaseDepth, CutDepth
 from knifetip.model.machine import Machine
 from knifetip.model.tool import Cutter, DiscTool, Knife
 from knifetip.planning.setup import Setup
@@ -73,3 +73,35 @@ def check_depths(work: ChosenWork, dieline: Dieline, machine: Machine, board: Bo
                     step=step,
                     at_edges=own,
                 )
+
+
+def check_crease_depths(work: ChosenWork, dieline: Dieline, machine: Machine, board: Board) -> None:
+    """Raise ``PlanError`` if a machine cannot make a depth that was chosen for a crease.
+
+    Parameters
+    ----------
+    work
+        What is chosen for the edges.
+    dieline
+        The edges with their line types.
+    """
+    if CreaseDepth not in work:
+        return
+    chosen = work[CreaseDepth]
+    rows = np.flatnonzero(chosen.chosen)
+    others = rows[~np.isin(dieline.line_type[rows], (LineType.CREASE, LineType.COMBI))]
+    for edge in others[:1]:
+        word = LineType(dieline.line_type[edge]).word
+        raise PlanError("crease-depth.other-type", edge=edge, type=word, at_edges=others)
+    if len(rows) and not find_language(machine.dialect).sets_pose:
+        raise PlanError("crease-depth.not-set", edge=rows[0], machine=machine.title, at_edges=rows)
+    depth = chosen.numbers("depth", 0.0)
+    deep = np.flatnonzero(depth >= board.caliper)
+    for edge in deep[:1]:
+        raise PlanError(
+            "crease-depth.too-deep",
+            edge=edge,
+            depth=depth[edge],
+            caliper=board.caliper,
+            at_edges=deep,
+        )

@@ -7,6 +7,7 @@ from typing import Final
 
 import numpy as np
 
+from knifetip.errors import PlanError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import azimuth, unit_vectors
 from knifetip.geometry.chain import chain
@@ -16,6 +17,7 @@ from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import ANGLE, GAP, POINT
 from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.job_options import CreaseDepth
 from knifetip.model.operation import End, Operation
 from knifetip.planning.crease_wheels import choose_wheels, crease_stations
 from knifetip.planning.dashes import merge_dashes
@@ -34,27 +36,35 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
     The depth depends on the angle φ between the direction of a crease and the grain of the board:
     d = d∥ + (d⊥ - d∥) sin² φ, with the board's depths d∥ along and d⊥ across the grain.  The
     direction of an arc is its tangent, so the depth changes along it.  An arc is therefore split
-    into pieces of constant depth, which differs from d by at most ``_DEPTH_ERROR``.
+    into pieces of constant depth, which differs from d by at most ``_DEPTH_ERROR``.  A depth that
+    the user has chosen for an edge replaces d.
 
     Parameters
     ----------
     rows : (m,)
         Indices of the creases in the dieline.
     setup
-        Machine, board and station of the crease wheel for straight creases.
+        Machine, board and station of the crease wheel for straight creases, and the chosen depths.
+
+    Raises
+    ------
+    PlanError
+        Different depths were chosen for creases that continue each other.
     """
     board = setup.board
     paths, source, ends = _crease_paths(dieline, rows)
+    _check_chosen(paths, source, setup)
     if board.double_crease > 0.0:
         paths, path, segment = double_creases(paths, board.double_crease, source)
         source, ends = source[segment], (ends[0][path], ends[1][path])
     ahead, last = arc.tangents(paths.start, paths.end, paths.bulge)
     tangents = np.stack([ahead[paths.first[:-1]], last[paths.first[1:] - 1]], axis=1)
     end_depth = _depth_along(tangents.reshape(-1, 2), board).reshape(-1, 2)
+    end_depth = _with_chosen(end_depth, source[paths.first[:-1]], setup)
     paths, segment = _split_by_depth(paths, board)
-    # The tangent in the middle of an arc is parallel to its chord.
-    depth = _depth_along(paths.end - paths.start, board)
     source = source[segment]
+    # The tangent in the middle of an arc is parallel to its chord.
+    depth = _with_chosen(_depth_along(paths.end - paths.start, board), source, setup)
     stations = crease_stations(setup.machine, setup.station)
     wheel = choose_wheels(paths, source, depth, stations, board)
     operations = []
@@ -77,6 +87,38 @@ def _depth_along(direction: F64, board: Board) -> F64:
     sine = np.sin(np.radians(azimuth(direction) - board.grain))
     result: F64 = board.crease_along + (board.crease_across - board.crease_along) * sine**2
     return result
+
+
+def _chosen_depths(source: I32, setup: Setup) -> F64:
+    """Return the depths that the user has chosen for n edges, (n,) mm; NaN for those without."""
+    if CreaseDepth not in setup.chosen:
+        return np.full(len(source), np.nan)
+    return setup.chosen[CreaseDepth].numbers("depth", np.nan)[source]
+
+
+def _with_chosen(depth: F64, source: I32, setup: Setup) -> F64:
+    """Return depths of n creases, (n,) or (n, 2) mm, replaced by those that the user has chosen.
+
+    ``source`` are the indices in the dieline of the edges of the creases, (n,).
+    """
+    chosen = _chosen_depths(source, setup)
+    if depth.ndim == 2:
+        chosen = chosen[:, None]
+    result: F64 = np.where(np.isfinite(chosen), chosen, depth)
+    return result
+
+
+def _check_chosen(paths: Paths, source: I32, setup: Setup) -> None:
+    """Raise ``PlanError`` if the depths that were chosen for the segments of a path differ.
+
+    The wheel rolls along a path without a lift, so the board would be pressed between them.
+    """
+    # A depth of 0 stands for the depth of the board.
+    chosen = np.nan_to_num(_chosen_depths(source, setup))
+    differs = np.flatnonzero((np.diff(chosen) != 0.0) & (np.diff(paths.path_of) == 0))
+    for row in differs[:1]:
+        pair = source[row : row + 2]
+        raise PlanError("edge-choice.joined", edge=pair[0], other=pair[1], at_edges=pair)
 
 
 def _split_by_depth(paths: Paths, board: Board) -> tuple[Paths, I32]:

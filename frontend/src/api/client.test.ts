@@ -58,6 +58,7 @@ describe("an error", () => {
         work_order: [],
         bridges: [],
         cut_depths: [],
+        crease_depths: [],
         edge_feeds: [],
         program_note: "",
         external_id: "PO-1",

@@ -67,6 +67,23 @@ export const EDGE_OPTIONS = {
       }
     }
   },
+  "crease_depths": {
+    "types": [
+      "crease",
+      "combi"
+    ],
+    "byType": true,
+    "fields": {
+      "depth": {
+        "kind": "number",
+        "min": 0.0,
+        "max": 100.0,
+        "default": null,
+        "whole": false,
+        "unit": "mm"
+      }
+    }
+  },
   "edge_feeds": {
     "types": [
       "cut",

@@ -938,6 +938,8 @@ export const de = {
   "edgeOption.cut_depths": "Durchgänge und Tiefe",
   "edgeOption.cut_depths.passes": "Durchgänge",
   "edgeOption.cut_depths.depth": "Tiefe unter der Oberseite",
+  "edgeOption.crease_depths": "Tiefe von Rillungen",
+  "edgeOption.crease_depths.depth": "Rilltiefe",
   "edgeOption.edge_feeds": "Vorschub der Kanten",
   "edgeOption.edge_feeds.factor": "Vorschubfaktor",
   // panels/order/SheetForm.tsx

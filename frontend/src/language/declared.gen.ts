@@ -14,6 +14,8 @@ export const DECLARED_TEXTS = {
   "edgeOption.cut_depths": "Passes and depth",
   "edgeOption.cut_depths.passes": "Passes",
   "edgeOption.cut_depths.depth": "Depth from top",
+  "edgeOption.crease_depths": "Depth of creases",
+  "edgeOption.crease_depths.depth": "Depth of the crease",
   "edgeOption.edge_feeds": "Feed of edges",
   "edgeOption.edge_feeds.factor": "Feed factor",
   "fact.program_bytes": "Size of the program"

@@ -30,6 +30,27 @@ MESSAGES: Final[Entries] = {
         distance="number",
         least="number",
     ),
+    "crease-depth.not-set": entry(
+        "A depth was chosen for crease {edge}, but programs of {machine} do not set the depth of "
+        "the wheel.",
+        "Remove the choice, and set the depth at the machine.",
+        edge="edge",
+        machine="text",
+    ),
+    "crease-depth.other-type": entry(
+        "A depth of the crease was chosen for edge {edge}, which has the line type {type}.",
+        "Remove the choice, or make the edge a crease.",
+        edge="edge",
+        type="text",
+    ),
+    "crease-depth.too-deep": entry(
+        "The depth chosen for crease {edge} is {depth:g} mm, but the board is {caliper:g} mm "
+        "thick.",
+        "Choose a depth that is less than the thickness of the board.",
+        edge="edge",
+        depth="number",
+        caliper="number",
+    ),
     "depth.not-set": entry(
         "Passes or a depth were chosen for edge {edge}, but programs of {machine} do not set the "
         "depth of the knife.",

@@ -22,6 +22,19 @@ TEXTS: Final[Texts] = {
         "entfernt, aber das Werkzeug braucht {least:.2f} mm von Mitte zu Mitte.",
         "Einen der Stege verschieben oder entfernen.",
     ),
+    "crease-depth.not-set": Text(
+        "Für Rillung {edge} wurde eine Tiefe gewählt, aber Programme für {machine} stellen die "
+        "Tiefe des Rillrads nicht ein.",
+        "Die Angabe entfernen und die Tiefe an der Maschine einstellen.",
+    ),
+    "crease-depth.other-type": Text(
+        "Für Kante {edge} wurde eine Rilltiefe gewählt, aber sie hat die Linienart {type}.",
+        "Die Angabe entfernen oder die Kante zur Rillung machen.",
+    ),
+    "crease-depth.too-deep": Text(
+        "Die Tiefe für Rillung {edge} ist {depth:g} mm, aber der Karton ist {caliper:g} mm dick.",
+        "Eine Tiefe wählen, die kleiner als die Dicke des Kartons ist.",
+    ),
     "depth.not-set": Text(
         "Für Kante {edge} wurden Durchgänge oder eine Tiefe gewählt, aber Programme für {machine} "
         "stellen die Tiefe des Messers nicht ein.",

@@ -24,6 +24,14 @@ def depth_towards(direction: F64, board: Board) -> F64:
     return result
 
 
+def with_chosen(depth: F64, chosen: F64) -> F64:
+    """Return depths of creases, (n,) mm, where none is chosen, and else the chosen ones.
+
+    ``chosen`` (n,) mm: depths that the user has chosen, NaN for none.
+    """
+    return np.where(np.isnan(chosen), depth, chosen)
+
+
 def depth_range(curve: F64, place: F64, board: Board) -> tuple[F64, F64]:
     """Return the least and the greatest depth along parts of creases, (k,) mm each.
 

@@ -25,7 +25,7 @@ from knifetip.model.tool import CreaseWheel
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, point_at
 from knifetip.verification.curves.near_points import pair_distances
-from knifetip.verification.expectation.crease_depth import depth_towards
+from knifetip.verification.expectation.crease_depth import depth_towards, with_chosen
 from knifetip.verification.expectation.edge_paths import EdgePaths, edge_paths, link_ends
 from knifetip.verification.expectation.edges import (
     JOIN_DISTANCE,
@@ -76,6 +76,7 @@ def expected_creases(
     wheel: CreaseWheel,
     all_creases: Edges | None = None,
     split_ends: Bool | None = None,
+    chosen: F64 | None = None,
 ) -> ExpectedCreases:
     """Return where the wheel must start and stop on each of n creases, and the depths of presses.
 
@@ -93,8 +94,12 @@ def expected_creases(
         only ``edges``.
     split_ends : (2n,)
         Mask of the ends at which a cut splits a crease, which are always free; None for no end.
+    chosen : (n,) mm
+        Depths that the user has chosen, NaN for the depth of the board; None if there are none.
     """
-    depth = depth_towards(edges.outward, board)
+    if chosen is None:
+        chosen = np.full(len(edges), np.nan)
+    depth = with_chosen(depth_towards(edges.outward, board), np.repeat(chosen, 2))
     contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
     link, _ = link_ends(edges, STRAIGHT_ANGLE)
     if split_ends is not None:
@@ -128,6 +133,7 @@ def expected_creases(
         reach = np.clip(half, 0.0, wheel.radius)
         fits = wheel.radius - np.sqrt(wheel.radius**2 - reach**2)
         rolled = depth_towards(azimuth_at(edges.curve[row], place), board)
+        rolled = with_chosen(rolled, chosen[row])
         possible = (board.short_crease == "press") & (fits > _SHALLOWEST_PRESS)
         refused[row] = ~possible
         row, place = row[possible], place[possible]
@@ -137,11 +143,13 @@ def expected_creases(
     return ExpectedCreases(edges, press_depth, low, high, pressed, refused)
 
 
-def stop_distance(edges: Edges, board: Board, wheel: CreaseWheel) -> F64:
+def stop_distance(edges: Edges, board: Board, wheel: CreaseWheel, chosen: F64) -> F64:
     """Return the distance from the free end of each of n straight creases at which the wheel stops,
     (n,) mm: half of its contact length, and the board's end clearance.
+
+    ``chosen`` (n,) mm are the depths that the user has chosen, NaN for the depth of the board.
     """
-    depth = depth_towards(edges.chord, board)
+    depth = with_chosen(depth_towards(edges.chord, board), chosen)
     contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
     return np.asarray(contact + board.end_clearance)
 

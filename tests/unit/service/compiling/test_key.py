@@ -14,7 +14,14 @@ from knifetip.library.definition import Definition, Shelf
 from knifetip.model.acceptance import Exceptions
 from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.interpretation import Interpretation
-from knifetip.model.job_options import BridgeAt, ContourStart, CutDepth, EdgeFeed, JobOptions
+from knifetip.model.job_options import (
+    BridgeAt,
+    ContourStart,
+    CreaseDepth,
+    CutDepth,
+    EdgeFeed,
+    JobOptions,
+)
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Acceptance
 from knifetip.service.compiling import key as module
@@ -36,6 +43,7 @@ CHOICES = JobOptions(
     feed_factor=0.5,
     contour_starts=(ContourStart(edges=(3, 4), at=0.25, direction="reverse"),),
     cut_depths=(CutDepth(edges=(5,), passes=2, depth=1.5), CutDepth(line_type="cut", passes=3)),
+    crease_depths=(CreaseDepth(edges=(7,), depth=0.3),),
     edge_feeds=(EdgeFeed(edges=(6,), factor=0.5),),
     bridges=(BridgeAt(edges=(9,), at=0.5, width=1.0),),
     work_order=(8, 7),

@@ -12,6 +12,7 @@ import numpy as np
 
 from knifetip.messages import Message
 from knifetip.model.dieline import LineType
+from knifetip.model.job_options import CreaseDepth
 from knifetip.model.tool import CreaseWheel
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.common.base import StationCheck
@@ -21,7 +22,7 @@ from knifetip.verification.checks.crease.bends import check_bends
 from knifetip.verification.columns import F64, I32, Bool
 from knifetip.verification.curves.curve import azimuth_at
 from knifetip.verification.curves.intervals import Overlaps, mark_nearest
-from knifetip.verification.expectation.crease_depth import depth_range
+from knifetip.verification.expectation.crease_depth import depth_range, with_chosen
 from knifetip.verification.expectation.crease_lines import (
     concatenate_edges,
     creased_gaps,
@@ -63,7 +64,7 @@ class CreaseCheck(StationCheck):
             self.context.edges.with_types(LineType.CUT),
             self.curve,
             0.5 * pair + self.tolerance,
-            stop_distance(self.edges, self.context.board, wheel),
+            stop_distance(self.edges, self.context.board, wheel, self._chosen_depths(self.edges)),
         )
         single, crossings = split_at_cuts(
             concatenate_edges(self.edges, between), self.context.edges.with_types(LineType.CUT)
@@ -84,7 +85,10 @@ class CreaseCheck(StationCheck):
                 np.tile(parts, 2),
             )
         self.set_edges(single)
-        expected = expected_creases(self.edges, self.context.board, wheel, all_creases, parts)
+        chosen = self._chosen_depths(self.edges)
+        expected = expected_creases(
+            self.edges, self.context.board, wheel, all_creases, parts, chosen
+        )
         self.low, self.high, self.depth = expected.low, expected.high, expected.press_depth
         curved = self.edges.curve[:, 0] != 0.0
         self.depth_tolerance[curved] = CURVED_DEPTH_TOLERANCE + self.context.height_resolution
@@ -100,6 +104,12 @@ class CreaseCheck(StationCheck):
         contact = np.sqrt(np.maximum(depth * (2.0 * wheel.radius - depth), 0.0))
         self.check_heading(overlaps, contact, 180.0)
         check_bends(self, overlaps, all_creases, contact, wheel)
+
+    def _chosen_depths(self, edges: Edges) -> F64:
+        """Return the depths that the user has chosen for n creases, (n,) mm; NaN for none."""
+        if CreaseDepth not in self.context.chosen:
+            return np.full(len(edges), np.nan)
+        return self.context.chosen[CreaseDepth].numbers("depth", np.nan)[edges.row]
 
     def _drop_crossings(self, overlaps: Overlaps, pressed: Bool) -> Overlaps:
         """Return the overlaps without those of presses that only cross another crease.
@@ -184,6 +194,8 @@ class CreaseCheck(StationCheck):
         has one depth; ``edge`` and ``place`` are as in the base class.
         """
         lowest, highest = depth_range(self.edges.curve[edge], place, self.context.board)
+        chosen = self._chosen_depths(self.edges)[edge]
+        lowest, highest = with_chosen(lowest, chosen), with_chosen(highest, chosen)
         press = self.depth[edge]
         is_pressed = np.isfinite(press)
         return np.where(is_pressed, press, lowest), np.where(is_pressed, press, highest)
