@@ -21,8 +21,8 @@ def places(items: Locator) -> list[str]:
 
 def test_tracks_are_dragged_and_moved_by_keys(page: Page, screenshots: Path) -> None:
     address = page.url.partition("#")[0]
-    crease = (3, "CREASE")
-    lines = [text.line((x, 20), (x, 180), crease) for x in (80, 160, 240)]
+    crease = (8, "CREASE")
+    lines = [text.line(x, 20, x, 180, crease) for x in (80, 160, 240)]
     with httpx.Client(base_url=address, timeout=60.0) as client:
         file = text.dxf(text.rectangle(300, 200, (8, "CUT")), *lines, units=4)
         drawing = upload_drawing(client, file)
