@@ -49,7 +49,10 @@ describe("the choices for edges", () => {
   test("have marks at the chosen places", () => {
     const choices = [{ edges: [0, 1], at: 0.25, direction: "free" as const }];
     expect(
-      chosenPlaces({ contour_starts: choices, cut_depths: [], crease_depths: [], edge_feeds: [] }, EDGES),
+      chosenPlaces(
+        { contour_starts: choices, cut_depths: [], crease_depths: [], edge_feeds: [] },
+        EDGES,
+      ),
     ).toEqual([
       { x: 2.5, y: 0 },
       { x: 10, y: 5 },
