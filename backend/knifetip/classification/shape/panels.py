@@ -25,7 +25,9 @@ class Panels(NamedTuple):
         return Panels(area[rows], centre[rows], box[rows], at_rim[rows])
 
 
-def measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) -> Panels:
+def measure_faces(
+    graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool, components: I64 | None = None
+) -> Panels:
     """Return the area, centre and bounding box of each of f faces, and whether it is at an outline.
 
     Parameters
@@ -37,9 +39,16 @@ def measure_faces(graph: PlanarGraph, faces: Faces, length: F64, at_rim: Bool) -
         Length of each piece.
     at_rim : (f,)
         Whether each face is at the outline of a blank; copied to the result.
+    components : (k,), optional
+        Components whose faces are measured; None for all.  Other faces have no centre and box.
     """
     count = len(faces.area)
-    own = np.flatnonzero(graph.twin_piece == np.arange(len(graph.twin_piece)))
+    is_own = graph.twin_piece == np.arange(len(graph.twin_piece))
+    if components is not None:
+        measured = np.zeros(len(faces.outer_face), np.bool_)
+        measured[components] = True
+        is_own &= measured[graph.component]
+    own = np.flatnonzero(is_own)
     start, end, length = graph.vertex[graph.start[own]], graph.vertex[graph.end[own]], length[own]
     middle = 0.5 * (start + end)
     centre = np.zeros((count, 2))

@@ -71,7 +71,7 @@ def mark_shared_outlines(
     large = np.flatnonzero((panels >= least) & (panels <= _MOST_PANELS))[:_MOST_COMPONENTS]
     if len(large) == 0:
         return blanks, possible
-    measured = measure_faces(graph, faces, length, at_rim)
+    measured = measure_faces(graph, faces, length, at_rim, large)
     for component in large.tolist():
         own = chosen[faces.component[chosen] == component]
         steps, count = _steps_of_blanks(measured.take(own))
