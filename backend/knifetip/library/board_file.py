@@ -78,6 +78,13 @@ class BoardFile(Table):
         json_schema_extra=_BOARD,
         description="direction of flute or grain on the sheet (degrees)",
     )
+    crease_base: Annotated[Literal["", "rigid", "soft"], LISTED] = Field(
+        "",
+        title="Creasing base",
+        json_schema_extra=_CREASES,
+        description="creasing base for which the depths of creases are given; only on a soft one "
+        "may they exceed the thickness; empty: any",
+    )
     crease_along: Positive = Field(
         json_schema_extra=_CREASES, description="depth of a crease along flute or grain (mm)"
     )
@@ -181,6 +188,9 @@ class BoardFile(Table):
     @classmethod
     def _below_caliper(cls, value: float, info: ValidationInfo) -> float:
         caliper = info.data.get("caliper")
+        is_crease = info.field_name in ("crease_along", "crease_across")
+        if is_crease and info.data.get("crease_base") == "soft":
+            return value
         if caliper is not None and value >= caliper:
             raise field_error("field.not-less-than-caliper", value=value, caliper=caliper)
         return value

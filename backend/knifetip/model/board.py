@@ -58,6 +58,8 @@ class Board:
     fold_angle: float = 90.0  #: angle by which the board must fold at a V-groove (degrees)
     #: greatest distance at which a wheel presses beside a bent crease (mm)
     crease_tolerance: float = 0.25
+    #: creasing base for which the depths of creases are given: "rigid", "soft", or "" for any
+    crease_base: str = ""
     cut_tolerance: float = 0.1  #: greatest distance of a cut in the top face from its line (mm)
     least_radius: float = 0.0  #: smallest radius of a bend that a knife cuts (mm); 0: no limit
     deflection: tuple[Deflection, ...] = ()  #: deflection of each cutter measured in this board

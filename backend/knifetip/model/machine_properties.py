@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any, Final, Literal
 
+from annotated_types import Le
 from pydantic import Field
 
 from knifetip.fields import LISTED
@@ -112,6 +113,26 @@ class MachineProperties:
             json_schema_extra=HEIGHTS,
         ),
     ]
+    creasing_base: Annotated[
+        Literal["rigid", "soft"],
+        LISTED,
+        Field(
+            title="Creasing base",
+            description="Surface on which the wheels press. rigid: the cutting mat, which counts "
+            "as rigid. soft: a mat of felt or rubber, which yields",
+            json_schema_extra=HEIGHTS,
+        ),
+    ] = "rigid"
+    base_yield: Annotated[
+        NotNegative,
+        Le(10),
+        Field(
+            title="Yield of a soft base",
+            description="Depth by which a soft creasing base yields under a wheel (mm); a rigid "
+            "base does not yield",
+            json_schema_extra=HEIGHTS,
+        ),
+    ] = 0.0
     settle: Annotated[
         NotNegative,
         Field(

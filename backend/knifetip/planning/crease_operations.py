@@ -65,6 +65,7 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
     source = source[segment]
     # The tangent in the middle of an arc is parallel to its chord.
     depth = _with_chosen(_depth_along(paths.end - paths.start, board), source, setup)
+    _check_depths(depth, source, setup)
     stations = crease_stations(setup.machine, setup.station)
     wheel = choose_wheels(paths, source, depth, stations, board)
     operations = []
@@ -77,6 +78,26 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
             operation = operation.with_paths(np.flatnonzero(wheel == index).astype(np.int32))
         operations.append(operation)
     return operations
+
+
+def _check_depths(depth: F64, source: I32, setup: Setup) -> None:
+    """Raise ``PlanError`` if creases are deeper than the board and the yield of the creasing base.
+
+    ``depth``, ``source`` (n,): depth of each segment (mm), and its edge in the dieline.
+    """
+    board, machine = setup.board, setup.machine
+    give = machine.base_yield if machine.creasing_base == "soft" else 0.0
+    deep = np.flatnonzero(depth > board.caliper + give + POINT)
+    if len(deep):
+        edges = np.unique(source[deep])
+        raise PlanError(
+            "crease.below-base",
+            count=len(edges),
+            depth=float(depth[deep].max()),
+            most=board.caliper + give,
+            machine=machine.title,
+            at_edges=edges,
+        )
 
 
 def _depth_along(direction: F64, board: Board) -> F64:

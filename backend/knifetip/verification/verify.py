@@ -33,6 +33,7 @@ from knifetip.verification.checks.common.edge_feeds import (
     least_parts,
     without_slowed,
 )
+from knifetip.verification.checks.crease.base import check_creasing_base
 from knifetip.verification.checks.crease.rim import check_rims
 from knifetip.verification.checks.edge_checks import check_edges
 from knifetip.verification.checks.knife.passes import check_knife_passes, last_passes
@@ -184,6 +185,7 @@ def verify(
     check_knife_passes(context, executed)
     check_edges(context, last_passes(context, work))
     check_rims(context, work.paths)
+    check_creasing_base(context, work.paths)
     check_work_order(context, last_passes(context, executed))
     check_repeated_work(context, work)
     check_chosen_passes(context, work.paths)

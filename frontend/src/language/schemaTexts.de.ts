@@ -207,6 +207,14 @@ export const schemaTexts: Readonly<Record<string, string>> = {
     "Kleinster Abstand eines Werkzeugs vom Material beim Drehen, für Aufträge mit kleinstem Hub (mm); 0: solche Aufträge werden abgelehnt",
   "Depth in the mat": "Tiefe in der Matte",
   "Depth of a through cut in the mat (mm)": "Tiefe eines Durchschnitts in der Matte (mm)",
+  "Creasing base": "Rillunterlage",
+  "Surface on which the wheels press. rigid: the cutting mat, which counts as rigid. soft: a mat of felt or rubber, which yields":
+    "Fläche, auf die die Räder drücken. starr: die Schneidmatte, die als starr gilt. weich: eine Matte aus Filz oder Gummi, die nachgibt",
+  "Yield of a soft base": "Nachgiebigkeit einer weichen Unterlage",
+  "Depth by which a soft creasing base yields under a wheel (mm); a rigid base does not yield":
+    "Tiefe, um die eine weiche Rillunterlage unter einem Rad nachgibt (mm); eine starre gibt nicht nach",
+  "creasing base for which the depths of creases are given; only on a soft one may they exceed the thickness; empty: any":
+    "Rillunterlage, für die die Rilltiefen angegeben sind; nur auf einer weichen dürfen sie die Dicke überschreiten; leer: jede",
   "Waiting time of outputs": "Wartezeit der Ausgänge",
   "Waiting time after an output is switched (s)": "Wartezeit nach dem Schalten eines Ausgangs (s)",
   "Number of outputs": "Zahl der Ausgänge",
@@ -339,6 +347,8 @@ export const schemaTexts: Readonly<Record<string, string>> = {
   // Values of choices.
   manual: "manuell",
   automatic: "automatisch",
+  rigid: "starr",
+  soft: "weich",
   arcs: "Bögen",
   chords: "Sehnen",
   corner: "Ecke",

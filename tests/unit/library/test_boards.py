@@ -68,3 +68,13 @@ def test_boards_of_the_library_have_no_optional_fields() -> None:
     for name in load.names("boards"):
         board = load.board(name)
         assert [getattr(board, key) for key in MORE] == [0.0] * 5
+
+
+@pytest.mark.parametrize("base", ["", "rigid"])
+def test_only_creases_on_a_soft_base_may_be_deeper_than_the_board(base: str) -> None:
+    deep = {**FIELDS, "crease_across": 2.3}
+    assert load.parse_board("a", {**deep, "crease_base": "soft"}).crease_across == 2.3
+    with pytest.raises(LibraryError, match="crease_across"):
+        load.parse_board("a", {**deep, "crease_base": base})
+    with pytest.raises(LibraryError, match="half_cut_depth"):
+        load.parse_board("a", {**FIELDS, "crease_base": "soft", "half_cut_depth": 2.3})

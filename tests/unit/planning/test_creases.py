@@ -195,7 +195,7 @@ def test_the_narrowest_wheel_at_least_as_wide_as_the_board_is_thick(
     wheels = [replace(MACHINE.stations[1], number=n, tool=CreaseWheel(15.0, w, 30000.0, 6000.0))
               for n, w in ((2, 0.7), (5, 3.0), (4, 1.5))]  # fmt: skip
     machine = replace(MACHINE, stations=(*wheels, MACHINE.stations[0]))
-    board = replace(BOARD, caliper=caliper)
+    board = replace(BOARD, caliper=caliper, crease_along=0.2, crease_across=0.2)
     assert rolled(ACROSS, board=board, machine=machine).station == number
 
 

@@ -28,6 +28,16 @@ MESSAGES: Final[Entries] = {
         count="count",
         fewest="count",
     ),
+    "crease.below-base": entry(
+        "{count} creases are up to {depth:.2f} mm deep, but the creasing base of {machine} permits "
+        "{most:.2f} mm, the thickness of the board and the yield of the base.",
+        "Choose a board with smaller crease depths, or put a soft creasing mat on the table and "
+        "state its yield in the machine file.",
+        count="count",
+        depth="number",
+        most="number",
+        machine="text",
+    ),
     "crease.tight-bend": entry(
         "The double crease at edge {edge} is bent with a radius of {radius:.2f} mm, which is "
         "too small for a second crease line {offset:.2f} mm inside the bend.",

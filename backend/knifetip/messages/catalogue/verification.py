@@ -20,6 +20,22 @@ MESSAGES: Final[Entries] = {
         "Give a number greater than 0, usually 0.01 mm.",
         tolerance="text",
     ),
+    "verify.base-not-rigid": entry(
+        "The crease depths of the board {board}, up to {depth:.2f} mm, are given for a rigid "
+        "creasing base, but the machine has a soft one: the creases become shallower and wider.",
+        "Crease a sample, and adjust the crease depths of the board to the soft base.",
+        board="text",
+        depth="number",
+    ),
+    "verify.base-not-soft": entry(
+        "The crease depths of the board {board}, up to {depth:.2f} mm, are given for a soft "
+        "creasing base, but the machine has a rigid one: the wheel may cut the face or crush the "
+        "board.",
+        "Put a soft creasing mat on the table and state it in the machine file, or reduce the "
+        "crease depths of the board.",
+        board="text",
+        depth="number",
+    ),
     "verify.beside-line": entry(
         "The path of the {tool:tool} is {distance:.3f} mm away from the edge that it should "
         "follow.",
@@ -627,6 +643,15 @@ MESSAGES: Final[Entries] = {
         length="number",
         places="count",
         distance="number",
+    ),
+    "verify.wheel-below-base": entry(
+        "The creasing wheel is pressed {depth:.3f} mm below the surface of the mat, {excess:.3f} "
+        "mm deeper than the creasing base yields ({most:.3f} mm).",
+        "Compile the job again for this machine, or put a soft creasing mat on the table and "
+        "state its yield in the machine file.",
+        depth="number",
+        excess="number",
+        most="number",
     ),
     "verify.where-from-start": entry(
         "The missing part begins {place:.3f} mm from the start of the edge.",

@@ -23,6 +23,12 @@ TEXTS: Final[Texts] = {
         "machen, in der Materialdatei einen kleineren Abstand der Haltestege wählen, oder ein "
         "Material ohne Haltestege.",
     ),
+    "crease.below-base": Text(
+        "{count} Rillen sind bis {depth:.2f} mm tief, die Rillunterlage von {machine} erlaubt aber "
+        "{most:.2f} mm, die Dicke des Kartons und die Nachgiebigkeit der Unterlage.",
+        "Einen Karton mit kleineren Rilltiefen wählen, oder eine weiche Rillmatte auflegen und "
+        "ihre Nachgiebigkeit in der Maschinendatei angeben.",
+    ),
     "crease.tight-bend": Text(
         "Die Doppelrille an Kante {edge} ist mit einem Radius von {radius:.2f} mm gebogen, der "
         "für eine zweite Rillinie {offset:.2f} mm weiter innen zu klein ist.",

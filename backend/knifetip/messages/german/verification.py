@@ -11,6 +11,18 @@ TEXTS: Final[Texts] = {
         "Die Toleranz der Prüfung ist {tolerance} mm, das ist keine gültige Länge.",
         "Eine Zahl größer als 0 angeben, üblich sind 0,01 mm.",
     ),
+    "verify.base-not-rigid": Text(
+        "Die Rilltiefen des Kartons {board}, bis {depth:.2f} mm, gelten für eine starre "
+        "Rillunterlage, die Maschine hat aber eine weiche: Die Rillen werden flacher und breiter.",
+        "Ein Muster rillen und die Rilltiefen des Kartons der weichen Unterlage anpassen.",
+    ),
+    "verify.base-not-soft": Text(
+        "Die Rilltiefen des Kartons {board}, bis {depth:.2f} mm, gelten für eine weiche "
+        "Rillunterlage, die Maschine hat aber eine starre: Das Rad kann die Oberseite aufschneiden "
+        "oder den Karton zerdrücken.",
+        "Eine weiche Rillmatte auflegen und in der Maschinendatei angeben, oder die Rilltiefen des "
+        "Kartons verringern.",
+    ),
     "verify.beside-line": Text(
         "Die Bahn des Werkzeugs ({tool:tool}) liegt {distance:.3f} mm neben der Kante, der sie "
         "folgen soll.",
@@ -469,6 +481,12 @@ TEXTS: Final[Texts] = {
         "der Fräser abträgt.",
         "Einen dünneren Fräser wählen, den Schlitz verbreitern, oder die Innenecken mit "
         "mindestens dem Radius des Fräsers runden.",
+    ),
+    "verify.wheel-below-base": Text(
+        "Das Rillrad wird {depth:.3f} mm unter die Oberfläche der Matte gedrückt, {excess:.3f} mm "
+        "tiefer, als die Rillunterlage nachgibt ({most:.3f} mm).",
+        "Den Auftrag für diese Maschine neu berechnen, oder eine weiche Rillmatte auflegen und "
+        "ihre Nachgiebigkeit in der Maschinendatei angeben.",
     ),
     "verify.where-from-start": Text(
         "Das fehlende Stück beginnt {place:.3f} mm ab Anfang der Kante.",
