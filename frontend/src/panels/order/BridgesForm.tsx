@@ -172,7 +172,7 @@ function WidthInput({ label, ariaLabel, value, onChange, testId }: WidthInputPro
 /** A part held by a bridge between two cuts. */
 function BridgePicture() {
   return (
-    <svg viewBox="0 0 56 44" width="56" height="44" aria-hidden="true">
+    <svg viewBox="0 0 56 44" width="56" height="44" style={{ flex: "none" }} aria-hidden="true">
       <path d="M0 22H56V44H0Z" className={cornerCss.cornerPart} />
       <path d="M2 22H22M34 22H54" className={cornerCss.cornerPath} />
       <path d="M22 17V12M34 17V12M22 14.5H34" className={cornerCss.cornerPath} data-faint />
