@@ -91,6 +91,7 @@ const SAME: readonly string[] = [
   "Alarm",
   "Esc",
   "Laser",
+  "Layer",
   "Layer {layer}",
   "Name",
   "Normal",
