@@ -22,6 +22,7 @@ import {
   formatLength,
 } from "../../state/format";
 import { type FigureUnit, PROGRAM_FACT_LINES, PROGRAM_FIGURE_LINES } from "../../state/job/figures";
+import { deviationOfOthers } from "../../state/job/findingKinds";
 import { useVerdict } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
@@ -72,7 +73,7 @@ export function VerdictCard({ job }: { job: Job }) {
           )}
         </Box>
         <Text span c="ink.0" fz={14} fw={600} lh={1.4} data-testid="verdict-sentence">
-          {title(verdict, findings)}
+          {title(verdict, findings, fullVerdict?.edge_deviation)}
           {job.actions.includes("accept") && (
             <>
               {" "}
@@ -143,9 +144,15 @@ export function VerdictCard({ job }: { job: Job }) {
 }
 
 /** Heading of the card: how exactly the program makes the drawing, and otherwise why not. */
-function title(verdict: VerdictSummary, findings: readonly Finding[]): string {
+function title(
+  verdict: VerdictSummary,
+  findings: readonly Finding[],
+  deviations: readonly number[] | undefined,
+): string {
   const figures = {
-    deviation: formatDeviation(verdict.deviation),
+    deviation: formatDeviation(
+      deviations === undefined ? verdict.deviation : deviationOfOthers(deviations, findings),
+    ),
     seconds: formatDuration(verdict.seconds),
   };
   if (verdict.accepted)

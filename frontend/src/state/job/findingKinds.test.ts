@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Finding } from "../../api/client";
-import { acceptancesOf, edgesOf, kindsOf } from "./findingKinds";
+import { acceptancesOf, deviationOfOthers, edgesOf, kindsOf } from "./findingKinds";
 
 const FINDING: Finding = {
   kind: "unreached",
@@ -62,4 +62,10 @@ test("each acceptance is stated once", () => {
     { by: "Ada", reason: "x" },
     { by: "Ada", reason: "y" },
   ]);
+});
+
+test("the deviation of the others leaves out the edges with a shortfall", () => {
+  const deviations = [0.001, 0.004, 0, 0, 0.3, 0.2];
+  expect(deviationOfOthers(deviations, [FINDING, note("a", 1)])).toBe(0.004);
+  expect(deviationOfOthers(deviations, [])).toBe(0.3);
 });

@@ -47,3 +47,14 @@ export function acceptancesOf(
     }
   return [...found.values()];
 }
+
+/** Greatest deviation (mm) of the edges that have no shortfall, accepted or not. */
+export function deviationOfOthers(
+  deviations: readonly number[],
+  findings: readonly Finding[],
+): number {
+  const short = new Set(
+    findings.filter(({ severity }) => severity === "shortfall").flatMap((one) => edgesOf(one)),
+  );
+  return deviations.reduce((most, one, row) => (short.has(row) ? most : Math.max(most, one)), 0);
+}
