@@ -197,12 +197,12 @@ def tablet(
     assert errors == []
 
 
-def send_job(api: httpx.Client, copies: int, machine: str = MACHINE) -> str:
+def send_job(api: httpx.Client, copies: int, machine: str = MACHINE, **others: object) -> str:
     """Send a job of a sample drawing to the machine, and return its id."""
     name = "rigid-box-blank.dxf"
     drawing = api.post("/api/drawings", files={"file": (name, samples()[name])}).json()["id"]
     order = {"drawing": drawing, "machine": machine, "board": "greyboard-2.0", "copies": copies}
-    answer = api.post("/api/jobs", json={**order, "release": True})
+    answer = api.post("/api/jobs", json={**order, **others, "release": True})
     assert answer.status_code in (201, 202), answer.text
     job = str(answer.json()["id"])
 
@@ -594,6 +594,37 @@ def test_a_tool_is_checked_above_a_point_and_its_offset_corrected_by_touch(
     expect(state).to_have_text("At rest")
 
 
+def test_a_printed_sheet_is_measured_by_touch(
+    tablet: tuple[Page, str], workshop: Workshop, api: httpx.Client, screenshots: Path
+) -> None:
+    page, name = tablet
+    expect(page.get_by_test_id("station-state")).to_have_text("At rest", timeout=60_000)
+    job = send_job(api, copies=1, registration={"marks": [[0.0, 0.0], [100.0, 0.0]]})
+    panel, compile = page.get_by_test_id("marks"), page.get_by_test_id("marks-compile")
+    expect(panel).to_contain_text("expected at X")
+    expect(page.get_by_test_id("check").filter(has_text="at the stops")).to_be_visible()
+    page.get_by_test_id("camera").tap()
+    expect(page.get_by_test_id("no-camera")).to_be_visible()
+    page.get_by_test_id("camera").tap()
+    page.get_by_test_id("jog-limit-100").tap()
+    hold_arrow(page, "jog-y1", workshop, 100.0)
+    hold_arrow(page, "jog-x1", workshop, 100.0)
+    page.get_by_test_id("take-mark-1").tap()
+    expect(compile).to_be_disabled()
+    hold_arrow(page, "jog-x1", workshop, 100.0)
+    page.get_by_test_id("take-mark-2").tap()
+    expect(page.get_by_test_id("marks-fit")).to_contain_text("turn 0.000° · scale 1.00000")
+    panel.scroll_into_view_if_needed()
+    assert_reachable(page)
+    assert_accessible(page)
+    record_view(page, screenshots / f"{name}-13-marks.png")
+    compile.tap()
+    expect(page.get_by_test_id("check").filter(has_text="not moved")).to_be_visible(timeout=60_000)
+    measured = api.get(f"/api/jobs/{job}").json()["registration"]["measured"]
+    assert measured[1][0] - measured[0][0] == pytest.approx(100.0, abs=0.01)
+    api.post(f"/api/jobs/{job}/cancel").raise_for_status()
+
+
 @pytest.mark.usefixtures("api")
 def test_outputs_are_switched_and_the_zero_is_set_by_hand(
     tablet: tuple[Page, str], workshop: Workshop, screenshots: Path
@@ -746,7 +777,8 @@ def hold_arrow(page: Page, arrow: str, workshop: Workshop, distance: float) -> f
         while moved() < distance - 0.01 and time.monotonic() < deadline:
             page.wait_for_timeout(50)
         session.send(touch, {"type": "touchEnd", "touchPoints": []})
-        expect(page.get_by_test_id("station-state")).to_have_text("At rest")
+        rest = re.compile("At rest|Waiting for operator")
+        expect(page.get_by_test_id("station-state")).to_have_text(rest)
         if moved() >= distance - 0.01:
             return moved()
     pytest.fail(f"{arrow} does not move its axis by {distance} mm")

@@ -52,6 +52,7 @@ describe("an error", () => {
         copies: 1,
         corners: null,
         sheet: null,
+        registration: null,
         lift: "clearance",
         feed_factor: 1,
         contour_starts: [],

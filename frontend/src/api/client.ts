@@ -41,7 +41,13 @@ export type JobOrder = Pick<Schemas["JobIn"], "drawing" | "machine" | "board"> &
   copies: number;
 } & Pick<
     Job,
-    "corners" | "sheet" | "lift" | ListOption | keyof typeof OPTIONS | keyof typeof EDGE_OPTIONS
+    | "corners"
+    | "sheet"
+    | "registration"
+    | "lift"
+    | ListOption
+    | keyof typeof OPTIONS
+    | keyof typeof EDGE_OPTIONS
   > &
   OrderDetails;
 /** The options of a job that are lists and have a form of their own. */
@@ -53,6 +59,11 @@ export type ImportReportRow = Schemas["ImportReportRow"];
 export type LibraryEntry = Schemas["EntryOut"];
 export type LibraryVersion = Schemas["VersionOut"];
 export type Lift = Job["lift"];
+/** Marks of a printed sheet. */
+export type Registration = NonNullable<Job["registration"]>;
+/** Measured marks of a printed sheet, with their fit. */
+export type MarkFit = Schemas["RegistrationOut"];
+export type MeasuredMarks = Omit<Schemas["MeasuredMarksIn"], "by">;
 export type Machine = Schemas["MachineOut"];
 /** State of a machine for the person at it. */
 export type Station = StationPaths["get"]["responses"]["200"]["content"]["application/json"];
@@ -377,6 +388,25 @@ export const service = {
     dataOf(api.POST(`/api/v1/jobs/{id}/${command}`, { params: byId(id) })),
   confirmation: (id: string, signal?: AbortSignal): Promise<Confirmation> =>
     dataOf(api.GET("/api/v1/jobs/{id}/confirmation", { params: byId(id), ...uncached(signal) })),
+  registration: (id: string, signal?: AbortSignal): Promise<MarkFit> =>
+    dataOf(api.GET("/api/v1/jobs/{id}/registration", { params: byId(id), ...uncached(signal) })),
+  fitMarks: (id: string, measured: MeasuredMarks): Promise<MarkFit> =>
+    dataOf(
+      api.POST("/api/v1/jobs/{id}/registration/fit", {
+        params: byId(id),
+        body: { by: operatorName(), ...measured },
+        ...nowOrNever(),
+      }),
+    ),
+  /** Compile a job again for its measured sheet: it is sent once, and never late. */
+  registerNow: (id: string, measured: MeasuredMarks): Promise<Job> =>
+    dataOf(
+      api.POST("/api/v1/jobs/{id}/registration", {
+        params: byId(id),
+        body: { by: operatorName(), ...measured },
+        ...nowOrNever(),
+      }),
+    ),
   /** Confirm what the operator has checked: it is sent once, and never late. */
   confirmNow: (id: string, checked: CheckedTable): Promise<Job> =>
     dataOf(

@@ -14,6 +14,7 @@ import {
   type Toolpath,
   type VerdictColumns,
 } from "../geometry/records";
+import { posesOnDrawing, similarityOf } from "../geometry/similarity";
 import { translate } from "../language/translate";
 
 type Column = Float64Array | Int32Array | Uint8Array;
@@ -145,8 +146,11 @@ export function verdictColumnsOf(bytes: ArrayBuffer): VerdictColumns {
 export function toolpathOf(bytes: ArrayBuffer): Toolpath {
   const from = decodeColumns(bytes);
   const placement = Array.isArray(from.meta.placement) ? from.meta.placement.map(Number) : [];
+  const pose = column(from, "pose", Float64Array);
+  const similarity = similarityOf(from.meta.similarity);
   return {
-    pose: column(from, "pose", Float64Array),
+    pose: similarity === null ? pose : posesOnDrawing(pose, similarity),
+    similarity,
     bulge: column(from, "bulge", Float64Array),
     motion: column(from, "motion", Uint8Array),
     feed: column(from, "feed", Float64Array),

@@ -130,7 +130,8 @@ function useShownTable(viewer: MaybeViewer): void {
   const open = useUiStore((ui) => ui.drawing);
   const machine = useShownMachine();
   const sheet = useUiStore((ui) => ui.sheet);
-  const placement = timeline?.toolpath.placement;
+  // By measured marks the table is shown shifted, and not turned.
+  const placement = timeline?.toolpath.similarity?.slice(2) ?? timeline?.toolpath.placement;
   useEffect(() => {
     if (machine === undefined || drawing === undefined || open === null) {
       viewer?.showTable(null);

@@ -4,6 +4,8 @@
  * Coordinates are float64 mm; only the viewer converts them to float32, relative to an origin.
  */
 
+import type { Similarity } from "./similarity";
+
 /** n lines and arcs. */
 export interface Segments {
   /** (n, 2, 2) mm */
@@ -126,6 +128,11 @@ export interface Toolpath {
   readonly firstLine?: Int32Array;
   /** (n,) machine time of the move (s); jobs of older versions have none */
   readonly seconds?: Float64Array;
+  /**
+   * How a printed sheet lies by its marks; null if it has none. The poses are then those on the
+   * drawing, as if the sheet were neither turned nor scaled; placement is 0.
+   */
+  readonly similarity?: Similarity | null;
   /** Sheet coordinates = drawing coordinates + placement. */
   readonly placement: readonly [number, number];
 }

@@ -943,6 +943,41 @@ export const de = {
   "edgeOption.edge_feeds": "Vorschub der Kanten",
   "edgeOption.edge_feeds.factor": "Vorschubfaktor",
   // panels/order/SheetForm.tsx
+  "marksForm.marks": "Marken eines gedruckten Bogens",
+  "marksForm.note":
+    "Kleine Kreise oder Kreuze in der Zeichnung auswählen. Ihre Mitten werden an der Maschine gemessen, und der Auftrag folgt dem Druck.",
+  "marksForm.take": "Mitten der ausgewählten Linien nehmen",
+  "marksForm.none": "Die Auswahl enthält keinen Kreis und keine Kreuzung.",
+  "marksForm.close": "Marken müssen mindestens 20 mm auseinander liegen.",
+  "marksForm.one": "Eine zweite Marke fehlt.",
+  "marksForm.mark": "Marke {number}: X {x}, Y {y} mm",
+  "marksForm.remove": "Marke {number} entfernen",
+  "marksForm.keep": "Größe der Zeichnung beibehalten (Maßstab 1)",
+  "marksPanel.title": "Gedruckten Bogen messen",
+  "marksPanel.note":
+    "Mit den Pfeilen über jede Marke fahren und die Position übernehmen. Der Auftrag wird dann für den Bogen berechnet, wie er liegt.",
+  "marksPanel.aim": "Was über der Marke steht",
+  "marksPanel.head": "Achse des Kopfes",
+  "marksPanel.mark": "Marke {number}",
+  "marksPanel.expected": "erwartet bei X {x}, Y {y} mm",
+  "marksPanel.taken": "übernommen bei X {x}, Y {y} mm",
+  "marksPanel.take": "Übernehmen",
+  "marksPanel.noPosition": "Die Maschine meldet ihre Position nicht.",
+  "marksPanel.fit":
+    "Verschiebung X {x}, Y {y} mm · Drehung {turn}° · Maßstab {scale} · größter Fehler {error} mm",
+  "marksPanel.turned":
+    "Der Bogen liegt um {turn}° gedreht. Wurden die Marken in der richtigen Reihenfolge übernommen?",
+  "marksPanel.error": "Fehler {error} mm",
+  "marksPanel.compile": "Für diesen Bogen berechnen",
+  "marksPanel.forget": "Der Bogen liegt an den Anschlägen",
+  "marksPanel.forgetNote": "Verwirft die gemessenen Marken.",
+  "marksPanel.compileNote":
+    "Der Auftrag kommt mit einem neu geprüften Programm an diesen Tisch zurück.",
+  "marksPanel.camera": "Kamerabild",
+  "marksPanel.cameraOff": "Kamerabild schließen",
+  "marksPanel.noCamera": "Dieser Rechner hat keine Kamera, oder der Browser erlaubt sie nicht.",
+  "marksPanel.picture":
+    "Bogen auf dem Tisch: Marken der Zeichnung als Kreise, gemessene Marken als Kreuze",
   "sheetForm.largerThanTheDrawing": "Größer als die Zeichnung",
   "sheetForm.cutToTheOutlineOf": "Auf die Außenkontur der Zeichnung zugeschnitten",
   "sheetForm.cutToARectangle": "Auf ein Rechteck zugeschnitten",

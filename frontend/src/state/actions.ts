@@ -277,11 +277,12 @@ export function compile(machine: string, board: string): Promise<void> {
     const machines = queryClient.getQueryData(queries.machines().queryKey);
     const chosen = machines?.find(({ name }) => name === machine);
     const { corners: types, lift: height, options, details } = useUiStore.getState();
+    const { registration } = useUiStore.getState();
     const corners = chosen?.offset_cuts === true ? types : null;
     const lift = hasLeastLift(chosen) ? height : "clearance";
     try {
       const revision = displayedRevision(drawing);
-      const chosenOptions = { corners, sheet, lift, ...options };
+      const chosenOptions = { corners, sheet, registration, lift, ...options };
       const order = { drawing, revision, machine, board, copies, ...chosenOptions, ...details };
       const job = await service.compile(order);
       upsertJob(job);

@@ -5,7 +5,7 @@
  */
 
 import { create } from "zustand";
-import type { Corners, Lift, OrderDetails, Question, Sheet } from "../api/client";
+import type { Corners, Lift, OrderDetails, Question, Registration, Sheet } from "../api/client";
 import type { ConnectionState } from "../api/events";
 import type { Box, LineType } from "../geometry/records";
 import { changedSelection, type SelectMode } from "../geometry/selection";
@@ -62,7 +62,10 @@ export interface OpenDrawing {
 }
 
 /** What is chosen for the next job of a drawing, and for no other drawing. */
-export type Choices = Pick<UiState, "board" | "copies" | "corners" | "sheet" | "lift" | "options">;
+export type Choices = Pick<
+  UiState,
+  "board" | "copies" | "corners" | "sheet" | "registration" | "lift" | "options"
+>;
 
 export interface UiState extends OpenDrawing {
   readonly selection: ReadonlySet<number>;
@@ -91,6 +94,8 @@ export interface UiState extends OpenDrawing {
   readonly corners: Corners;
   /** The sheet if it was cut to size; null if it may be larger than the drawing. */
   readonly sheet: Sheet | null;
+  /** Marks of a printed sheet; null for a sheet without marks. */
+  readonly registration: Registration | null;
   /** Height of the tool in turns; unused on machines without a turn clearance. */
   readonly lift: Lift;
   readonly options: Options;
@@ -144,6 +149,7 @@ type UiValues = Pick<
   | "corners"
   | "pickingCorners"
   | "sheet"
+  | "registration"
   | "lift"
   | "options"
   | "details"
@@ -172,14 +178,16 @@ const choicesFor = (page: UiState, drawing: string | null): Choices =>
     // Single corners belong to the drawing that was open.
     corners: { ...page.corners, at: [] },
     sheet: null,
+    registration: null,
     lift: "clearance",
     options: DEFAULT_OPTIONS,
   };
 
 const withChoices = (page: UiState): ReadonlyMap<string, Choices> => {
-  const { drawing, choices, board, copies, corners, sheet, lift, options } = page;
+  const { drawing, choices, board, copies, corners, sheet, registration, lift, options } = page;
   if (drawing === null) return choices;
-  return new Map(choices).set(drawing, { board, copies, corners, sheet, lift, options });
+  const chosen = { board, copies, corners, sheet, registration, lift, options };
+  return new Map(choices).set(drawing, chosen);
 };
 
 /** What changes when a drawing and a job of it are opened. */
@@ -247,6 +255,7 @@ export const useUiStore = create<UiState>()((set) => ({
   corners: DEFAULT_CORNERS,
   pickingCorners: false,
   sheet: null,
+  registration: null,
   lift: "clearance",
   options: DEFAULT_OPTIONS,
   choices: new Map<string, Choices>(),

@@ -30,6 +30,7 @@ import { AskOnce } from "./AskOnce";
 import { DryRunPanel } from "./DryRunPanel";
 import { FeedOverride } from "./FeedOverride";
 import { HandsClearButton } from "./HandsClearButton";
+import { MarksPanel } from "./MarksPanel";
 import { NotedButton, WideButton } from "./parts";
 import { StationChecks } from "./StationChecks";
 import css from "./station.module.css";
@@ -105,6 +106,7 @@ export function StationJob(props: Props) {
             reached={reached}
             hands={hands}
           />
+          {job.registration != null && <MarksPanel {...props} key={job.program_sha256} />}
           {checks !== null && <ToolCheckPanel {...props} checks={checks} />}
         </>
       )}

@@ -10,6 +10,7 @@ import { Permitted } from "../accounts/Permitted";
 import { InspectorPanel } from "../drawing/InspectorPanel";
 import { LayOutButton } from "../layout/LayOutButton";
 import { BoardSelect } from "../order/BoardSelect";
+import { MarksForm } from "../order/MarksForm";
 import { SheetForm } from "../order/SheetForm";
 import { Section } from "../shared/Section";
 
@@ -54,6 +55,7 @@ export function SheetStep() {
                 height={drawing.bounds[3] - drawing.bounds[1]}
               />
             )}
+            {!drawing.is_layout && <MarksForm />}
             <Copies />
             {!drawing.is_layout && <LayOutButton drawing={drawing} />}
           </Stack>

@@ -26,8 +26,8 @@ export interface Check {
 type Tool = Confirmation["tools"][number];
 
 /** A change of this text makes all ticks void: they were made for something else. */
-export const checksKey = ({ id, copies_done, waiting_for }: Job): string =>
-  `${id} ${copies_done} ${waiting_for}`;
+export const checksKey = ({ id, copies_done, waiting_for, registration }: Job): string =>
+  `${id} ${copies_done} ${waiting_for} ${JSON.stringify(registration?.measured ?? [])}`;
 
 export const formatMetres = (length: number): string =>
   formatNumber(length, { maximumFractionDigits: length < 10 ? 1 : 0 });

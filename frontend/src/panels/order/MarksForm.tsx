@@ -1,0 +1,86 @@
+/** Marks of a printed sheet: centres of circles and crosses that the designer selects. */
+
+import { ActionIcon, Button, Checkbox, Group, Stack, Text } from "@mantine/core";
+import { IconX } from "@tabler/icons-react";
+import { useState } from "react";
+import type { Registration } from "../../api/client";
+import { formatFixed } from "../../language/numbers";
+import { translate } from "../../language/translate";
+import { distance, LEAST_DISTANCE, marksOf } from "../../state/order/marks";
+import { useEdges } from "../../state/queries";
+import { useUiStore } from "../../state/store";
+import { Note } from "../shared/parts";
+
+const NO_MARKS: Registration = { marks: [], scale: "fit", limit: 0.5, measured: [] };
+/** Most marks of a sheet. */
+const MOST = 20;
+
+export function MarksForm() {
+  const { data: edges } = useEdges();
+  const selection = useUiStore((ui) => ui.selection);
+  const registration = useUiStore((ui) => ui.registration) ?? NO_MARKS;
+  const set = useUiStore((ui) => ui.set);
+  const [fault, setFault] = useState<string | null>(null);
+  const { marks } = registration;
+  const change = (changed: Registration["marks"]) =>
+    set({ registration: changed.length === 0 ? null : { ...registration, marks: changed } });
+  const take = () => {
+    if (edges === undefined) return;
+    const kept = marks.map(([x, y]) => ({ x, y }));
+    const found = marksOf(edges, selection);
+    const far = found.filter((point, at) =>
+      [...kept, ...found.slice(0, at)].every((one) => distance(one, point) >= LEAST_DISTANCE),
+    );
+    if (found.length === 0) setFault(translate("marksForm.none"));
+    else setFault(far.length === found.length ? null : translate("marksForm.close"));
+    change([...kept, ...far].slice(0, MOST).map(({ x, y }) => [x, y]));
+  };
+  return (
+    <Stack gap={6} data-testid="marks-form">
+      <Text fw={500} size="sm">
+        {translate("marksForm.marks")}
+      </Text>
+      <Note>{translate("marksForm.note")}</Note>
+      {marks.map(([x, y], at) => (
+        <Group key={`${x} ${y}`} justify="space-between" wrap="nowrap" data-testid="mark">
+          <Text size="sm">
+            {translate("marksForm.mark", {
+              number: at + 1,
+              x: formatFixed(x, 1),
+              y: formatFixed(y, 1),
+            })}
+          </Text>
+          <ActionIcon
+            variant="subtle"
+            aria-label={translate("marksForm.remove", { number: at + 1 })}
+            onClick={() => change(marks.filter((_, other) => other !== at))}
+          >
+            <IconX size={16} aria-hidden />
+          </ActionIcon>
+        </Group>
+      ))}
+      <Button
+        variant="default"
+        disabled={selection.size === 0 || edges === undefined}
+        onClick={take}
+        data-testid="marks-take"
+      >
+        {translate("marksForm.take")}
+      </Button>
+      {marks.length > 0 && (
+        <Checkbox
+          label={translate("marksForm.keep")}
+          checked={registration.scale === "keep"}
+          onChange={({ currentTarget }) =>
+            set({
+              registration: { ...registration, scale: currentTarget.checked ? "keep" : "fit" },
+            })
+          }
+        />
+      )}
+      {(fault !== null || marks.length === 1) && (
+        <Note role="alert">{fault ?? translate("marksForm.one")}</Note>
+      )}
+    </Stack>
+  );
+}
