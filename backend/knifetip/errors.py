@@ -9,6 +9,7 @@
     ├── ProfileError              a classification profile cannot be read
     ├── LibraryError              no such machine, board, tool or profile, or its file is invalid
     ├── ImpossibleCarton          a carton style cannot have these dimensions
+    ├── PieceRefused              a test piece cannot be made, or a measure is not plausible
     ├── GeometryError             a calculation has no valid result for a shape
     │   ├── ZeroLengthEdge        an edge of zero length, which has no direction
     │   └── DegenerateArc         an arc whose radius or sweep is zero or not a number
@@ -168,6 +169,13 @@ class LibraryError(KnifetipError):
 
 class ImpossibleCarton(KnifetipError):
     """Raised when a carton style cannot have the dimensions; ``source`` names the parameter."""
+
+
+class PieceRefused(KnifetipError):
+    """Raised when a test piece cannot be made or a measure of it is not plausible.
+
+    ``source`` names the measure.
+    """
 
 
 class GeometryError(KnifetipError):

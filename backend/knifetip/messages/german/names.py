@@ -115,6 +115,7 @@ NAMES: Final[Names] = {
         "tool": "Werkzeug",
         "profile": "Profil",
         "carton": "Schachtelform",
+        "testpiece": "Teststück",
     },
     "parameter": {"length": "Länge", "width": "Breite", "depth": "Höhe", "tuck": "Einstecklasche"},
     "kind": {"drawing": "Zeichnung", "job": "Auftrag"},
