@@ -89,6 +89,7 @@ from knifetip.service.refusals.known_fields import names_near, refuse_unknown
 from knifetip.service.settings import Settings
 from knifetip.service.stock import routes as stock
 from knifetip.service.store import Store
+from knifetip.service.testpieces import routes as testpieces
 from knifetip.service.tools import routes as tools
 from knifetip.service.webhooks import routes as webhooks
 from knifetip.service.webhooks.sender import WebhookSender
@@ -99,7 +100,8 @@ _log = logging.getLogger("knifetip.api")
 _ROUTES = (
     drawings, customer_answers, cartons, layouts, nestings, stock, jobs, job_commands, orders,
     confirmation, registration, queues, rest, history, events, machines, tools, library,
-    definitions, profiles, webhooks, xjdf, gateway, accounts, folding, handover, sections,
+    definitions, testpieces, profiles, webhooks, xjdf, gateway, accounts, folding, handover,
+    sections,
 )  # fmt: skip
 
 

@@ -118,6 +118,7 @@ _PROGRAM: Final = "(knifetip)\nG21 G90 G17\nG0 Z5.000\n"
 _ANSWERS: Final[Mapping[str, str]] = {
     "get_carton_picture": _SVG,
     "get_picture": _SVG,
+    "get_test_piece_picture": _SVG,
     "get_program": _PROGRAM,
     "get_gateway_program": _PROGRAM,
     "export_machine": load.library_text("machines", "demo-table"),

@@ -30,6 +30,7 @@ LEAST = {
     "viewer": """
         list_drawings get_drawing get_edges get_picture get_import_report get_cleaning get_file
         export_drawing list_pages get_blanks list_layouts get_layout list_cartons get_carton_picture
+        list_test_pieces get_test_piece_picture
         list_stock_sheets list_jobs list_orders get_job get_job_events get_verdict get_toolpath
         get_earlier_exceptions export_toolpath get_section get_ticket export_job get_folding
         get_folding_file get_nesting get_registration
@@ -47,6 +48,7 @@ LEAST = {
         add_layout draw_carton_as_drawing change_layout delete_layout accept_shortfalls
         begin_nesting stop_nesting delete_nesting
         add_stock_sheets change_stock_sheets delete_stock_sheets
+        draw_test_piece evaluate_test_piece
         recompile_job cancel_job calibrate keep_profile delete_profile preview_profile
         learn_from_corrections use_customer_answer order_by_xjdf answer_xjmf place_order_with_file
         place_orders
