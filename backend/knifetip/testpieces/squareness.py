@@ -82,7 +82,7 @@ def draw(bench: Bench) -> Piece:
     width, height = size(bench)
     corners = ((0.0, 0.0), (width, 0.0), (width, height), (0.0, height), (0.0, 0.0))
     slit = Line((20.0, 20.0), (50.0, 20.0), LineType.CUT)
-    inside = 12.0
+    inside = 0.08 * height
     arrows = (
         Arrow((0.0, height - inside), (width, height - inside), "w"),
         Arrow((width - inside, 0.0), (width - inside, height), "h"),
@@ -142,7 +142,7 @@ def with_pulses(figures: list[Figure], pulses: dict[str, Any]) -> list[Figure]:
             path = ("controller", "pulses", figure.code[-1])
             after = round(before / figure.after, 6)
             error = before * figure.uncertainty
-            added.append(Figure(code, Shelf.MACHINES, path, float(before), after, error, "per mm"))
+            added.append(Figure(code, Shelf.MACHINES, path, float(before), after, error, "per-mm"))
     return [*figures, *added]
 
 

@@ -21,7 +21,7 @@ from knifetip.testpieces.piece import Piece
 
 #: Path of a value in the file of a machine or a board, as in TOML.
 KeyPath: TypeAlias = tuple[str | int, ...]
-Unit: TypeAlias = Literal["mm", "degrees", "factor", "per mm"]
+Unit: TypeAlias = Literal["mm", "degrees", "factor", "per-mm"]
 
 #: Greatest plausible error of a length of a piece (mm); a greater one is a typing error.
 MOST_ERROR: Final = 5.0

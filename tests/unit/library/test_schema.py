@@ -19,6 +19,7 @@ from knifetip.library.load import library_text
 from knifetip.library.schema import FILES, json_schema
 from knifetip.library.toml_text import read_toml
 from knifetip.model.tool import KINDS
+from knifetip.testpieces.registry import WIZARDS
 
 
 @pytest.mark.parametrize("file", FILES)
@@ -93,6 +94,8 @@ def test_the_page_has_a_german_text_for_each_title_and_help() -> None:
     assert len(shown) > 200
     for style in STYLES.values():
         shown |= {*_texts(style.parameters.model_json_schema())}
+    for wizard in WIZARDS.values():
+        shown |= {*_texts(wizard.measures.model_json_schema())}
     assert sorted(shown - known) == []
 
 

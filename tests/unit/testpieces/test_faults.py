@@ -266,10 +266,13 @@ def test_the_deflection_of_a_cutter_is_found(known: float) -> None:
     centre = poses[np.abs(poses[:, :, 2].max(axis=1) - level) < 1e-6][:, :, :2]
     true = np.array([0.08, 0.03])
     # The force pushes the cutter outwards; the part ends a radius inside its centre.
-    # Leads and arcs round corners are short.
-    sides = centre[np.hypot(*(centre[:, 1] - centre[:, 0]).T) > 100.0]
-    points = sides.reshape(-1, 2)
-    size = points.max(axis=0) - points.min(axis=0) - 2.0 * tool.radius + 2.0 * true
+    # Leads and arcs round corners are short; a side may have two parts.
+    span = np.abs(centre[:, 1] - centre[:, 0])
+    sides = [
+        np.ptp(centre[(span[:, axis] < 1e-6) & (span[:, 1 - axis] > 20.0)][:, 0, axis])
+        for axis in range(2)
+    ]
+    size = np.array(sides) - 2.0 * tool.radius + 2.0 * true
     measures = DeflectionMeasures(width=float(size[0]), height=float(size[1]))
     found = deflection.figures(bench, measures)
     assert [figure.after for figure in found] == pytest.approx(true.tolist(), abs=2e-3)

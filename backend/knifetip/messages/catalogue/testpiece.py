@@ -75,10 +75,10 @@ MESSAGES: Final[Entries] = {
         "Pulses per mm of Y",
     ),
     "testpiece.figure.scale-x": entry(
-        "Scale of X: travelled by drawn length",
+        "Scale of X (travelled / drawn)",
     ),
     "testpiece.figure.scale-y": entry(
-        "Scale of Y: travelled by drawn length",
+        "Scale of Y (travelled / drawn)",
     ),
     "testpiece.implausible": entry(
         "{measure} is {value:g} mm, but {drawn:g} mm was drawn, so the measure is not plausible.",

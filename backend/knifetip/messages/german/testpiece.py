@@ -74,10 +74,10 @@ TEXTS: Final[Texts] = {
         "Impulse je mm von Y",
     ),
     "testpiece.figure.scale-x": Text(
-        "Maßstab von X: gefahrene durch gezeichnete Länge",
+        "Maßstab von X (gefahren / gezeichnet)",
     ),
     "testpiece.figure.scale-y": Text(
-        "Maßstab von Y: gefahrene durch gezeichnete Länge",
+        "Maßstab von Y (gefahren / gezeichnet)",
     ),
     "testpiece.implausible": Text(
         "{measure} ist {value:g} mm, gezeichnet sind {drawn:g} mm; das Maß ist nicht plausibel.",

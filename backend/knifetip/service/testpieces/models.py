@@ -13,7 +13,7 @@ from knifetip.library.definition import Shelf
 from knifetip.model.job_options import CreaseDepth, CutDepth
 from knifetip.service.drawings.models import DrawingOut
 from knifetip.service.http.message_models import MessageOut
-from knifetip.service.http.models import JsonBody, Name, Parameters
+from knifetip.service.http.models import WHOLE, JsonBody, Name, Parameters
 from knifetip.testpieces.registry import WIZARDS
 from knifetip.testpieces.wizard import Measures, Wizard
 
@@ -75,7 +75,7 @@ class PieceIn(JsonBody):
     code: Name = Field(description="Code of the test piece, as in `GET /api/testpieces`")
     machine: Name = Field(description=_MACHINE)
     board: Name = Field(description=_BOARD)
-    station: int = Field(ge=1, le=255, description=_STATION)
+    station: Annotated[int, Field(ge=1, le=255), WHOLE] = Field(description=_STATION)
 
 
 class PieceOut(BaseModel):
@@ -95,7 +95,7 @@ class FiguresIn(JsonBody):
 
     machine: Name = Field(description=_MACHINE)
     board: Name = Field(description=_BOARD)
-    station: int = Field(ge=1, le=255, description=_STATION)
+    station: Annotated[int, Field(ge=1, le=255), WHOLE] = Field(description=_STATION)
     measures: MeasuresIn = Field(description="Code of the test piece, and its measures")
 
 
@@ -117,7 +117,7 @@ class FigureOut(BaseModel):
     uncertainty: float = Field(
         description="Half the width of the interval in which the true value lies"
     )
-    unit: Annotated[Literal["mm", "degrees", "factor", "per mm"], LISTED] = Field(
+    unit: Annotated[Literal["mm", "degrees", "factor", "per-mm"], LISTED] = Field(
         description="Unit of the values; factor: none"
     )
     significant: bool = Field(description="Whether the value changes by more than its uncertainty")
