@@ -816,6 +816,39 @@ export const de = {
     "Bezeichnet die Kopie in Dateien und Anfragen. Er kann später nicht geändert werden.",
   "copyForm.makeTheCopy": "Kopie anlegen",
   "copyForm.cancel": "Abbrechen",
+  // panels/library/DimensionPicture.tsx
+  "dimensionPicture.dimensions": "Maße",
+
+  // panels/library/testpieces
+  "testPieces.after": "Neu",
+  "testPieces.before": "Jetzt",
+  "testPieces.compute": "Einstellungen berechnen",
+  "testPieces.copyItFirst":
+    "{name} gehört zu knifetip und ist schreibgeschützt. Eine Kopie anlegen und diese vermessen.",
+  "testPieces.difference": "Unterschied {value} ± {uncertainty}",
+  "testPieces.inTheController":
+    "In der Steuerung oder am Portal einstellen; keine Datei enthält es.",
+  "testPieces.machine": "Maschine",
+  "testPieces.measureWithATestPiece": "Mit Teststück vermessen",
+  "testPieces.noTool":
+    "Kein Teststück passt zu einem Werkzeug dieser Maschine. Eine andere Maschine wählen.",
+  "testPieces.notSignificant": "Ändert sich um weniger als seine Unsicherheit",
+  "testPieces.noteOf": "Teststück: {name}",
+  "testPieces.openTheOrder": "Zeichnen und Auftrag öffnen",
+  "testPieces.orderedLikeAnyDrawing":
+    "Das Stück wird wie jede Zeichnung bestellt und geprüft; die Tiefen seiner Linien sind Angaben des Auftrags. Nach dem Schneiden hierher zurückkehren.",
+  "testPieces.pictureOf": "Teststück {name} mit Pfeilen für die Maße",
+  "testPieces.saveAsNewVersion": "In {name} als neue Version speichern",
+  "testPieces.saved":
+    "In {name} als Version {version} gespeichert. Die Liste der Versionen kann es zurücknehmen.",
+  "testPieces.setting": "Einstellung",
+  "testPieces.station": "Station",
+  "testPieces.stepChoose": "1. Werkzeug, Material und Teststück wählen",
+  "testPieces.stepMeasure": "3. Das Stück messen",
+  "testPieces.stepOrder": "2. Das Stück schneiden",
+  "testPieces.stepSave": "4. Vergleichen und speichern",
+  "testPieces.testPiece": "Teststück",
+
   // panels/library/DefinitionEditor.tsx
   "definitionEditor.loading": "Wird geladen …",
   "definitionEditor.allFaults": "Alle Korrekturen zeigen",
@@ -847,6 +880,8 @@ export const de = {
   "definitionForm.remove3": "{key} entfernen",
   "definitionForm.add3": "Hinzufügen",
   // panels/library/DefinitionHistory.tsx
+  "definitionHistory.restore": "Version {compared} wiederherstellen",
+  "definitionHistory.restoredFrom": "Version {version} wiederhergestellt",
   "definitionHistory.versions": "Versionen",
   "definitionHistory.compare": "Vergleichen",
   "definitionHistory.version": "Version {compared}",

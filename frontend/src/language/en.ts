@@ -795,6 +795,36 @@ export const en = {
     "Identifies the copy in files and requests. It cannot be changed later.",
   "copyForm.makeTheCopy": "Make the copy",
   "copyForm.cancel": "Cancel",
+  // panels/library/DimensionPicture.tsx
+  "dimensionPicture.dimensions": "Dimensions",
+
+  // panels/library/testpieces
+  "testPieces.after": "New",
+  "testPieces.before": "Now",
+  "testPieces.compute": "Compute the settings",
+  "testPieces.copyItFirst":
+    "{name} is supplied with knifetip and read-only. Copy it, and measure the copy.",
+  "testPieces.difference": "Difference {value} ± {uncertainty}",
+  "testPieces.inTheController": "Set it in the controller or at the gantry; no file has it.",
+  "testPieces.machine": "Machine",
+  "testPieces.measureWithATestPiece": "Measure with a test piece",
+  "testPieces.noTool": "No test piece suits a tool of this machine. Choose another machine.",
+  "testPieces.notSignificant": "Changes by less than its uncertainty",
+  "testPieces.noteOf": "Test piece: {name}",
+  "testPieces.openTheOrder": "Draw it and open the order",
+  "testPieces.orderedLikeAnyDrawing":
+    "The piece is ordered and proven like any drawing; the depths of its lines are options of the order. Come back when it is cut.",
+  "testPieces.pictureOf": "Test piece {name}, with arrows for what is measured",
+  "testPieces.saveAsNewVersion": "Save in {name} as a new version",
+  "testPieces.saved": "Saved in {name} as version {version}. The list of versions can undo it.",
+  "testPieces.setting": "Setting",
+  "testPieces.station": "Station",
+  "testPieces.stepChoose": "1. Choose the tool, the board and the test piece",
+  "testPieces.stepMeasure": "3. Measure the piece",
+  "testPieces.stepOrder": "2. Cut the piece",
+  "testPieces.stepSave": "4. Compare and save",
+  "testPieces.testPiece": "Test piece",
+
   // panels/library/DefinitionEditor.tsx
   "definitionEditor.loading": "Loading …",
   "definitionEditor.allFaults": "Show all corrections",
@@ -825,6 +855,8 @@ export const en = {
   "definitionForm.remove3": "Remove {key}",
   "definitionForm.add3": "Add",
   // panels/library/DefinitionHistory.tsx
+  "definitionHistory.restore": "Restore version {compared}",
+  "definitionHistory.restoredFrom": "Version {version} restored",
   "definitionHistory.versions": "Versions",
   "definitionHistory.compare": "Compare",
   "definitionHistory.version": "Version {compared}",

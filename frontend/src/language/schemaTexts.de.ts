@@ -386,4 +386,47 @@ export const schemaTexts: Readonly<Record<string, string>> = {
   lid: "Deckel",
   "Depth of the lid as a part of the outer depth of the base, 0.1 to 1":
     "Höhe des Deckels als Teil der äußeren Höhe des Unterteils, 0,1 bis 1",
+  "Accuracy of reading": "Ablesegenauigkeit",
+  "How exactly you can read the measures (mm): about 0.1 with a ruler, 0.05 with a calliper, 0.02 with a measuring loupe":
+    "Wie genau die Maße abgelesen werden (mm): etwa 0,1 mit einem Lineal, 0,05 mit einem Messschieber, 0,02 mit einer Messlupe",
+  "b, distance of the two cuts at the bottom": "b, Abstand der beiden Schnitte am Grund",
+  "At the board's edge, at the bottom of the groove (mm): positive if board is left between the cuts, negative if they cross each other":
+    "Am Rand, am Grund der Nut (mm): positiv, wenn zwischen den Schnitten Material bleibt, negativ, wenn sie sich kreuzen",
+  "M, length of one cut of the inner groove": "M, Länge eines Schnitts der inneren Nut",
+  "In the top face, from the start to the end of one flank (mm); the line is 60 mm long. Empty if it was not measured":
+    "An der Oberseite, vom Anfang bis zum Ende einer Flanke (mm); die Linie ist 60 mm lang. Leer, wenn nicht gemessen",
+  "N, number of the first cut that goes through": "N, Nummer des ersten Schnitts, der durchgeht",
+  "Counted from the cut-off corner; each fifth cut is longer. 0 if none goes through":
+    "Von der abgeschnittenen Ecke an gezählt; jeder fünfte Schnitt ist länger. 0, wenn keiner durchgeht",
+  "T, thickness of this board": "T, Dicke dieses Materials",
+  "Measured at this sheet (mm); empty for the thickness in the file of the board":
+    "An diesem Bogen gemessen (mm); leer für die Dicke in der Datei des Materials",
+  "A1, first good flap along the grain": "A1, erste gute Lasche längs",
+  "A2, last good flap along the grain": "A2, letzte gute Lasche längs",
+  "B1, first good flap across the grain": "B1, erste gute Lasche quer",
+  "B2, last good flap across the grain": "B2, letzte gute Lasche quer",
+  "Comb A: number of the first flap that folds without springing back. Empty if this comb was not judged":
+    "Kamm A: Nummer der ersten Lasche, die ohne Rückfedern faltet. Leer, wenn nicht beurteilt",
+  "Comb A: number of the last flap that folds without a crack":
+    "Kamm A: Nummer der letzten Lasche, die ohne Riss faltet",
+  "Comb B: number of the first flap that folds without springing back. Empty if this comb was not judged":
+    "Kamm B: Nummer der ersten Lasche, die ohne Rückfedern faltet. Leer, wenn nicht beurteilt",
+  "Comb B: number of the last flap that folds without a crack":
+    "Kamm B: Nummer der letzten Lasche, die ohne Riss faltet",
+  "w, width": "w, Breite",
+  "h, height": "h, Höhe",
+  "Side along X (mm)": "Seite längs X (mm)",
+  "Side along Y (mm)": "Seite längs Y (mm)",
+  "Side along X (mm); drawn 200 mm": "Seite längs X (mm); gezeichnet 200 mm",
+  "Side along Y (mm); drawn 150 mm": "Seite längs Y (mm); gezeichnet 150 mm",
+  "p, first diagonal": "p, erste Diagonale",
+  "q, second diagonal": "q, zweite Diagonale",
+  "From the lower left corner, beside which there is a slit, to the upper right (mm)":
+    "Von der linken unteren Ecke, neben der ein Schlitz ist, nach rechts oben (mm)",
+  "From the upper left corner to the lower right (mm)":
+    "Von der linken oberen Ecke nach rechts unten (mm)",
+  "x, distance of the upright lines": "x, Abstand der senkrechten Linien",
+  "y, distance of the level lines": "y, Abstand der waagerechten Linien",
+  "From the cut to the middle of the line of the tool (mm); drawn 20 mm":
+    "Vom Schnitt bis zur Mitte der Linie des Werkzeugs (mm); gezeichnet 20 mm",
 };

@@ -26,6 +26,7 @@ import { CopyForm } from "./CopyForm";
 import { DefinitionForm } from "./DefinitionForm";
 import { DefinitionHistory } from "./DefinitionHistory";
 import css from "./library.module.css";
+import { TestPieces } from "./testpieces/TestPieces";
 
 type Entry = Pick<LibraryEntry, "shelf" | "name">;
 
@@ -42,6 +43,8 @@ export function DefinitionEditor({ entry, onOpen }: Props) {
     refetchOnReconnect: false,
   });
   const { data: schema } = useQuery(queries.librarySchema(entry.shelf));
+  // Stays open when a new version is saved, with which the form begins anew.
+  const [measuring, setMeasuring] = useState(false);
   if (error !== null) {
     return (
       <Text my={8} c="var(--bad-ink)" role="alert">
@@ -51,13 +54,19 @@ export function DefinitionEditor({ entry, onOpen }: Props) {
   }
   if (definition === undefined || schema === undefined)
     return <p>{translate("definitionEditor.loading")}</p>;
+  const { tool } = definition.fields as { tool?: { kind?: string } };
   return (
-    <Editor
-      key={`${definition.name} ${definition.version}`}
-      definition={definition}
-      schema={schema}
-      onOpen={onOpen}
-    />
+    <>
+      {measuring && <TestPieces entry={entry} kind={tool?.kind ?? null} />}
+      <Editor
+        key={`${definition.name} ${definition.version}`}
+        definition={definition}
+        schema={schema}
+        onOpen={onOpen}
+        measuring={measuring}
+        onMeasure={() => setMeasuring(!measuring)}
+      />
+    </>
   );
 }
 
@@ -65,6 +74,9 @@ interface EditorProps {
   readonly definition: Definition;
   readonly schema: unknown;
   readonly onOpen: (entry: Entry | null) => void;
+  readonly measuring: boolean;
+  /** Shows or hides the test pieces. */
+  readonly onMeasure: () => void;
 }
 
 /** What another person has saved in between. */
@@ -73,7 +85,7 @@ interface Conflict {
   readonly by: string;
 }
 
-function Editor({ definition, schema, onOpen }: EditorProps) {
+function Editor({ definition, schema, onOpen, measuring, onMeasure }: EditorProps) {
   const { shelf, name, shipped, version, title } = definition;
   const [fields, setFields] = useState<Fields>(definition.fields);
   const [note, setNote] = useState("");
@@ -119,6 +131,14 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
   const save = (basedOn: number) =>
     attempt(() =>
       service.putDefinition({ shelf, name }, sentFields(fields), { version: basedOn, note }),
+    );
+
+  const restore = (old: Definition) =>
+    attempt(() =>
+      service.putDefinition({ shelf, name }, old.fields, {
+        version,
+        note: translate("definitionHistory.restoredFrom", { version: old.version }),
+      }),
     );
 
   const count = Object.keys(faults).length;
@@ -168,6 +188,14 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
           data-testid="download-definition"
         >
           {translate("definitionEditor.downloadToml")}
+        </Button>
+        <Button
+          variant="default"
+          aria-expanded={measuring}
+          onClick={onMeasure}
+          data-testid="measure"
+        >
+          {translate("testPieces.measureWithATestPiece")}
         </Button>
         {!shipped && (
           <Button
@@ -244,7 +272,10 @@ function Editor({ definition, schema, onOpen }: EditorProps) {
           </Group>
         </section>
       )}
-      <DefinitionHistory definition={definition} />
+      <DefinitionHistory
+        definition={definition}
+        onRestore={readOnly ? null : (old) => void restore(old)}
+      />
     </>
   );
 }

@@ -11,7 +11,13 @@ import { queries } from "../../state/queries";
 import { DifferenceTable } from "./DifferenceTable";
 import css from "./library.module.css";
 
-export function DefinitionHistory({ definition }: { definition: Definition }) {
+interface Props {
+  readonly definition: Definition;
+  /** Saves an old version as the newest; null if the entry may not be changed. */
+  readonly onRestore: ((old: Definition) => void) | null;
+}
+
+export function DefinitionHistory({ definition, onRestore }: Props) {
   const { shelf, name } = definition;
   const { data: versions = [] } = useQuery(queries.definitionVersions(shelf, name));
   const [compared, setCompared] = useState<number | null>(null);
@@ -51,11 +57,18 @@ export function DefinitionHistory({ definition }: { definition: Definition }) {
         </Table.Tbody>
       </Table>
       {old !== undefined && compared !== null && (
-        <DifferenceTable
-          changes={changes}
-          before={translate("definitionHistory.version", { compared })}
-          after={translate("definitionHistory.version2", { version: definition.version })}
-        />
+        <>
+          <DifferenceTable
+            changes={changes}
+            before={translate("definitionHistory.version", { compared })}
+            after={translate("definitionHistory.version2", { version: definition.version })}
+          />
+          {onRestore !== null && (
+            <Button mt={10} variant="default" onClick={() => onRestore(old)} data-testid="restore">
+              {translate("definitionHistory.restore", { compared })}
+            </Button>
+          )}
+        </>
       )}
     </section>
   );

@@ -33,6 +33,7 @@ import { schemaTexts } from "../../language/schemaTexts";
 import { translate } from "../../language/translate";
 import { type Fields, pathText } from "../../state/library/definitions";
 import type { FormContext } from "./DefinitionForm";
+import { DimensionPicture } from "./DimensionPicture";
 import css from "./library.module.css";
 import { ToolPicker } from "./ToolPicker";
 
@@ -163,6 +164,18 @@ function Field(props: FieldTemplateProps<Fields, RJSFSchema, FormContext>) {
   );
 }
 
+/** Kind of the tool that a table describes; empty for other tables. */
+function kindOf({ properties }: RJSFSchema): string {
+  const kind = properties?.kind;
+  return typeof kind === "object" ? String(kind.const ?? "") : "";
+}
+
+/** Title of a field of a table. */
+function titleIn({ properties }: RJSFSchema, name: string): string | undefined {
+  const field = properties?.[name];
+  return typeof field === "object" ? field.title : undefined;
+}
+
 type TableProps = ObjectFieldTemplateProps<Fields, RJSFSchema, FormContext>;
 
 function Table(props: TableProps) {
@@ -186,6 +199,7 @@ function Table(props: TableProps) {
         className={css.table}
         legend={schemaTexts[title] ?? title.replace(/-(\d+)$/, " $1")}
       >
+        <DimensionPicture kind={kindOf(schema)} titleOf={(name) => titleIn(schema, name)} />
         <div className={css.fields}>{properties.map(({ content }) => content)}</div>
       </Fieldset>
       {!(ADDITIONAL_PROPERTY_FLAG in schema) && optionalDataControl}
@@ -207,6 +221,9 @@ function Groups({ schema, properties, registry }: TableProps) {
       <Title order={2} fz={14} mb={12}>
         {title}
       </Title>
+      {fields.some(({ name }) => name === "caliper") && (
+        <DimensionPicture kind="board" titleOf={(name) => titleIn(schema, name)} />
+      )}
       <div className={css.fields}>{fields.map(({ content }) => content)}</div>
       {fields.map(({ name }) => registry.formContext.after[name])}
     </section>
