@@ -157,7 +157,9 @@ def next_queued(machine: str) -> sa.Select[Job]:
 
 def _is_measured(job: type[Job]) -> sa.ColumnElement[bool]:
     """Return the condition that the marks of a job's printed sheet were measured."""
-    return job.stored_options[("registration", "measured", 0, 0)].as_float().is_not(None)
+    first = job.stored_options[("registration", "measured", 0, 0)].as_float()
+    condition: sa.ColumnElement[bool] = first.is_not(None)
+    return condition
 
 
 def waiting_jobs(machine: str) -> sa.Select[Job]:
