@@ -12,6 +12,7 @@ import { upsertJob } from "../../state/queries";
 import { reportAction } from "../../state/station/operations";
 import panels from "../shared/panels.module.css";
 import { CameraPicture } from "./CameraPicture";
+import { JogPad } from "./JogPad";
 import { NotedButton, WideButton } from "./parts";
 
 interface Props {
@@ -85,6 +86,7 @@ export function MarksPanel({ job, machine, station, reached }: Props) {
         onChange={(value) => setAim(value ?? "head")}
       />
       <CameraPicture />
+      <JogPad machine={machine} station={station} job={job} reached={reached} />
       {x === undefined || y === undefined ? (
         <Text c="ink.2">{translate("marksPanel.noPosition")}</Text>
       ) : (
