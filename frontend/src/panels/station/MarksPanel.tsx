@@ -99,7 +99,8 @@ export function MarksPanel({ job, machine, station, reached }: Props) {
             w="auto"
             miw={140}
             fullWidth={false}
-            disabled={!reached || x === undefined || y === undefined}
+            // Not while the machine moves: the reported position is then an earlier one.
+            disabled={!reached || x === undefined || y === undefined || station?.state !== "idle"}
             onClick={() =>
               setTaken(taken.map((one, row) => (row === at ? [x as number, y as number] : one)))
             }
