@@ -1686,7 +1686,7 @@ export const de = {
   "commands.edgeList": "Kantenliste ein- oder ausblenden",
   "commands.panel": "Seitenleiste ein- oder ausblenden",
   // panels/commands/Palette.tsx
-  "palette.commands": "Befehle",
+  "palette.commands": "Suche",
   "palette.openKey": "Befehle, Orte und Zeichnungen (Strg K)",
   "palette.search": "Befehl, Ort oder Name einer Zeichnung",
   "palette.drawings": "Zeichnungen",

@@ -1623,7 +1623,7 @@ export const en = {
   "commands.edgeList": "Show or hide the list of edges",
   "commands.panel": "Show or hide the panel",
   // panels/commands/Palette.tsx
-  "palette.commands": "Commands",
+  "palette.commands": "Find",
   "palette.openKey": "Commands, places and drawings (Ctrl K)",
   "palette.search": "Command, place or name of a drawing",
   "palette.drawings": "Drawings",

@@ -325,6 +325,11 @@ export function useBoardTitles(): (name: string) => string {
   return (name) => boards?.find((board) => board.name === name)?.title || name;
 }
 export const useBoardTitle = (name: string): string => useBoardTitles()(name);
+/** Function that returns the title of a machine, or its name while the machines are not known. */
+export function useMachineTitles(): (name: string) => string {
+  const { data: machines } = useMachines();
+  return (name) => machines?.find((machine) => machine.name === name)?.title || name;
+}
 /** Caliper of a board (mm); 0 for no board, and while the boards are not known. */
 export function useBoardCaliper(name: string | undefined): number {
   const { data: boards } = useBoards();

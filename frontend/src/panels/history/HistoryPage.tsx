@@ -9,7 +9,13 @@ import type { EndedState, HistoryFilter, Job } from "../../api/client";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
 import { formatDuration } from "../../state/format";
-import { useBoards, useBoardTitle, useHistory, useMachines } from "../../state/queries";
+import {
+  useBoards,
+  useBoardTitle,
+  useHistory,
+  useMachines,
+  useMachineTitles,
+} from "../../state/queries";
 import { dateTimeText } from "../../state/times";
 import { StateBadge } from "../job/StateBadge";
 import { OrderLine } from "../order/OrderDetails";
@@ -160,7 +166,7 @@ function EndedJobs({ machine }: { machine: string }) {
 
 function EndedJob({ job }: { job: Job }) {
   const board = useBoardTitle(job.board);
-  const { data: machines } = useMachines();
+  const machine = useMachineTitles()(job.machine);
   return (
     <li>
       <button
@@ -180,7 +186,7 @@ function EndedJob({ job }: { job: Job }) {
         <Text span flex="1 1 160px">
           {board}
           <br />
-          {machines?.find(({ name }) => name === job.machine)?.title || job.machine}
+          {machine}
         </Text>
         <Text span flex="0 1 120px">
           {job.copies_done === job.copies

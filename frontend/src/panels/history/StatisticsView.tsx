@@ -7,7 +7,7 @@ import { formatDate } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
 import { formatDuration, formatMetres } from "../../state/format";
-import { useBoardTitles, useMachines, useStatistics } from "../../state/queries";
+import { useBoardTitles, useMachineTitles, useStatistics } from "../../state/queries";
 import { Note } from "../shared/parts";
 import css from "./history.module.css";
 
@@ -42,7 +42,7 @@ export function StatisticsView({ machine }: { machine: string }) {
   // Rounded to hours, so that the same period is the same request.
   const since = Math.floor(Date.now() / 3.6e6) * 3600 - SHOWN[step] * 86_400;
   const { data, error } = useStatistics({ machine, step, since });
-  const { data: machines } = useMachines();
+  const titleOf = useMachineTitles();
   const names = [...new Set((data ?? []).map((row) => row.machine))];
   return (
     <>
@@ -67,7 +67,7 @@ export function StatisticsView({ machine }: { machine: string }) {
       {names.map((name) => (
         <Paper key={name} component="section" radius={12} p={16} mb={14} data-testid="statistics">
           <Title order={2} fz={15} mb={10}>
-            {machines?.find((one) => one.name === name)?.title || name}
+            {titleOf(name)}
           </Title>
           <Periods rows={(data ?? []).filter((row) => row.machine === name)} step={step} />
         </Paper>

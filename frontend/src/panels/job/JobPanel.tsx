@@ -32,7 +32,7 @@ import {
 } from "../../state/job/jobs";
 import { canContinue } from "../../state/job/rest";
 import { SHOWN_STAGES, stageProgress } from "../../state/job/stages";
-import { useBoardTitle, useEdges, useJob } from "../../state/queries";
+import { useBoardTitle, useEdges, useJob, useMachineTitles } from "../../state/queries";
 import { showDrawing } from "../../state/routes";
 import { useUiStore } from "../../state/store";
 import { Permitted } from "../accounts/Permitted";
@@ -103,11 +103,12 @@ export function JobPanel() {
 /** The board and the machine for which the program was made. */
 function JobBoard({ job }: { job: Job }) {
   const title = useBoardTitle(job.board);
+  const machine = useMachineTitles()(job.machine);
   return (
     <Note data-testid="job-board">
       {translateRich("jobPanel.board", {
         title,
-        machine: job.machine,
+        machine,
         b: (children) => <b>{children}</b>,
       })}
     </Note>
@@ -155,10 +156,11 @@ function Compiling({ job }: { job: Job }) {
 }
 
 function Waiting({ job }: { job: Job }) {
+  const machine = useMachineTitles()(job.machine);
   return (
     <div className={css.callout} data-tone="grey" role="status" data-testid="waiting">
       {job.message === null
-        ? translate("jobPanel.theJobWaitsForThe", { machine: job.machine })
+        ? translate("jobPanel.theJobWaitsForThe", { machine })
         : messageText(job.message)}
       <HintOf message={job.message} />
     </div>

@@ -6,7 +6,7 @@ import type { Job } from "../../api/client";
 import { translate } from "../../language/translate";
 import { awaitsEnd } from "../../state/job/jobs";
 import { sheetText } from "../../state/order/sheet";
-import { useBoardTitle, useMachines } from "../../state/queries";
+import { useBoardTitle, useMachineTitles } from "../../state/queries";
 import css from "../shared/panels.module.css";
 import { StationNumber } from "../shared/parts";
 
@@ -24,8 +24,7 @@ function reasonOf(job: Job): string {
 }
 
 export function WaitsAtMachine({ job }: { job: Job }) {
-  const { data: machines } = useMachines();
-  const machine = machines?.find(({ name }) => name === job.machine)?.title || job.machine;
+  const machine = useMachineTitles()(job.machine);
   const board = useBoardTitle(job.board);
   return (
     <div

@@ -8,7 +8,7 @@ import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
 import { deleteDrawing } from "../../state/actions";
 import { formatSize, formatUnitless } from "../../state/format";
-import { useBoardTitles, useMachines } from "../../state/queries";
+import { useBoardTitles, useMachineTitles } from "../../state/queries";
 import { drawingPath, layoutAddress } from "../../state/routes";
 import { dateTimeText } from "../../state/times";
 import { nextAction, type RowGroup } from "../../state/work/orders";
@@ -120,7 +120,7 @@ interface RowProps {
 function Row({ row, aside = null, isCopy = false, onDelete }: RowProps) {
   const { drawing, job } = row;
   const titleOf = useBoardTitles();
-  const { data: machines } = useMachines();
+  const machineTitle = useMachineTitles();
   const refusal = useRefusal("DELETE /api/v1/drawings/{id}");
   const action = nextAction(row);
   const open =
@@ -131,8 +131,7 @@ function Row({ row, aside = null, isCopy = false, onDelete }: RowProps) {
   const due = job?.due ?? drawing.due;
   const order = job?.external_id || drawing.external_id;
   const board = job === null ? "" : titleOf(job.board);
-  const machine =
-    job === null ? "" : machines?.find(({ name }) => name === job.machine)?.title || job.machine;
+  const machine = job === null ? "" : machineTitle(job.machine);
   const size =
     drawing.unit === null
       ? `${formatUnitless(drawing.width)} × ${formatUnitless(drawing.height)}`
