@@ -68,5 +68,6 @@ def test_a_written_layout_is_plain_json(knifetip: Command, drawing: Path, tmp_pa
     output = tmp_path / "a.json"
     knifetip("nest", drawing, "--sheet", "200x200", "--grain", "y", "--seconds", 1, "-o", output)
     found = json.loads(output.read_text())
-    assert found["sheet"] == {"width": 200, "height": 200, "grain": "y", "side_up": "outside"}
+    sheet = found["sheet"]
+    assert (sheet["width"], sheet["height"], sheet["grain"]) == (200, 200, "y")
     assert found["placed"][0]["turn"] in (0.0, 180.0)

@@ -393,7 +393,7 @@ def test_a_planned_blank_with_a_hole_and_a_slit_is_milled() -> None:
 def test_a_bridge_has_the_required_width_between_the_discs(corner: str, passes: int) -> None:
     square = contour(
         (0, 0), (0, 100), (100, 100), (100, 0), side=1, corner=corner,
-        bridges=[[1, 30.0], [3, 60.0]], bridge_width=0.8,
+        bridges=[[1, 30.0, 0.8], [3, 60.0, 0.8]],
         depth=np.tile(np.linspace(2.3 / passes, 2.3, passes), (4, 1)),
     )  # fmt: skip
     path = radius_toolpath(square)
@@ -412,7 +412,7 @@ def test_a_bridge_that_the_cutter_cannot_reach_is_refused() -> None:
     # A slot 4 mm wide and 40 mm deep, which a disc of 6 mm cannot enter.
     slotted = contour(
         (0, 0), (0, 100), (48, 100), (48, 60), (52, 60), (52, 100), (100, 100), (100, 0),
-        side=1, bridges=[[1, 20.0], [2, 35.0]], bridge_width=0.8,
+        side=1, bridges=[[1, 20.0, 0.8], [2, 35.0, 0.8]],
     )  # fmt: skip
     with pytest.raises(
         CompensationError,

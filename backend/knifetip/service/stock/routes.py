@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from fastapi import Path, Query, Request, Response
+from pydantic import Field
 
 from knifetip.service.components import ServiceDep
 from knifetip.service.http.models import ListPage
@@ -26,7 +27,11 @@ StockSheetId = Annotated[str, Path(max_length=200, description="Id of the sheets
 class StockQuery(ListPage):
     """Which sheets are listed."""
 
-    board: str | None = None
+    board: str | None = Field(
+        default=None,
+        max_length=80,
+        description="Name of a board: only sheets of it, and those for which no board is stated",
+    )
 
 
 @router.post("", status_code=201)

@@ -1,10 +1,11 @@
 /** Button and section that show the account of the person who uses the page. */
 
-import { ActionIcon, Indicator, Modal, Paper, Text, Tooltip } from "@mantine/core";
+import { ActionIcon, Indicator, Paper, Text, Tooltip } from "@mantine/core";
 import { IconShieldLock } from "@tabler/icons-react";
 import { lazy, Suspense, useState } from "react";
 import { translate } from "../../language/translate";
 import { useMe } from "../../state/accounts/accounts";
+import { Dialog } from "../shared/Dialog";
 
 // Few people open it, so the start page does without it.
 const Account = lazy(() => import("./Account").then((module) => ({ default: module.Account })));
@@ -34,7 +35,7 @@ export function AccountButton() {
           </ActionIcon>
         </Indicator>
       </Tooltip>
-      <Modal
+      <Dialog
         opened={opened}
         onClose={() => setOpened(false)}
         title={translate("accountDialog.account2")}
@@ -44,7 +45,7 @@ export function AccountButton() {
         <Suspense fallback={null}>
           <Account me={me} />
         </Suspense>
-      </Modal>
+      </Dialog>
     </>
   );
 }

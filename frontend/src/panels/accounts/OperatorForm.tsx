@@ -1,11 +1,12 @@
 /** Asks for the name of the operator, shows it, and changes it. */
 
-import { Box, Button, Group, Modal, Text, TextInput } from "@mantine/core";
+import { Box, Button, Group, Text, TextInput } from "@mantine/core";
 import { IconUser } from "@tabler/icons-react";
 import { useId } from "react";
 import { OPERATOR_LENGTH } from "../../api/operator";
 import { translate } from "../../language/translate";
 import { useOperator } from "../../state/accounts/operator";
+import { Dialog } from "../shared/Dialog";
 import css from "../shared/panels.module.css";
 import { Note } from "../shared/parts";
 
@@ -66,9 +67,9 @@ export function OperatorDialog() {
   const changing = useOperator((operator) => operator.changing);
   const close = useOperator((operator) => operator.close);
   return (
-    <Modal opened={changing} onClose={close} title={translate("operatorForm.operator")} centered>
+    <Dialog opened={changing} onClose={close} title={translate("operatorForm.operator")} centered>
       <OperatorForm />
-    </Modal>
+    </Dialog>
   );
 }
 

@@ -1,7 +1,8 @@
 /** Asks for confirmation before a command that cannot be undone. */
 
-import { Button, Modal } from "@mantine/core";
+import { Button } from "@mantine/core";
 import type { Confirmation } from "../../state/job/jobs";
+import { Dialog } from "./Dialog";
 
 interface Props {
   /** null: the dialog is closed. */
@@ -12,7 +13,7 @@ interface Props {
 
 export function ConfirmDialog({ confirmation, onYes, onNo }: Props) {
   return (
-    <Modal opened={confirmation !== null} onClose={onNo} title={confirmation?.title} centered>
+    <Dialog opened={confirmation !== null} onClose={onNo} title={confirmation?.title} centered>
       <p style={{ margin: "0 0 16px" }} data-testid="confirm-text">
         {confirmation?.text}
       </p>
@@ -24,6 +25,6 @@ export function ConfirmDialog({ confirmation, onYes, onNo }: Props) {
           {confirmation?.yes}
         </Button>
       </div>
-    </Modal>
+    </Dialog>
   );
 }
