@@ -4,7 +4,8 @@ In the top face a groove is a strip of half-width r on both sides of its line.  
 another groove, the top face ends where the flank of the one groove enters the strip of the other
 one: beside parallel grooves nearer than 2 r, and between two grooves that meet, or would meet, at
 an angle φ for the length r cot(φ/2) from there.  At a right angle this length is r, as at each
-corner of a tray.  So a finding is a length of more than r and the board's thickness.
+corner of a tray.  So a shortfall is a length of more than r and the board's thickness, and a note a
+length of more than 1.2 r between grooves at an angle, which is below 80°.
 
 The flanks are curves beside the lines at the distance r, and the strips are found by the search for
 overlaps, for straight grooves and for arcs.
@@ -42,6 +43,8 @@ from knifetip.verification.expectation.edges import (
 _SMOOTH: Final = 20.0
 #: Flanks nearer to the border of a strip than this do not enter it (mm).
 _BORDER: Final = 1e-4
+#: Least length of a note, in half-widths of the groove.
+_NOTED: Final = 1.2
 #: Greatest number of findings.
 _MOST_FINDINGS: Final = 50
 
@@ -77,18 +80,23 @@ def groove_width(board: Board, machine: Machine) -> float:
 
 
 def check_groove_flanks(context: CheckContext) -> None:
-    """Add a shortfall for each two V-grooves that leave no ridge between them over a length."""
+    """Add a shortfall or a note for each two V-grooves that leave no ridge between them."""
     edges, _, _ = without_duplicates(context.edges.with_types(LineType.V_GROOVE))
     width = groove_width(context.board, context.machine)
     if len(edges) < 2 or width <= 0.0:
         return
-    least = 0.5 * width + context.board.caliper
-    meetings = sorted(_meetings(edges, 0.5 * width, least), key=lambda one: -one.length)
+    half = 0.5 * width
+    least = half + context.board.caliper
+    meetings = sorted(_meetings(edges, half, _NOTED * half), key=lambda one: -one.length)
     seen: set[tuple[int, int]] = set()
     for meeting in meetings:
         if meeting.pair in seen or len(seen) == _MOST_FINDINGS:
             continue
+        is_long = meeting.length > least
+        if not is_long and meeting.angle <= STRAIGHT_ANGLE:
+            continue
         seen.add(meeting.pair)
+        severity = Severity.SHORTFALL if is_long else Severity.NOTE
         values = {"length": meeting.length, "width": width}
         if meeting.angle > STRAIGHT_ANGLE:
             x, y = meeting.place
@@ -98,7 +106,7 @@ def check_groove_flanks(context: CheckContext) -> None:
         else:
             message = Message("verify.grooves-meet", distance=meeting.distance, **values)
         row = int(edges.row[max(meeting.edge, meeting.other)])
-        context.findings.add("near", message, meeting.length, edge=row, severity=Severity.SHORTFALL)
+        context.findings.add("near", message, meeting.length, edge=row, severity=severity)
 
 
 def _meetings(edges: Edges, half: float, least: float) -> list[_Meeting]:
