@@ -27,11 +27,17 @@ export function HeadFigures({ job, timeline }: Props) {
     ?.stations.find((one) => one.number === number);
   const tilt = Number(station?.tool.dimensions.tilt ?? 0);
   const fixed = (value: number, digits: number) => withMinusSign(formatFixed(value, digits));
+  // The axis may have made several turns.
+  const turns = 360 * Math.round(degree(pose.c) / 360);
   const figures = [
     { name: "x", title: "X", value: fixed(pose.x, 2) },
     { name: "y", title: "Y", value: fixed(pose.y, 2) },
     { name: "z", title: "Z", value: fixed(pose.z, 2) },
-    { name: "c", title: translate("headFigures.heading"), value: `${fixed(degree(pose.c), 1)}°` },
+    {
+      name: "c",
+      title: translate("headFigures.heading"),
+      value: `${fixed(degree(pose.c) - turns, 1)}°`,
+    },
     { name: "lean", title: translate("headFigures.lean"), value: `${fixed(tilt, 1)}°` },
   ];
   return (
