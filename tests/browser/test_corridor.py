@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import base64
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from itertools import pairwise
 from pathlib import Path
@@ -312,6 +312,21 @@ def colours(page: Page) -> set[tuple[int, int, int]]:
     return {(red, green, blue) for red, green, blue in found}
 
 
+def colours_until(
+    page: Page, wanted: Callable[[set[tuple[int, int, int]]], bool]
+) -> set[tuple[int, int, int]]:
+    """Return the colours of the canvas once they are as wanted; as they are after half a minute.
+
+    A frame is drawn some time after what changes it.
+    """
+    for _ in range(100):
+        found = colours(page)
+        if wanted(found):
+            break
+        page.wait_for_timeout(300)
+    return found
+
+
 #: Colours of the two ends of the scale, and of a V-groove.
 NOTHING, LIMIT, GROOVE = (0x3F, 0x6D, 0xD7), (0xFA, 0xF1, 0x64), (0xB7, 0x94, 0xFF)
 
@@ -326,17 +341,18 @@ def test_the_verdict_colours_edges_and_bands_show_removed_material(
     expect(mode).to_have_attribute("data-mode", "types")
     expect(page.get_by_test_id("colour-scale")).to_be_hidden()
     page.get_by_test_id("layer-head").click()
-    assert GROOVE in colours(page)
+    assert GROOVE in colours_until(page, lambda seen: GROOVE in seen)
 
     # All deviations are much smaller than the tolerance: the lower end of the scale.
     page.get_by_test_id("colour-deviation").click()
     expect(page.get_by_test_id("colour-scale")).to_contain_text("0.005")
-    assert colours(page) >= {NOTHING}
-    assert colours(page).isdisjoint({LIMIT, GROOVE})
+    seen = colours_until(page, lambda seen: NOTHING in seen and GROOVE not in seen)
+    assert NOTHING in seen
+    assert seen.isdisjoint({LIMIT, GROOVE})
     # The V-cutter runs 3 mm past the ends of a groove inside the board: the upper end.
     page.get_by_test_id("colour-overcut").click()
     expect(page.get_by_test_id("colour-scale")).to_contain_text("3 mm")
-    assert colours(page) >= {NOTHING, LIMIT}
+    assert colours_until(page, lambda seen: seen >= {NOTHING, LIMIT}) >= {NOTHING, LIMIT}
     page.screenshot(path=screenshots / "rigid-box-blank-6-overcut.png")
 
     page.get_by_test_id("colour-types").click()
@@ -454,11 +470,14 @@ def test_corner_types_of_a_cutter_are_selected_and_unreached_areas_shown(
     expect(page.get_by_test_id("saved")).to_contain_text(re.compile(r"saves \d+\.\d\ss \(\d+\s%\)"))
     expect(page.get_by_test_id("layer-uncut")).to_have_attribute("aria-pressed", "true")
     page.screenshot(path=screenshots / "router-1-auto.png")
-    shown = colours(page)
+
+    def pink(seen: set[tuple[int, int, int]]) -> set[tuple[int, int, int]]:
+        return {(r, g, b) for r, g, b in seen if r > 1.4 * g and b > g}
+
+    shown = colours_until(page, lambda seen: bool(pink(seen)))
     page.get_by_test_id("layer-uncut").click()
-    hidden = colours(page)
-    pink = {(r, g, b) for r, g, b in shown - hidden if r > 1.4 * g and b > g}
-    assert pink, sorted(shown - hidden)
+    hidden = colours_until(page, lambda seen: bool(pink(shown - seen)))
+    assert pink(shown - hidden), sorted(shown - hidden)
 
     before = page.get_by_test_id("program").get_attribute("href")
     go_to(page, "process")
@@ -582,7 +601,8 @@ def test_a_sheet_cut_to_size_and_the_least_lift_are_chosen_for_a_job(
     page.wait_for_timeout(300)
     # The upper edge of the sheet is drawn across the drawing.
     page.screenshot(path=screenshots / "sheet-1-chosen.png")
-    assert nearest(SHEET, colours(page)) < 45 < before
+    seen = colours_until(page, lambda seen: nearest(SHEET, seen) < 45)
+    assert nearest(SHEET, seen) < 45 < before
     page.get_by_test_id("sheet-margin").fill("0")
     page.get_by_test_id("sheet-width").fill("300")
     page.get_by_test_id("sheet-height").fill("200")

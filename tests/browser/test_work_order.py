@@ -15,8 +15,11 @@ from tests.support.writers import dxf_text as text
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
 
 
-def places(items: Locator) -> list[str]:
-    return [str(one.get_attribute("data-edge")) for one in items.all()]
+def expect_places(items: Locator, *rows: str) -> None:
+    """Wait until the list has the edges of these rows in this order."""
+    expect(items).to_have_count(len(rows))
+    for place, row in enumerate(rows):
+        expect(items.nth(place)).to_have_attribute("data-edge", row)
 
 
 def test_tracks_are_dragged_and_moved_by_keys(page: Page, screenshots: Path) -> None:
@@ -34,7 +37,7 @@ def test_tracks_are_dragged_and_moved_by_keys(page: Page, screenshots: Path) -> 
     go_to(page, "process")
     items = page.get_by_test_id("work-items").get_by_role("listitem")
     expect(items).to_have_count(4)
-    first, second, third, cut = places(items)
+    first, second, third, cut = (str(one.get_attribute("data-edge")) for one in items.all())
     expect(page.get_by_test_id("order-numbers").locator("text")).to_have_count(4)
 
     # With the mouse: the first crease behind the third one.
@@ -49,7 +52,7 @@ def test_tracks_are_dragged_and_moved_by_keys(page: Page, screenshots: Path) -> 
     page.mouse.move(end["x"] + 14, end["y"] + 16, steps=8)
     page.mouse.up()
     expect(items.nth(2)).to_have_attribute("data-edge", first)
-    assert places(items) == [second, third, first, cut]
+    expect_places(items, second, third, first, cut)
     page.screenshot(path=screenshots / "work-order-1.png")
 
     # With the keys: the last crease before the one above it.
@@ -57,12 +60,12 @@ def test_tracks_are_dragged_and_moved_by_keys(page: Page, screenshots: Path) -> 
     for key in ("Space", "ArrowUp", "Space"):
         page.keyboard.press(key)
         page.wait_for_timeout(300)  # the list moves
-    assert places(items) == [second, first, third, cut]
+    expect_places(items, second, first, third, cut)
 
     # A cut does not come before a crease, and the page says why.
     items.nth(3).get_by_test_id("track-up").click()
     expect(page.get_by_test_id("order-refused")).to_contain_text("creases are made first")
-    assert places(items) == [second, first, third, cut]
+    expect_places(items, second, first, third, cut)
 
     compile_again(page)
     expect(page.get_by_test_id("changed-work_order")).to_be_visible(timeout=120_000)
@@ -70,7 +73,7 @@ def test_tracks_are_dragged_and_moved_by_keys(page: Page, screenshots: Path) -> 
     job = httpx.get(f"{address}api/jobs/{page.url.rpartition('/')[2]}", timeout=60.0).json()
     assert job["work_order"] == [int(row) for row in (second, first, third, cut)]
     go_to(page, "process")
-    assert places(items) == [second, first, third, cut]
+    expect_places(items, second, first, third, cut)
     page.get_by_test_id("shortest-order").click()
     expect(page.get_by_test_id("shortest-order")).to_be_hidden()
 
