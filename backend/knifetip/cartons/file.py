@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Final
-
 import numpy as np
 
 from knifetip.cartons.carton import Carton
 from knifetip.dxf.samples.contours import CREASE, CUT, V_GROOVE, separate_lines
-from knifetip.dxf.samples.write import Layer, write_dxf
-from knifetip.dxf.writers import OWN_COMMENT
+from knifetip.dxf.samples.write import Layer, write_own_dxf
 from knifetip.geometry.path import Paths
 from knifetip.model.dieline import LineType
-
-#: By this comment import knows that the dimensions are in mm, however small they are.
-_COMMENT: Final = f"999\n{OWN_COMMENT}\n".encode()
 
 
 def carton_dxf(carton: Carton) -> bytes:
@@ -24,4 +18,4 @@ def carton_dxf(carton: Carton) -> bytes:
         lines = [(*fold.start, *fold.end) for fold in carton.folds if fold.line_type == kind]
         if lines:
             sheet.append((layer, separate_lines(np.array(lines))))
-    return _COMMENT + write_dxf(sheet)
+    return write_own_dxf(sheet)

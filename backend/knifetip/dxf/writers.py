@@ -8,7 +8,8 @@ Sources, by program:
 - Inkscape, "Desktop Cutting Plotter": the extension multiplied all coordinates by 25.4/90, the
   length of its pixels in mm, while it wrote the comment.  Later versions write no comment but the
   unit that they use, in a header of three variables.
-- knifetip: cartons of standard styles (``cartons.file``), which may be as small as drawings in cm.
+- knifetip: cartons of standard styles and test pieces (``samples.write``), which may be as small as
+  drawings in cm.
 - OpenSCAD: lengths have no unit, but its SVG export states them as mm.
 """
 

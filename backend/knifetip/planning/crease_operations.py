@@ -118,7 +118,7 @@ def _chosen_depths(source: I32, setup: Setup) -> F64:
 
 
 def _with_chosen(depth: F64, source: I32, setup: Setup) -> F64:
-    """Return depths of n creases, (n,) or (n, 2) mm, replaced by those that the user has chosen.
+    """Return depths of n creases, (n,) or (n, 2) mm: those that a user chose, else the given ones.
 
     ``source`` are the indices in the dieline of the edges of the creases, (n,).
     """

@@ -7,13 +7,10 @@ from typing import Final
 import numpy as np
 
 from knifetip.dxf.samples.contours import CREASE, CUT, V_GROOVE, separate_lines
-from knifetip.dxf.samples.write import Layer, write_dxf
-from knifetip.dxf.writers import OWN_COMMENT
+from knifetip.dxf.samples.write import Layer, write_own_dxf
 from knifetip.model.dieline import LineType
 from knifetip.testpieces.piece import Piece
 
-#: By this comment import knows that the dimensions are in mm, however small they are.
-_COMMENT: Final = f"999\n{OWN_COMMENT}\n".encode()
 _LAYERS: Final = {
     LineType.CUT: CUT,
     LineType.CREASE: CREASE,
@@ -24,7 +21,7 @@ _LAYERS: Final = {
 
 def piece_dxf(piece: Piece) -> bytes:
     """Return the DXF file of a test piece: the same bytes for equal pieces."""
-    return _COMMENT + write_dxf(
+    return write_own_dxf(
         [
             (_LAYERS[line.line_type], separate_lines(np.array([(*line.start, *line.end)])))
             for line in piece.lines

@@ -154,7 +154,7 @@ export class LineLayer {
     strength: { value: 1 },
   };
 
-  /** `width` in CSS pixels, or thin lines always; a larger `order` lies above. */
+  /** `width` in CSS pixels; "thin" for lines that are always thin. A larger `order` lies above. */
   constructor(width: number | "thin", order: number) {
     this.always = width === "thin";
     this.width = width === "thin" ? 1 : width;

@@ -17,6 +17,7 @@ from ezdxf import options, units
 from ezdxf.filemanagement import new
 from ezdxf.layouts.layout import Modelspace
 
+from knifetip.dxf.writers import OWN_COMMENT
 from knifetip.errors import GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.path import Paths
@@ -37,6 +38,14 @@ class Layer:
     name: str
     colour: int  #: AutoCAD colour index
     linetype: str = "Continuous"  #: or DASHED, DASHDOT
+
+
+def write_own_dxf(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:
+    """Return the same as ``write_dxf`` after a comment by which import recognises the unit.
+
+    Drawings that are made here may be so small that their size alone would suggest cm.
+    """
+    return f"999\n{OWN_COMMENT}\n".encode() + write_dxf(sheet)
 
 
 def write_dxf(sheet: Sequence[tuple[Layer, Paths]]) -> bytes:

@@ -36,7 +36,7 @@ def _coded(style: Style) -> type[CodedCarton]:
 if TYPE_CHECKING:
     CartonIn: TypeAlias = CodedCarton
 else:
-    #: A carton of one of the styles; ``code`` tells which one.
+    #: A carton of one of the styles, which ``code`` names.
     CartonIn = Annotated[
         reduce(or_, [_coded(style) for style in STYLES.values()]), Field(discriminator="code")
     ]

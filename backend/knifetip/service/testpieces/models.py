@@ -42,7 +42,7 @@ def _coded(wizard: Wizard) -> type[CodedMeasures]:
 if TYPE_CHECKING:
     MeasuresIn: TypeAlias = CodedMeasures
 else:
-    #: The measures of one of the wizards; ``code`` tells which one.
+    #: The measures of one of the wizards, which ``code`` names.
     MeasuresIn = Annotated[
         reduce(or_, [_coded(wizard) for wizard in WIZARDS.values()]), Field(discriminator="code")
     ]

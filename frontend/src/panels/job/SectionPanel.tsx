@@ -105,7 +105,7 @@ const FIGURES = {
   slit_length: translate("sectionPanel.slitLength"),
 } as const;
 
-/** Shorter lengths are listed only where they are always (mm). */
+/** Lengths below this (mm) are not listed, except those that every section lists. */
 const LISTED = 0.005;
 
 function Verified({ section: { figures }, tool }: { section: EdgeSection; tool: ToolSection }) {

@@ -36,7 +36,7 @@ import { Swatch } from "../shared/Swatch";
 import { WorkPicture } from "./WorkPicture";
 import css from "./workOrder.module.css";
 
-/** More tracks are not sorted by hand: the list would be slow, and nobody reads it. */
+/** Most tracks in the list. A longer list would be slow and too long to sort by hand. */
 const MOST = 400;
 
 const nameOf = ({ edge, edges, type }: WorkItem): string =>

@@ -1,4 +1,4 @@
-/** How commands are written in lists. */
+/** Names of the commands in lists. */
 
 import { translate } from "../../language/translate";
 import type { Command, Group } from "./commands";

@@ -55,7 +55,7 @@ describe("the chosen order", () => {
   test("puts listed tracks into the places of listed tracks", () => {
     expect(orderOf(inChosenOrder(ITEMS, []))).toEqual([4, 5, 6, 0]);
     expect(orderOf(inChosenOrder(ITEMS, [5, 4]))).toEqual([5, 4, 6, 0]);
-    // Any edge of a track stands for it.
+    // Any edge of a track identifies it.
     expect(orderOf(inChosenOrder(ITEMS, [2, 4]))).toEqual([0, 5, 6, 4]);
   });
 

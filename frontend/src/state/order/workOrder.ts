@@ -12,7 +12,7 @@ import {
 
 /** A track, or all tracks along the same edges, as one entry of the list. */
 export interface WorkItem {
-  /** The edge that stands for the track in the chosen order. */
+  /** The edge by which the chosen order names the track. */
   readonly edge: number;
   readonly edges: readonly number[];
   readonly type: LineType;
@@ -50,7 +50,7 @@ export function workItems(tracks: readonly Track[], edges: Edges): readonly Work
   const items: WorkItem[] = [];
   for (const track of tracks) {
     const fresh = track.edges.filter((row) => !listed.has(row) && row < edges.bulge.length);
-    // An edge of no other track tells the two apart.
+    // An edge that no other track has identifies this one.
     const edge = fresh.find((row) => uses.get(row) === 1) ?? fresh[0];
     if (edge === undefined) continue;
     for (const row of track.edges) listed.add(row);
