@@ -28,7 +28,7 @@ export function HeadFigures({ job, timeline }: Props) {
   const tilt = Number(station?.tool.dimensions.tilt ?? 0);
   const fixed = (value: number, digits: number) => withMinusSign(formatFixed(value, digits));
   // The axis may have made several turns.
-  const turns = 360 * Math.round(degree(pose.c) / 360);
+  const turns = 360 * Math.ceil(degree(pose.c) / 360 - 0.5);
   const figures = [
     { name: "x", title: "X", value: fixed(pose.x, 2) },
     { name: "y", title: "Y", value: fixed(pose.y, 2) },
