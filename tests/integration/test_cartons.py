@@ -292,3 +292,11 @@ def test_a_path_at_the_corner_of_fitted_curves_on_a_flat_cutter_follows_one_of_t
     fitted = replace(line, fit_error=np.where(np.arange(len(line)) < 4, 0.0, 0.0004))
     made = compiled(fitted, "flat-cutter-hpgl", "fbb-0.4")
     assert refusals(made) == []
+
+
+@pytest.mark.parametrize(("seed", "number"), [(71200, 2063), (71200, 2725), (70155, 538)])
+def test_fine_curves_and_circles_drawn_twice_are_accepted(seed: int, number: int) -> None:
+    # A line between two arcs that is shorter than the chip takes to be given the next one; a
+    # circle of 0.6 mm over its polygon of hundredths; and a circle of 2 mm in 360 rounded chords.
+    outcome = attempt_job(random_job(seed, number, bodies=True))
+    assert outcome.fate in ("accepted", "excepted")

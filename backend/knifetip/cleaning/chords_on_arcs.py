@@ -2,7 +2,8 @@
 
 Many files contain a circle twice: once as a circle, and once as a polygon.  A line is a chord of an
 arc if both of its ends and its midpoint are within a distance of the arc's circle, and the line has
-nearly the direction of the arc there.
+nearly the direction of the arc there.  A line of at most 0.02 mm may have any direction: that of
+coordinates with two decimals.
 """
 
 from __future__ import annotations
@@ -30,6 +31,8 @@ _PART: Final = 10.0
 _MOST_PARTS: Final = 32
 #: Largest number of parts of arcs that are examined for a line.
 _LOOKS: Final = 256
+#: A shorter line may have any direction (mm).
+_ROUNDED: Final = 0.0201
 #: Sine of the largest angle between a chord and the arc.
 _SLOPE: Final = math.sin(math.radians(20.0))
 
@@ -131,9 +134,13 @@ def is_chord(rows: F64_2, arc: int, line: int, gap: float) -> bool:
     middle = math.hypot(0.5 * (x0 + x1) - cx, 0.5 * (y0 + y1) - cy)
     if max(abs(first - radius), abs(last - radius), abs(middle - radius)) > gap:
         return False
-    length = size_of(rows, line)
     # A line through the middle of a small circle is near it, too.
-    if abs(last - first) > _SLOPE * length or middle < 0.5 * radius:
+    if middle < 0.5 * radius:
         return False
+    length = size_of(rows, line)
     low, high = range_of(rows, arc, rows[line])
+    if length < _ROUNDED and low >= 0.0 and high <= 1.0:
+        return True
+    if abs(last - first) > _SLOPE * length:
+        return False
     return (min(high, 1.0) - max(low, 0.0)) * size_of(rows, arc) > min(gap, 0.5 * length)

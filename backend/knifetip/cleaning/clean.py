@@ -27,7 +27,7 @@ from knifetip.cleaning.priority import PRIORITY
 from knifetip.cleaning.state import CleaningState
 from knifetip.errors import GeometryError
 from knifetip.geometry import arc
-from knifetip.geometry.tolerance import POINT
+from knifetip.geometry.tolerance import BULGE, POINT
 from knifetip.model.cleaned import Cleaned
 from knifetip.model.dieline import Dieline
 
@@ -108,12 +108,16 @@ def clean(dieline: Dieline, extent: Extent = Extent.ALL) -> Cleaned:
     )
     if extent > Extent.SEPARATE:
         state.merge_copied_runs(dieline)
-    for _ in range(_ROUNDS if extent > Extent.NOTHING else 0):
+    for turn in range(_ROUNDS if extent > Extent.NOTHING else 0):
         was_split = state.remove_overlaps(dieline)
         if extent > Extent.LOOPED:
             state.remove_corner_loops(length)
         ends = state.ends
         if (length[solid] < FINE).any():
+            # Of a drawn arc and its chords the arc remains: no curve is fitted to these chords.
+            has_arcs = turn == 0 and (np.abs(state.bulge) >= BULGE).any()
+            if has_arcs and state.has_near and state.merges_near:
+                was_split |= state.merge_near(dieline)
             state.merge(curves_only=True)
         state.remove_debris_and_gaps(length)
         state.merge()

@@ -47,6 +47,8 @@ _STRETCHES: Final = 1_000_000
 _TO_AN_EDGE: Final = 16
 #: Chains of edges whose lengths differ by less than about this fraction are alike.
 _ALIKE: Final = 0.01
+#: Of a chain whose edges are shorter on average (mm), the chain beside it remains.
+_ROUNDED: Final = 0.02
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -73,7 +75,8 @@ class NearEdges(NamedTuple):
     """How k edges that nearly coincide are merged.
 
     A whole chain of connected edges is processed before the next one, so that the edges of two
-    copies do not alternate: the longest first, of nearly equal ones that with the fewest edges.
+    copies do not alternate: the longest first, of nearly equal ones that with the fewest edges, and
+    chains of very short edges last.
     """
 
     chain_of: I64  #: (k,) number of the chain of each edge
@@ -146,6 +149,8 @@ def remove_overlaps(ends: F64, bulge: F64, kind: U8, near: NearEdges | None = No
             -np.round(total * POINT / SAME)[chain_of],
             count_of[chain_of],
             -scale[chain_of],
+            # The directions of very short edges are those of rounded coordinates.
+            (total * POINT < _ROUNDED * count_of)[chain_of].astype(np.float64),
         ]
     order = np.lexsort(keys)
     both = np.concatenate([first, second])

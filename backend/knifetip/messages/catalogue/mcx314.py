@@ -82,14 +82,6 @@ MESSAGES: Final[Entries] = {
         pulses="count",
         limit="count",
     ),
-    "mcx314.too-short": entry(
-        "{place} takes only {milliseconds:.3g} ms, but writing the next segment to the chip MCX314 "
-        "takes up to {refill:.3g} ms.",
-        "Choose a slower feed for the tool, or remove short edges from the drawing.",
-        place="message",
-        milliseconds="number",
-        refill="number",
-    ),
     # -- programs ---------------------------------------------------------------------------------
     "mcx314.bad-header": entry(
         "The program does not begin with “MCX314 {version}”.",

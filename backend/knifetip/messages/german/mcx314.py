@@ -59,12 +59,6 @@ TEXTS: Final[Texts] = {
         "einem Segment.",
         "Die Kante teilen oder weniger Impulse je Millimeter verwenden.",
     ),
-    "mcx314.too-short": Text(
-        "{place} dauert nur {milliseconds:.3g} ms, aber das Schreiben des nächsten Segments in den "
-        "Baustein MCX314 bis zu {refill:.3g} ms.",
-        "Einen langsameren Vorschub für das Werkzeug wählen oder kurze Kanten aus der Zeichnung "
-        "entfernen.",
-    ),
     "mcx314.bad-header": Text(
         "Das Programm beginnt nicht mit „MCX314 {version}“.",
         "Prüfen, ob es ein Programm für einen MCX314 in dieser Version des Formats ist.",

@@ -6,7 +6,8 @@ arc along which C or Z moves is therefore cut into chords.
 
 A segment joins the one before it if the chip need not stop between them.  It is then written while
 that one is executed, which must therefore take at least as long as the writing.  Chords of a tight
-curve that would be shorter are driven at a lower speed than the feed.
+curve that would be shorter, and short segments that cannot be merged with their neighbours, are
+driven at a lower speed than the feed: the board makes the ramps between them.
 """
 
 from __future__ import annotations
@@ -109,14 +110,14 @@ def encode(
     Raises
     ------
     ProgramError
-        A move needs four axes at once, more pulses or another speed than the chip has, or is too
-        short to be followed without a stop.
+        A move needs four axes at once, or more pulses or another speed than the chip has.
     """
     deviation = MERGE_FRACTION * tolerance
     pieces = _split(toolpath, first, last, datum, machine, wiring, deviation)
     pieces = _drop_empty(pieces, toolpath)
     seconds = _durations(pieces, toolpath, machine, wiring)
-    kept = _merge(pieces, seconds, toolpath, wiring, deviation)
+    kept, slowed = _merge(pieces, seconds, toolpath, wiring, deviation)
+    pieces.least[slowed] = LASTING * wiring.refill
     pieces = pieces.select(kept, _joined_after(pieces.joined, kept))
     seconds = _durations(pieces, toolpath, machine, wiring)
     return _segments(pieces, seconds, toolpath, wiring)
@@ -252,20 +253,19 @@ def _durations(pieces: _Pieces, toolpath: Toolpath, machine: Machine, wiring: Wi
 
 def _merge(
     pieces: _Pieces, seconds: F64, toolpath: Toolpath, wiring: Wiring, deviation: float
-) -> I64:
-    """Return the pieces at whose ends segments end, merged so that each lasts until the next is
-    written.
+) -> tuple[I64, I64]:
+    """Return the pieces at whose ends segments end, and those of them that must be slower than
+    their feed, so that each lasts until the next is written.
 
     A line that is too short is merged with the lines that join it, if the line that replaces them
-    deviates from their ends by at most ``deviation`` (mm, degrees).
-
-    Raises ``ProgramError``: a piece is too short and cannot be merged.
+    deviates from their ends by at most ``deviation`` (mm, degrees); else it is slower.
     """
     count = len(seconds)
-    lasting = np.append(pieces.joined[1:], False) & (seconds < wiring.refill)
-    if not lasting.any():
-        return np.arange(count)
+    short = np.append(pieces.joined[1:], False) & (seconds < wiring.refill)
+    if not short.any():
+        return np.arange(count), np.zeros(0, np.int64)
     kept: list[int] = []
+    slowed: list[int] = []
     start, at = 0, 0
     while at < count:
         spent = float(seconds[at])
@@ -273,19 +273,14 @@ def _merge(
             straight = not (pieces.bulge[at] or pieces.bulge[at + 1])
             same = toolpath.feed[pieces.row[at]] == toolpath.feed[pieces.row[at + 1]]
             if not (straight and same and _deviation(pieces.pose[start : at + 3]) <= deviation):
-                raise _refusal(
-                    "mcx314.too-short",
-                    toolpath,
-                    pieces.row[at : at + 1],
-                    milliseconds=spent * 1e3,
-                    refill=wiring.refill * 1e3,
-                )
+                slowed.append(at)
+                break
             at += 1
             spent += float(seconds[at])
         kept.append(at)
         at += 1
         start = at
-    return np.array(kept)
+    return np.array(kept), np.array(slowed, np.int64)
 
 
 def _deviation(poses: F64) -> float:

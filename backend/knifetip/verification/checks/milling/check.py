@@ -120,7 +120,7 @@ class _MillingCheck(MillingWork):
         pieces = cutter_paths(self.bounds, self.reach)
         gap_edge, begin, end = self._untouched_stretches(pieces, is_through)
         through = self.centres.curve[is_through]
-        unreached = self._record_untouched(pieces, gap_edge, begin, end)
+        unreached = self._record_untouched(pieces, gap_edge, begin, end, through)
         report_unreached(self.context, self.bounds, unreached, through, self.reach)
         on_cut = open_cut_mask(self)
         on_slit = self.centres.curve[is_through & on_cut]
@@ -347,7 +347,7 @@ class _MillingCheck(MillingWork):
         return result
 
     def _record_untouched(
-        self, pieces: CutterPaths, edge: I64, begin: F64, end: F64
+        self, pieces: CutterPaths, edge: I64, begin: F64, end: F64, through: F64
     ) -> tuple[I64, F64, F64]:
         """Divide untouched stretches of edges into unreachable stretches, bridges and uncut
         stretches.
@@ -359,6 +359,7 @@ class _MillingCheck(MillingWork):
         ``pieces``: expected paths of the centre.
         ``edge``, ``begin``, ``end`` (k,): index of the edge of each untouched stretch, and the
         start and the end of the stretch along that edge (mm).
+        ``through``: paths of the disc's centre through the board, (m, 6).
         """
         blocked_edge, low, high = self._blocked_stretches(pieces)
         # Gaps that remain after the blocked stretches are subtracted.
@@ -385,6 +386,8 @@ class _MillingCheck(MillingWork):
             before |= left_begin[k] < EPSILON and beyond[2 * own]
             after |= left_end[k] > self.size[own] - EPSILON and beyond[2 * own + 1]
             bare[k] = before == after and not (before and missed[k] <= _NARROW_LENGTH)
+            if bare[k] and before:
+                bare[k] = self._is_far(own, left_begin[k], left_end[k], through)
         reached = ~np.isin(edge, left_edge[bare])
         self.context.unreached.append(
             unreached_areas(self.bounds, edge[reached], begin[reached], end[reached], self.reach)
@@ -414,6 +417,22 @@ class _MillingCheck(MillingWork):
         )
         is_complete = ~np.isin(unreached[0], left_edge[bare])
         return unreached[0][is_complete], unreached[1][is_complete], unreached[2][is_complete]
+
+    def _is_far(self, edge: int, begin: float, end: float, through: F64) -> bool:
+        """Return whether part of a stretch of an edge is farther than the tolerance from the board
+        that the disc removes.
+
+        Between two stretches that the disc cannot reach, in a curve that was drawn with few
+        decimals, it comes near the edge without a path of its own there.
+
+        ``begin`` and ``end`` are positions along the edge (mm); ``through`` are the paths of the
+        disc's centre through the board, (m, 6).
+        """
+        if len(through) == 0:
+            return True
+        spots = np.linspace(begin, end, 5)
+        points = point_at(np.repeat(self.edges.curve[edge : edge + 1], len(spots), axis=0), spots)
+        return bool((distance_from_disc(points, through, self.reach) > self.tolerance).any())
 
     def _check_bridge_gaps(self, edge: I64, begin: F64, end: F64) -> Bool:
         """Check the bridges among k untouched stretches of edges; return the mask of the stretches

@@ -21,9 +21,8 @@ SLOWING_ROUNDINGS: Final = 2.0
 #: Greatest error of a time: relative, and by rounded coordinates of the move (mm).
 TIME_TOLERANCE: Final = 1e-4
 LENGTH_TOLERANCE: Final = 5e-4
-#: Chords of a curve of a smaller radius (mm) may last as long as the controller needs for them, and
-#: up to this many times longer.
-TIGHT_RADIUS: Final = 20.0
+#: A short move may last as long as the controller needs to be given the next one, and up to this
+#: many times longer.
 SLOWED: Final = 1.1
 #: Shorter times are not checked, because controllers round them up (minutes).
 MIN_MINUTES: Final = 2e-6
@@ -82,14 +81,6 @@ def _times(moves: MoveColumns, tools: ToolColumns, row: int) -> Any:
 
 
 @inline_kernel
-def _is_tight(moves: MoveColumns, tools: ToolColumns, row: int) -> bool:
-    """Return whether a tool that follows its path with C turns tightly along a move."""
-    turn = math.radians(abs(moves.end[row, 3] - moves.start[row, 3]))
-    length = path_length(moves.start, moves.end, moves.centre, moves.sweep, row)
-    return tools.follows_path[moves.station[row]] and length < TIGHT_RADIUS * turn
-
-
-@inline_kernel
 def _has_wrong_time(
     moves: MoveColumns, tools: ToolColumns, shortest: float, resolution: float, row: int
 ) -> bool:
@@ -99,7 +90,7 @@ def _has_wrong_time(
     if not swivel:
         rounding = SLOWING_ROUNDINGS * resolution if slows else 0.0
         error += (LENGTH_TOLERANCE + rounding) / _own_feed(moves, tools, row)
-    if least < minutes <= SLOWED * shortest and not swivel and _is_tight(moves, tools, row):
+    if least < minutes <= SLOWED * shortest and not swivel:
         return False
     return abs(minutes - least) > error and not (minutes <= MIN_MINUTES and minutes > least)
 

@@ -98,8 +98,8 @@ def check_feeds(moves: Moves, tip: TipPoses, machine: Machine, findings: Finding
     A move at constant height must have the tool's feed, and a move that changes the height must
     have the tool's plunge feed.  A turn of C alone may run at the greatest speed of C.  The
     duration of a timed move (G93) must be the time of its travel at the tool's feed or the time of
-    its turn, whichever is longer; a chord of a tight curve may last as long as the controller needs
-    to be given the next one.  The feed moves of a further carriage must be timed.
+    its turn, whichever is longer; a short move may last as long as the controller needs to be given
+    the next one.  The feed moves of a further carriage must be timed.
     """
     columns = move_columns(moves, tip)
     tools = tool_columns(machine, moves.resolution)
