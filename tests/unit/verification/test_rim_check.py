@@ -1,4 +1,4 @@
-"""Rims of crease wheels that are narrow for the board."""
+"""Rims of crease wheels that are narrow or wide for the board."""
 
 from __future__ import annotations
 
@@ -31,12 +31,16 @@ def with_rim(width: float) -> Machine:
 
 
 def narrow_rims(drawing: Dieline, machine: Machine, board: str) -> list[Finding]:
+    return rims(drawing, machine, board, "verify.narrow-rim")
+
+
+def rims(drawing: Dieline, machine: Machine, board: str, code: str) -> list[Finding]:
     used = load.board(board)
     toolpath = sequence([compensate(one) for one in plan(drawing, machine, used)], machine)
     text = process(toolpath, machine, "grblhal").text
     verdict = verify(text, drawing, (0.0, 0.0), machine, used)
     assert verdict.accepted
-    return [one for one in verdict.findings if one.message.code == "verify.narrow-rim"]
+    return [one for one in verdict.findings if one.message.code == code]
 
 
 def test_two_creases_with_a_narrow_rim_have_one_note() -> None:
@@ -68,6 +72,25 @@ def test_a_rim_narrower_than_a_third_of_the_board_is_noted(
 def test_the_least_rim_is_rounded_up() -> None:
     [note] = narrow_rims(dieline(OUTLINE, CREASES), MACHINE, "c-flute")
     assert dict(note.message.arguments)["least"] == 1.4  # 4 / 3 = 1.333…
+
+
+@pytest.mark.parametrize(
+    ("width", "board", "noted"),
+    [
+        (0.7, "fbb-0.3", False),
+        (0.75, "fbb-0.5", False),
+        (0.8, "fbb-0.5", True),
+        (1.4, "fbb-0.6", False),
+        (1.6, "greyboard-1.5", True),
+        (6.0, "e-flute", False),
+        (6.0, "b-flute", False),
+    ],
+)
+def test_a_rim_wider_than_the_rules_for_the_board_is_noted(
+    width: float, board: str, noted: bool
+) -> None:
+    found = rims(dieline(OUTLINE, CREASES), with_rim(width), board, "verify.wide-rim")
+    assert [(one.severity, one.edge) for one in found] == [(Severity.NOTE, -1)] * noted
 
 
 def test_a_job_without_creases_has_no_note() -> None:

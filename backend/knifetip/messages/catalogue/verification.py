@@ -663,6 +663,14 @@ MESSAGES: Final[Entries] = {
     "verify.where-past-start": entry(
         "The tool must also process the board before the start of the edge.",
     ),
+    "verify.wide-rim": entry(
+        "The creasing wheel has a rim of {width:g} mm, which is wide for a board {caliper:g} mm "
+        "thick: the bead becomes wide, and the fold has no definite line.",
+        "Mount a creasing wheel with a rim of at most {most:g} mm.",
+        width="number",
+        caliper="number",
+        most="number",
+    ),
     "verify.wide-slit": entry(
         "The cutter mills {length:.3f} mm of the slit {width:.2f} mm wide, because it follows the "
         "line of the slit with its centre.",

@@ -497,6 +497,11 @@ TEXTS: Final[Texts] = {
     "verify.where-past-start": Text(
         "Das Werkzeug muss den Karton auch vor dem Anfang der Kante bearbeiten.",
     ),
+    "verify.wide-rim": Text(
+        "Das Rillrad hat einen Rand von {width:g} mm, der für {caliper:g} mm dicken Karton breit "
+        "ist: Der Wulst wird breit, und die Faltung hat keine bestimmte Linie.",
+        "Ein Rillrad mit einem Rand von höchstens {most:g} mm einsetzen.",
+    ),
     "verify.wide-slit": Text(
         "Der Fräser macht {length:.3f} mm des Schlitzes {width:.2f} mm breit, weil seine Mitte "
         "der Linie des Schlitzes folgt.",
