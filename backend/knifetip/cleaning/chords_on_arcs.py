@@ -31,8 +31,10 @@ _PART: Final = 10.0
 _MOST_PARTS: Final = 32
 #: Largest number of parts of arcs that are examined for a line.
 _LOOKS: Final = 256
-#: A shorter line may have any direction (mm).
+#: A shorter line may have any direction (mm), beside an arc of at least this length (mm): a shorter
+#: arc may be one of the same curve.
 _ROUNDED: Final = 0.0201
+_LONG: Final = 0.5
 #: Sine of the largest angle between a chord and the arc.
 _SLOPE: Final = math.sin(math.radians(20.0))
 
@@ -139,7 +141,7 @@ def is_chord(rows: F64_2, arc: int, line: int, gap: float) -> bool:
         return False
     length = size_of(rows, line)
     low, high = range_of(rows, arc, rows[line])
-    if length < _ROUNDED and low >= 0.0 and high <= 1.0:
+    if length < _ROUNDED and size_of(rows, arc) >= _LONG and low >= 0.0 and high <= 1.0:
         return True
     if abs(last - first) > _SLOPE * length:
         return False
