@@ -8,11 +8,13 @@ import { syncDrawing } from "../state/drawing/drawingSync";
 import { proposedMachine } from "../state/job/machines";
 import { subscribeToEvents, useMachines } from "../state/queries";
 import {
+  type AccountTab,
   CARTONS,
   DRAWINGS,
   decodedPart,
   FOLD,
   HISTORY,
+  type HistoryView,
   LIBRARY,
   MACHINES,
   SETTINGS,
@@ -67,7 +69,9 @@ export function App() {
           <WorkPage />
         </Route>
         <Route path={DRAWINGS}>{fetched("drawing", <DrawingPage />)}</Route>
-        <Route path={MACHINES}>{fetched("machines", <MachinesPage />)}</Route>
+        <Route path={MACHINES}>
+          {({ machine }) => fetched("machines", <MachinesPage shown={decodedPart(machine)} />)}
+        </Route>
         <Route path={STATIONS}>
           <ToStation />
         </Route>
@@ -82,8 +86,12 @@ export function App() {
           {({ drawing }) => fetched(drawing, <FoldPage drawing={drawing} />)}
         </Route>
         <Route path={SHEET}>{({ id }) => fetched(id, <LayoutEditor id={id} />)}</Route>
-        <Route path={HISTORY}>{fetched("history", <HistoryPage />)}</Route>
-        <Route path={SETTINGS}>{fetched("settings", <SettingsPage />)}</Route>
+        <Route path={HISTORY}>
+          {({ view }) => fetched("history", <HistoryPage view={(view ?? "jobs") as HistoryView} />)}
+        </Route>
+        <Route path={SETTINGS}>
+          {({ tab }) => fetched("settings", <SettingsPage tab={(tab ?? "own") as AccountTab} />)}
+        </Route>
         <Route path={WEBHOOKS}>{fetched("webhooks", <WebhooksPage />)}</Route>
         <Route>
           <main className={css.whole}>

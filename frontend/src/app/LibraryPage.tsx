@@ -23,6 +23,12 @@ import { NotFound } from "./NotFound";
 
 const SHELVES = Object.keys(SHELF_TITLES) as Shelf[];
 
+/** Shelves that the list can be narrowed to; "" shows all of them. */
+const TABS: readonly (readonly [Shelf | "", string])[] = [
+  ["", translate("libraryPage.all")],
+  ...SHELVES.map((shelf) => [shelf, SHELF_TITLES[shelf]] as const),
+];
+
 /** Show an entry of the library; null shows none. */
 const setOpen = (entry: Pick<LibraryEntry, "shelf" | "name"> | null): void =>
   navigate(
@@ -37,7 +43,7 @@ export function LibraryPage() {
   const open = shelf === undefined || name === "" ? null : { shelf, name };
   const isMissing =
     open === null
-      ? params?.shelf !== undefined
+      ? params?.shelf !== undefined && shelf === undefined
       : isSuccess && !entries.some((one) => one.shelf === shelf && one.name === name);
   const [fault, setFault] = useState("");
   const importFile = async (shelf: Shelf, file: File | null) => {
@@ -58,18 +64,28 @@ export function LibraryPage() {
   return (
     <div className={css.page} data-open={open !== null} data-testid="library">
       <nav className={css.list} aria-label={translate("libraryPage.machinesBoardsAndTools")}>
-        <Button component="a" href="#/" variant="default" size="sm">
-          {translate("libraryPage.backToDrawings")}
-        </Button>
-        <Title order={1} fz={17} mt={14}>
+        <Title order={1} fz={17}>
           {translate("libraryPage.machinesBoardsAndTools")}
         </Title>
+        <ul className={css.shelves}>
+          {TABS.map(([one, title]) => (
+            <li key={one}>
+              <a
+                href={one === "" ? "#/library" : `#/library/${one}`}
+                aria-current={one === (shelf ?? "") && !isMissing ? "page" : undefined}
+                data-testid={`shelf-${one || "all"}`}
+              >
+                {title}
+              </a>
+            </li>
+          ))}
+        </ul>
         {fault !== "" && (
           <Text my={8} c="var(--bad-ink)" role="alert">
             {fault}
           </Text>
         )}
-        {SHELVES.map((shelf) => (
+        {SHELVES.filter((one) => shelf === undefined || one === shelf).map((shelf) => (
           <section key={shelf}>
             <Title order={2} fz={13} mt={20} mb={6} c="ink.2">
               {SHELF_TITLES[shelf]}

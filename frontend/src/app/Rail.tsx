@@ -43,7 +43,7 @@ export function Rail() {
       >
         <IconVector />
       </Place>
-      <Machines at={path === "/machines"} />
+      <Machines at={path.startsWith("/machines")} />
       <Place
         href="/station"
         at={path.startsWith("/station")}
@@ -62,7 +62,7 @@ export function Rail() {
       </Place>
       <Place
         href="/history"
-        at={path === "/history"}
+        at={path.startsWith("/history")}
         label={translate("rail.history")}
         testId="history-button"
       >
@@ -84,7 +84,7 @@ export function Rail() {
       </span>
       <Place
         href="/settings"
-        at={path === "/settings" || path === "/webhooks"}
+        at={path.startsWith("/settings") || path === "/webhooks"}
         label={translate("rail.settings")}
         testId="open-settings"
       >

@@ -15,6 +15,7 @@ import { translate } from "../language/translate";
 import { AccountSection } from "../panels/accounts/AccountButton";
 import { OperatorButton } from "../panels/accounts/OperatorForm";
 import panels from "../panels/shared/panels.module.css";
+import type { AccountTab } from "../state/routes";
 import { useUiStore } from "../state/store";
 
 const SCHEMES = [
@@ -23,7 +24,12 @@ const SCHEMES = [
   { value: "dark", label: translate("settingsPage.dark") },
 ];
 
-export function SettingsPage() {
+interface Props {
+  /** Tab of the account of an administrator. */
+  readonly tab: AccountTab;
+}
+
+export function SettingsPage({ tab }: Props) {
   const { colorScheme, setColorScheme } = useMantineColorScheme();
   const set = useUiStore((ui) => ui.set);
   return (
@@ -74,7 +80,7 @@ export function SettingsPage() {
             {translate("topBar.keyboardAndMouseShortcuts")}
           </Button>
         </Group>
-        <AccountSection />
+        <AccountSection tab={tab} />
       </Stack>
     </main>
   );

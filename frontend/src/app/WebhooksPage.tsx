@@ -55,8 +55,8 @@ export function WebhooksPage() {
             {translate("webhooksPage.addAWebhook")}
           </Button>
         )}
-        <Button component="a" href="#/" variant="default">
-          {translate("webhooksPage.backToDrawings")}
+        <Button component="a" href="#/settings" variant="default" data-testid="to-settings">
+          {translate("settingsPage.settings")}
         </Button>
       </header>
       <Text mb={16} c="ink.2">

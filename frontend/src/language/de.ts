@@ -35,7 +35,7 @@ export const de = {
   "libraryPage.machinesBoardsAndTools": "Maschinen, Material und Werkzeuge",
   "libraryPage.thereIsNo":
     "Es gibt {shelf, select, machines {keine Maschine} boards {kein Material} other {kein Werkzeug}} namens {name}",
-  "libraryPage.backToDrawings": "Zurück zu den Zeichnungen",
+  "libraryPage.all": "Alle",
   "libraryPage.supplied": "mitgeliefert",
   "libraryPage.own": "eigene",
   "libraryPage.v": "v{version}",
@@ -94,7 +94,6 @@ export const de = {
   // app/WebhooksPage.tsx
   "webhooksPage.webhooks": "Webhooks",
   "webhooksPage.addAWebhook": "Webhook hinzufügen",
-  "webhooksPage.backToDrawings": "Zurück zu den Zeichnungen",
   "webhooksPage.changesOfJobsAndDrawings":
     "Änderungen von Aufträgen und Zeichnungen werden als signierte Anfragen (Standard Webhooks) an diese URLs gesendet. Noch gibt es keine Webhooks.",
   "webhooksPage.changesOfJobsAndDrawings2":
@@ -1803,6 +1802,7 @@ export const de = {
   "checkStep.thereIsNoProgramYet":
     "Es gibt noch kein Programm. Erstellen Sie es: Dann zeigt dieser Schritt, ob es Ihre Zeichnung fertigt.",
   "jobsOfDrawing.otherJobsOfThisDrawing": "Andere Aufträge dieser Zeichnung",
+  "machinesPage.allMachines": "Alle Maschinen",
   "machinesPage.machines": "Maschinen",
   "machineCard.openStation": "Station öffnen",
   "machineCard.toolsAndConnection": "Werkzeuge und Anschluss",

@@ -35,7 +35,7 @@ export const en = {
   "libraryPage.machinesBoardsAndTools": "Machines, boards and tools",
   "libraryPage.thereIsNo":
     "There is no {shelf, select, machines {machine} boards {board} other {tool}} named {name}",
-  "libraryPage.backToDrawings": "Back to drawings",
+  "libraryPage.all": "All",
   "libraryPage.supplied": "supplied",
   "libraryPage.own": "own",
   "libraryPage.v": "v{version}",
@@ -94,7 +94,6 @@ export const en = {
   // app/WebhooksPage.tsx
   "webhooksPage.webhooks": "Webhooks",
   "webhooksPage.addAWebhook": "Add a webhook",
-  "webhooksPage.backToDrawings": "Back to drawings",
   "webhooksPage.changesOfJobsAndDrawings":
     "Changes of jobs and drawings are sent to these URLs as signed requests (Standard Webhooks). There are no webhooks yet.",
   "webhooksPage.changesOfJobsAndDrawings2":
@@ -1734,6 +1733,7 @@ export const en = {
   "checkStep.thereIsNoProgramYet":
     "There is no program yet. Prepare it: then this step shows whether it makes your drawing.",
   "jobsOfDrawing.otherJobsOfThisDrawing": "Other jobs of this drawing",
+  "machinesPage.allMachines": "All machines",
   "machinesPage.machines": "Machines",
   "machineCard.openStation": "Open station",
   "machineCard.toolsAndConnection": "Tools and connection",

@@ -1,5 +1,15 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { drawingOf, drawingPath, returnToDrawing, showDrawing, syncWithAddress } from "./routes";
+import {
+  drawingOf,
+  drawingPath,
+  HISTORY,
+  returnToDrawing,
+  SETTINGS,
+  showDrawing,
+  showHistory,
+  showSettings,
+  syncWithAddress,
+} from "./routes";
 import { type OpenDrawing, useUiStore } from "./store";
 
 const NOTHING: OpenDrawing = { drawing: null, step: null, job: null };
@@ -20,17 +30,21 @@ test.each([
   "#",
   "#/",
   "#/machines",
+  "#/machines/demo-table",
   "#/settings",
+  "#/settings/users",
   "#/nowhere",
   "#/drawings/",
   "#/drawings/d1/paint",
   "#/station/my%20table",
   "#/library",
+  "#/library/tools",
   "#/library/tools/knife",
   "#/webhooks",
   "#/cartons",
   "#/cartons/ecma-a20.20",
   "#/history",
+  "#/history/statistics",
   "#/drawings/d1/fold",
 ])("the drawing stays open behind %s", (hash) => {
   expect(drawingOf(hash)).toBeNull();
@@ -124,4 +138,17 @@ test("the station page keeps its address while it follows a job", () => {
   useUiStore.getState().openJob("j2");
   expect(place.hash).toBe("#/station/table");
   expect(opened()).toBe("/drawings/d1/jobs/j2");
+});
+
+test("the tabs of the history and of the settings have addresses, and no others", () => {
+  for (const view of ["jobs", "statistics", "tools"] as const) {
+    showHistory(view);
+    expect(HISTORY.exec(place.hash.slice(1))?.groups?.view ?? "jobs").toBe(view);
+  }
+  for (const tab of ["own", "users", "keys", "audit"] as const) {
+    showSettings(tab);
+    expect(SETTINGS.exec(place.hash.slice(1))?.groups?.tab ?? "own").toBe(tab);
+  }
+  for (const path of ["/history/nothing", "/history/tools/x", "/settings/user", "/settings/"])
+    expect([HISTORY.test(path), SETTINGS.test(path)]).toEqual([false, false]);
 });

@@ -8,13 +8,17 @@
  *     #/drawings/ID/fold                   a drawing folded in 3D
  *     #/layouts/ID/sheet                   the sheet of a layout
  *     #/machines                           machines with their queues
+ *     #/machines/NAME                      one of them
  *     #/station/MACHINE                    the page of the person at a machine
  *     #/library                            machines, boards and tools
+ *     #/library/SHELF                      one shelf: machines, boards or tools
  *     #/library/SHELF/NAME                 one of them, such as #/library/machines/demo-table
  *     #/cartons                            carton styles
  *     #/cartons/CODE                       one of them, such as #/cartons/fefco-0427
- *     #/history                            ended jobs, statistics and tools
- *     #/settings                           language, colour scheme, accounts, webhooks
+ *     #/history                            ended jobs
+ *     #/history/VIEW                       statistics or tools
+ *     #/settings                           language, colour scheme, account, webhooks
+ *     #/settings/TAB                       the same, with users, keys or the audit log
  *     #/webhooks                           endpoints of other systems
  *
  * The open drawing, step and job are state, because they stay open behind the other views.
@@ -24,14 +28,20 @@ import { navigate } from "wouter/use-hash-location";
 import { type OpenDrawing, type Step, useUiStore } from "./store";
 
 export const WORK = "/";
-export const MACHINES = "/machines";
+export const MACHINES = "/machines/:machine?";
 export const STATIONS = "/station";
 export const STATION = "/station/:machine";
 export const LIBRARY = "/library/:shelf?/:name?";
 export const CARTONS = "/cartons/:code?";
 export const FOLD = "/drawings/:drawing/fold";
-export const HISTORY = "/history";
-export const SETTINGS = "/settings";
+/** Addresses of the history; the jobs have no word of their own. */
+export const HISTORY = /^\/history(?:\/(?<view>statistics|tools))?$/;
+export type HistoryView = "jobs" | "statistics" | "tools";
+
+/** Addresses of the settings; the account of the user has no word of its own. */
+export const SETTINGS = /^\/settings(?:\/(?<tab>users|keys|audit))?$/;
+export type AccountTab = "own" | "users" | "keys" | "audit";
+
 export const WEBHOOKS = "/webhooks";
 export const SHEET = "/layouts/:id/sheet";
 
@@ -74,6 +84,10 @@ export function drawingPath({ drawing, step, job }: OpenDrawing): string {
   return `/drawings/${encodeURIComponent(drawing)}${steps}${jobs}`;
 }
 
+/** Address of a machine with its queue. */
+export const machineAddress = (machine: string): string =>
+  `#/machines/${encodeURIComponent(machine)}`;
+
 /** Address of the station page of a machine. */
 export const stationAddress = (machine: string): string =>
   `#/station/${encodeURIComponent(machine)}`;
@@ -93,6 +107,12 @@ export function showDrawing(
   useUiStore.getState().open(drawing, job, step);
   returnToDrawing();
 }
+
+export const showHistory = (view: HistoryView): void =>
+  navigate(view === "jobs" ? "/history" : `/history/${view}`);
+
+export const showSettings = (tab: AccountTab): void =>
+  navigate(tab === "own" ? "/settings" : `/settings/${tab}`);
 
 const layoutPath = (id: string): string => `/layouts/${encodeURIComponent(id)}/sheet`;
 export const layoutAddress = (id: string): string => `#${layoutPath(id)}`;

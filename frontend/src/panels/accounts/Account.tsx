@@ -31,6 +31,7 @@ import {
   useUsers,
 } from "../../state/accounts/accounts";
 import { useMachines } from "../../state/queries";
+import type { AccountTab } from "../../state/routes";
 import { dateTimeText } from "../../state/times";
 import css from "./account.module.css";
 
@@ -46,10 +47,16 @@ const PERMITS: Readonly<Record<UserRole, string>> = {
   admin: translate("accountDialog.youCanDoEverythingAnd"),
 };
 
-export function Account({ me }: { me: Me }) {
+interface Props {
+  readonly me: Me;
+  readonly tab: AccountTab;
+  onTab(tab: AccountTab): void;
+}
+
+export function Account({ me, tab, onTab }: Props) {
   if (!me.scopes.includes("admin")) return <Own me={me} />;
   return (
-    <Tabs defaultValue="own" keepMounted={false}>
+    <Tabs value={tab} onChange={(value) => onTab(value as AccountTab)} keepMounted={false}>
       <Tabs.List>
         <Tabs.Tab value="own">{translate("accountDialog.myAccount")}</Tabs.Tab>
         <Tabs.Tab value="users">{translate("accountDialog.users")}</Tabs.Tab>

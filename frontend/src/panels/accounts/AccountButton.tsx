@@ -2,9 +2,10 @@
 
 import { ActionIcon, Indicator, Paper, Text, Tooltip } from "@mantine/core";
 import { IconShieldLock } from "@tabler/icons-react";
-import { lazy, Suspense, useState } from "react";
+import { lazy, Suspense, useEffect, useRef, useState } from "react";
 import { translate } from "../../language/translate";
 import { useMe } from "../../state/accounts/accounts";
+import { type AccountTab, showSettings } from "../../state/routes";
 import { Dialog } from "../shared/Dialog";
 
 // Few people open it, so the start page does without it.
@@ -14,6 +15,7 @@ const Account = lazy(() => import("./Account").then((module) => ({ default: modu
 export function AccountButton() {
   const me = useMe();
   const [opened, setOpened] = useState(false);
+  const [tab, setTab] = useState<AccountTab>("own");
   if (me === undefined) return null;
   const label =
     me.kind === "local"
@@ -43,24 +45,29 @@ export function AccountButton() {
         centered
       >
         <Suspense fallback={null}>
-          <Account me={me} />
+          <Account me={me} tab={tab} onTab={setTab} />
         </Suspense>
       </Dialog>
     </>
   );
 }
 
-/** The same as a section of a page. */
-export function AccountSection() {
+/** The same as a section of a page, with the tab in the address. */
+export function AccountSection({ tab }: { readonly tab: AccountTab }) {
   const me = useMe();
+  const section = useRef<HTMLElement>(null);
+  // A link to a tab shows it, below the other settings.
+  useEffect(() => {
+    if (tab !== "own" && me !== undefined) section.current?.scrollIntoView();
+  }, [tab, me]);
   if (me === undefined || (me.kind === "local" && me.has_admin)) return null;
   return (
-    <Paper component="section" radius={12} px={18} py={14} bg="var(--panel)">
+    <Paper component="section" ref={section} radius={12} px={18} py={14} bg="var(--panel)">
       <Text fw={600} mb={6}>
         {translate("accountDialog.account2")}
       </Text>
       <Suspense fallback={null}>
-        <Account me={me} />
+        <Account me={me} tab={tab} onTab={showSettings} />
       </Suspense>
     </Paper>
   );

@@ -1,6 +1,6 @@
 /** Ended jobs, statistics of the machines, and the life of their tools. */
 
-import { showDrawing } from "../../state/routes";
+import { type HistoryView, showDrawing, showHistory } from "../../state/routes";
 import "../../messages/load";
 import { Flex, SegmentedControl, Select, SimpleGrid, Text, TextInput, Title } from "@mantine/core";
 import { IconSearch } from "@tabler/icons-react";
@@ -31,8 +31,7 @@ const VIEWS = [
   { value: "jobs", label: translate("historyPage.endedJobs") },
   { value: "statistics", label: translate("historyPage.statistics") },
   { value: "tools", label: translate("historyPage.tools") },
-] as const;
-type View = (typeof VIEWS)[number]["value"];
+] as const satisfies readonly { value: HistoryView; label: string }[];
 
 const STATES: readonly { value: EndedState; label: string }[] = [
   { value: "done", label: translate("historyPage.finished") },
@@ -58,8 +57,11 @@ const PERIODS = [
   { value: "366", label: translate("historyPage.lastYear") },
 ];
 
-export function HistoryPage() {
-  const [view, setView] = useState<View>("jobs");
+interface Props {
+  readonly view: HistoryView;
+}
+
+export function HistoryPage({ view }: Props) {
   const [machine, setMachine] = useState("");
   const { data: machines } = useMachines();
   return (
@@ -70,7 +72,7 @@ export function HistoryPage() {
         </Title>
         <SegmentedControl
           value={view}
-          onChange={(value) => setView(value as View)}
+          onChange={(value) => showHistory(value as HistoryView)}
           data={[...VIEWS]}
           aria-label={translate("historyPage.whatToShow")}
         />

@@ -1,12 +1,12 @@
 /** One machine: its state, the sheet on its table, its queue and its tools. */
 
-import { Badge, Box, Button, Flex, Paper, Text, Title } from "@mantine/core";
+import { Anchor, Badge, Box, Button, Flex, Paper, Text, Title } from "@mantine/core";
 import { IconArrowRight } from "@tabler/icons-react";
 import type { Machine } from "../../api/client";
 import { translate } from "../../language/translate";
 import { MACHINE_COLOURS, MACHINE_WORDS, useMachineWord } from "../../state/job/useMachineState";
 import { useBoardTitle, useQueue } from "../../state/queries";
-import { stationAddress } from "../../state/routes";
+import { machineAddress, stationAddress } from "../../state/routes";
 import { PairedDevices } from "../accounts/PairedDevices";
 import { MachineQueue } from "../job/MachineQueue";
 import { MachineTools } from "../job/MachineTools";
@@ -27,7 +27,14 @@ export function MachineCard({ machine }: { machine: Machine }) {
     >
       <Flex align="center" wrap="wrap" gap={10} px={16} pt={14} pb={10}>
         <Title order={2} fz={17} flex="1 1 160px">
-          {title}
+          <Anchor
+            inherit
+            c="inherit"
+            href={machineAddress(machine.name)}
+            data-testid="only-machine"
+          >
+            {title}
+          </Anchor>
         </Title>
         {word !== "" && (
           <Badge size="lg" color={MACHINE_COLOURS[word]}>

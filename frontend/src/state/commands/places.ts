@@ -2,7 +2,7 @@
 
 import { navigate } from "wouter/use-hash-location";
 import { translate } from "../../language/translate";
-import { HISTORY, MACHINES, returnToDrawing, SETTINGS, STATIONS, WORK } from "../routes";
+import { returnToDrawing, STATIONS, WORK } from "../routes";
 
 interface Place {
   readonly id: string;
@@ -19,9 +19,9 @@ const place = (id: string, title: string, path: string): Place => ({
 export const PLACES: readonly Place[] = [
   place("work", translate("rail.work"), WORK),
   { id: "drawing", title: translate("rail.drawing"), show: returnToDrawing },
-  place("machines", translate("rail.machines"), MACHINES),
+  place("machines", translate("rail.machines"), "/machines"),
   place("station", translate("rail.station"), STATIONS),
   place("library", translate("rail.library"), "/library"),
-  place("history", translate("rail.history"), HISTORY),
-  place("settings", translate("rail.settings"), SETTINGS),
+  place("history", translate("rail.history"), "/history"),
+  place("settings", translate("rail.settings"), "/settings"),
 ];
