@@ -59,10 +59,13 @@ export function formatArea(value: number): string {
   return `${formatFixed(value, value >= 100 ? 0 : value >= 10 ? 1 : 2)}${THIN}mm²`;
 }
 
+/** A time in s; minutes and hours from 60 s and 60 min on. The job ticket rounds in the same way. */
 export function formatDuration(seconds: number): string {
   if (!Number.isFinite(seconds)) return "–";
   const whole = Math.max(0, Math.round(seconds));
-  if (whole < 60) return `${seconds < 10 ? formatFixed(seconds, 1) : whole}${THIN}s`;
+  // 9.95 s and more are rounded to 10 s.
+  if (seconds < 9.95) return `${formatFixed(Math.max(0, seconds), 1)}${THIN}s`;
+  if (whole < 60) return `${whole}${THIN}s`;
   const minutes = Math.floor(whole / 60);
   if (minutes < 60) return `${minutes}:${String(whole % 60).padStart(2, "0")}${THIN}min`;
   return `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, "0")}${THIN}h`;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from datetime import datetime
 from typing import Final
@@ -12,6 +13,8 @@ from knifetip.model.tool import CreaseWheel, Cutter, Knife, Laser, Tool, VCutter
 
 #: Most accepted exceptions that a ticket lists.
 _MOST_ACCEPTED: Final = 30
+#: Times below this have a decimal (s); from here on they are rounded to 10 s and more.
+_TENTHS_BELOW: Final = 9.95
 #: Names of the kinds of tools.
 _KINDS: Final = {
     "knife": "ticket.kind-knife",
@@ -110,7 +113,7 @@ class Sentences:
         return self.word("ticket.times-all", each=each, all=total)
 
     def duration(self, seconds: float | None) -> str:
-        """Return a duration, with minutes from 60 s on."""
+        """Return a duration as the page writes it: 7.4 s, 19 s, 1:05 min or 1:02 h."""
         return (
             self.word("ticket.no-value")
             if seconds is None
@@ -173,7 +176,12 @@ class Sentences:
 
 
 def _duration(seconds: float) -> Message:
-    whole = round(seconds)
-    if whole < 60:
-        return Message("ticket.seconds", seconds=whole)
-    return Message("ticket.minutes", minutes=whole // 60, seconds=whole % 60)
+    """Return a duration (s) in the steps of ``formatDuration`` of the page."""
+    if seconds < _TENTHS_BELOW:
+        return Message("ticket.tenths", seconds=max(seconds, 0.0))
+    minutes, rest = divmod(math.floor(seconds + 0.5), 60)
+    if minutes == 0:
+        return Message("ticket.seconds", seconds=rest)
+    if minutes < 60:
+        return Message("ticket.minutes", time=f"{minutes}:{rest:02d}")
+    return Message("ticket.hours", time=f"{minutes // 60}:{minutes % 60:02d}")

@@ -35,6 +35,7 @@ MESSAGES: Final[Entries] = {
     "ticket.drawing": entry("Drawing"),
     "ticket.due": entry("Due"),
     "ticket.job": entry("Job {job}", job="text"),
+    "ticket.hours": entry("{time} h", time="text"),
     "ticket.kind-crease-wheel": entry("Crease wheel"),
     "ticket.kind-cutter": entry("Router bit"),
     "ticket.kind-knife": entry("Knife"),
@@ -50,7 +51,7 @@ MESSAGES: Final[Entries] = {
     "ticket.machine": entry("Machine"),
     "ticket.marks": entry("Marks"),
     "ticket.metres": entry("{length:,.2f} m", length="number"),
-    "ticket.minutes": entry("{minutes:,} min {seconds} s", minutes="count", seconds="count"),
+    "ticket.minutes": entry("{time} min", time="text"),
     "ticket.more": entry(
         "and {count:# more|# more}",
         count="count",
@@ -103,6 +104,7 @@ MESSAGES: Final[Entries] = {
     "ticket.station": entry("Station"),
     "ticket.stations": entry("Tools to be loaded"),
     "ticket.time": entry("Time"),
+    "ticket.tenths": entry("{seconds:.1f} s", seconds="number"),
     "ticket.times": entry("Machine time"),
     "ticket.times-all": entry(
         "{each} each, {all} for all copies (without changes of the sheet)",

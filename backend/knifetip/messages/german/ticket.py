@@ -23,6 +23,7 @@ TEXTS: Final[Texts] = {
     "ticket.drawing": Text("Zeichnung"),
     "ticket.due": Text("Fällig"),
     "ticket.job": Text("Auftrag {job}"),
+    "ticket.hours": Text("{time} h"),
     "ticket.kind-crease-wheel": Text("Rillrad"),
     "ticket.kind-cutter": Text("Fräser"),
     "ticket.kind-knife": Text("Messer"),
@@ -34,7 +35,7 @@ TEXTS: Final[Texts] = {
     "ticket.machine": Text("Maschine"),
     "ticket.marks": Text("Marken"),
     "ticket.metres": Text("{length:,.2f} m"),
-    "ticket.minutes": Text("{minutes:,} min {seconds} s"),
+    "ticket.minutes": Text("{time} min"),
     "ticket.more": Text("und {count:# weitere|# weitere}"),
     "ticket.no-program": Text(
         "Es gibt noch kein Programm (Zustand: {state:state}). Nicht mit diesem Auftragszettel "
@@ -66,6 +67,7 @@ TEXTS: Final[Texts] = {
     "ticket.station": Text("Station"),
     "ticket.stations": Text("Einzusetzende Werkzeuge"),
     "ticket.time": Text("Zeit"),
+    "ticket.tenths": Text("{seconds:.1f} s"),
     "ticket.times": Text("Maschinenzeit"),
     "ticket.times-all": Text("{each} je Exemplar, {all} für alle (ohne Wechsel des Bogens)"),
     "ticket.title": Text("Auftragszettel"),

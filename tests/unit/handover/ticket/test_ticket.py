@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+import json
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,6 +15,7 @@ import zxingcpp
 
 from knifetip.handover.ticket.document import write_ticket
 from knifetip.handover.ticket.facts import Accepted, StationUse, TicketFacts, TypeLength
+from knifetip.handover.ticket.sentences import Sentences
 from knifetip.messages import Message
 from knifetip.model.figure import Figure, FigureLayer
 from tests.support.hostile_names import HOSTILE_NAMES
@@ -84,8 +87,8 @@ def test_a_ticket_states_what_the_operator_needs() -> None:
         "Sheet 700 × 500 mm, margins 10 mm left, 20 mm below",
         "lower left corner of the sheet at X 20.0, Y 22.5 mm",
         "Copies 3",
-        "1 min 35 s each, 4 min 46 s for all copies",
-        "T1 Knife Knife: blade 1.5 mm wide, slanted 30° 5.23 m 1 min 1 s",
+        "1:35 min each, 4:46 min for all copies",
+        "T1 Knife Knife: blade 1.5 mm wide, slanted 30° 5.23 m 1:01 min",
         "cut: 5.23 m",
         "The program makes the drawing within 0.007 mm (0.01 mm allowed)",
         "Grain along X.",
@@ -157,7 +160,19 @@ def test_twelve_tools_and_200_copies_fit_on_two_pages() -> None:
     assert len(found) == 2
     assert "T12" in found[0]
     assert "Seite 2 von 2" in found[1]
-    assert "317 min 20 s" in found[0]
+    assert "5:17 h" in found[0]
+
+
+#: Times in s, and as the page writes them: its test reads the same table.
+DURATIONS = json.loads(
+    (Path(__file__).parents[3] / "support" / "durations.json").read_text("utf-8")
+)
+
+
+@pytest.mark.parametrize(("seconds", "text"), DURATIONS)
+def test_a_time_is_written_as_the_page_writes_it(seconds: float, text: str) -> None:
+    assert Sentences(facts(), "en").duration(seconds) == text
+    assert Sentences(facts(), "de").duration(seconds) == text.replace(".", ",")
 
 
 def test_names_in_other_scripts_and_missing_letters() -> None:
