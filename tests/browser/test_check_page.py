@@ -19,6 +19,18 @@ pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.ma
 def test_program_lines_slider_and_section_are_in_step(page: Page, screenshots: Path) -> None:
     drop(page, "rigid-box-blank.dxf", samples()["rigid-box-blank.dxf"])
     compile_on(page, "Greyboard 2.0 mm")
+    # One sentence has the figures; its clause about the overcut goes from place to place.
+    sentence = page.get_by_test_id("verdict-sentence")
+    expect(sentence).to_have_text(
+        re.compile(
+            r"Cuts your drawing to \S+\smm in [\d.:]+\s\w+; "
+            r"up to [\d.]+\smm overcut at \d+ places, [\d.]+\smm allowed\."
+        )
+    )
+    expect(page.get_by_test_id("verdict").get_by_text("Machine time")).to_have_count(0)
+    page.get_by_test_id("overcuts").click()
+    expect(page.get_by_test_id("selection")).to_be_visible()
+    page.keyboard.press("Escape")
     address = str(page.get_by_test_id("program").get_attribute("href"))
     program = page.request.get(urljoin(page.url, address)).text()
     # The first move along a groove: at its depth of 1.3 mm, with the feed of the V-cutter.

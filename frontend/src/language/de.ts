@@ -737,7 +737,7 @@ export const de = {
     "… und {findings, plural, one {# weiterer Befund} other {# weitere Befunde}}.",
   "verdictCard.programHasErrorsAndCannot": "Programm hat Fehler und kann nicht gesendet werden",
   "verdictCard.toolCannotMakeLines":
-    "Das Werkzeug kann {shortfalls, plural, one {# Linie} other {# Linien}} nicht wie gezeichnet fertigen; die anderen schneidet es auf {deviation} genau in {seconds}.",
+    "Das Werkzeug kann {shortfalls, plural, one {# Linie} other {# Linien}} nicht wie gezeichnet fertigen; die anderen schneidet es auf {deviation} genau in {seconds}",
   "verdictCard.acceptThem": "So annehmen …",
   "verdictCard.andAtMorePlaces":
     "{text} Das gilt auch an {places, plural, one {# weiteren Stelle} other {# weiteren Stellen}}.",
@@ -1870,12 +1870,12 @@ export const de = {
   "questionsPanel.questionOf": "Frage {at} von {all}",
   "questionsPanel.allInATable": "Alle Fragen in einer Tabelle",
   "showCompensation.showTheCompensation": "Korrektur zeigen",
-  "verdictCard.cutsYourDrawing": "Fertigt Ihre Zeichnung auf {deviation} genau in {seconds}.",
+  "verdictCard.cutsYourDrawing": "Fertigt Ihre Zeichnung auf {deviation} genau in {seconds}",
   "verdictCard.cutsYourDrawingExcept":
-    "Fertigt Ihre Zeichnung auf {deviation} genau in {seconds}, bis auf {exceptions, plural, one {# zugelassene Abweichung} other {# zugelassene Abweichungen}}.",
+    "Fertigt Ihre Zeichnung auf {deviation} genau in {seconds}, bis auf {exceptions, plural, one {# zugelassene Abweichung} other {# zugelassene Abweichungen}}",
   "verdictCard.details": "Einzelheiten",
   "verdictPlaces.overcut":
-    "Bis zu {length} Überschnitt an {places, plural, one {# Stelle} other {# Stellen}}",
+    "bis zu {length} Überschnitt an {places, plural, one {# Stelle} other {# Stellen}}",
   "verdictPlaces.allowed": "{length} zulässig",
   "verdictPlaces.leftOut":
     "{length} bleiben an den Enden von {places, plural, one {# Linie} other {# Linien}} stehen, wie geplant",

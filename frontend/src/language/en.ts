@@ -719,7 +719,7 @@ export const en = {
     "… and {findings, plural, one {# more finding} other {# more findings}}.",
   "verdictCard.programHasErrorsAndCannot": "Program has errors and cannot be sent",
   "verdictCard.toolCannotMakeLines":
-    "The tool cannot make {shortfalls, plural, one {# line} other {# lines}} as drawn; it cuts the others to {deviation} in {seconds}.",
+    "The tool cannot make {shortfalls, plural, one {# line} other {# lines}} as drawn; it cuts the others to {deviation} in {seconds}",
   "verdictCard.acceptThem": "Accept this …",
   "verdictCard.andAtMorePlaces":
     "{text} The same at {places, plural, one {# more place} other {# more places}}.",
@@ -1800,12 +1800,12 @@ export const en = {
   "questionsPanel.questionOf": "Question {at} of {all}",
   "questionsPanel.allInATable": "All questions in a table",
   "showCompensation.showTheCompensation": "Show the compensation",
-  "verdictCard.cutsYourDrawing": "Cuts your drawing to {deviation} in {seconds}.",
+  "verdictCard.cutsYourDrawing": "Cuts your drawing to {deviation} in {seconds}",
   "verdictCard.cutsYourDrawingExcept":
-    "Cuts your drawing to {deviation} in {seconds}, except for {exceptions, plural, one {# accepted shortfall} other {# accepted shortfalls}}.",
+    "Cuts your drawing to {deviation} in {seconds}, except for {exceptions, plural, one {# accepted shortfall} other {# accepted shortfalls}}",
   "verdictCard.details": "Details",
   "verdictPlaces.overcut":
-    "Up to {length} overcut at {places, plural, one {# place} other {# places}}",
+    "up to {length} overcut at {places, plural, one {# place} other {# places}}",
   "verdictPlaces.allowed": "{length} allowed",
   "verdictPlaces.leftOut":
     "{length} left standing at the ends of {places, plural, one {# line} other {# lines}}, as planned",

@@ -32,7 +32,7 @@ import { AcceptForm } from "./AcceptForm";
 import { FindingKinds } from "./FindingKinds";
 import { FindingList } from "./FindingList";
 import { ShowCompensation } from "./ShowCompensation";
-import { VerdictPlaces } from "./VerdictPlaces";
+import { OvercutClause, VerdictPlaces } from "./VerdictPlaces";
 
 /** Half the side of the zoom box: at least (mm), and relative to the size of the area. */
 const MIN_VIEW = 8;
@@ -74,6 +74,8 @@ export function VerdictCard({ job }: { job: Job }) {
         </Box>
         <Text span c="ink.0" fz={14} fw={600} lh={1.4} data-testid="verdict-sentence">
           {title(verdict, findings, fullVerdict?.edge_deviation)}
+          {!isFaulty(verdict, findings) && <OvercutClause verdict={verdict} />}
+          {"."}
           {job.actions.includes("accept") && (
             <>
               {" "}
@@ -96,17 +98,17 @@ export function VerdictCard({ job }: { job: Job }) {
           <AcceptForm job={job} findings={findings} />
         </Permitted>
       )}
-      <dl className={css.pairs}>
-        <div>
-          <dt>{translate("verdictCard.machineTime")}</dt>
-          <dd>{formatDuration(verdict.seconds)}</dd>
-        </div>
-      </dl>
       <details data-testid="verdict-details">
         <summary className={css.summary}>{translate("verdictCard.details")}</summary>
         <Saved verdict={verdict} />
         <Deviation verdict={verdict} />
         <dl className={css.pairs}>
+          {isFaulty(verdict, findings) && (
+            <div>
+              <dt>{translate("verdictCard.machineTime")}</dt>
+              <dd>{formatDuration(verdict.seconds)}</dd>
+            </div>
+          )}
           <div>
             <dt>{translate("verdictCard.longestOvercut")}</dt>
             <dd>{formatLength(verdict.overcut)}</dd>
@@ -143,7 +145,7 @@ export function VerdictCard({ job }: { job: Job }) {
   );
 }
 
-/** Heading of the card: how exactly the program makes the drawing, and otherwise why not. */
+/** Heading of the card, without a full stop: how exactly it makes the drawing, or why not. */
 function title(
   verdict: VerdictSummary,
   findings: readonly Finding[],

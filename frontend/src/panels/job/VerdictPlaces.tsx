@@ -1,6 +1,6 @@
 /** Places at which the program makes more or less than the drawing; each click zooms to the next. */
 
-import { IconArrowsHorizontal, IconArrowsMinimize } from "@tabler/icons-react";
+import { IconArrowsMinimize } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
 import type { VerdictSummary } from "../../api/client";
 import { lineTypeOf } from "../../geometry/records";
@@ -10,30 +10,47 @@ import { placesOf } from "../../state/job/verdictPlaces";
 import { useBoards, useEdges, useJob, useVerdict } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
+import { LinkButton } from "../shared/parts";
 
-export function VerdictPlaces({ verdict }: { verdict: VerdictSummary }) {
+/** The overcut in the sentence of the verdict, as its last clause; nothing without overcut. */
+export function OvercutClause({ verdict }: { verdict: VerdictSummary }) {
   const { data: full } = useVerdict();
   const { data: job } = useJob();
   const { data: boards } = useBoards();
   const { data: edges } = useEdges();
-  if (full === undefined) return null;
-  const [over, left, uncut] = [full.edge_overcut, full.edge_setback, full.edge_uncut].map(placesOf);
+  const over = placesOf(full?.edge_overcut ?? []);
+  const zoomToNext = useNextPlace(over);
+  if (over.length === 0) return null;
   // The board limits the overcut of V-grooves; that of other lines ends in the waste.
-  const isGroove = lineTypeOf(edges?.lineType[over?.[0] ?? -1]) === "v-groove";
+  const isGroove = lineTypeOf(edges?.lineType[over[0] ?? -1]) === "v-groove";
   const limit = boards?.find(({ name }) => name === job?.board)?.groove_overcut ?? 0;
   const allowed = isGroove ? limit : 0;
   return (
     <>
-      {over !== undefined && over.length > 0 && (
-        <Places rows={over} icon={<IconArrowsHorizontal size={15} aria-hidden />} testId="overcuts">
-          {translate("verdictPlaces.overcut", {
-            length: formatLength(verdict.overcut),
-            places: over.length,
-          })}
-          {allowed > 0 &&
-            `, ${translate("verdictPlaces.allowed", { length: formatLength(allowed) })}`}
-        </Places>
-      )}
+      {"; "}
+      <LinkButton
+        fz={14}
+        fw={600}
+        title={translate("verdictPlaces.eachClickShowsTheNext")}
+        onClick={zoomToNext}
+        data-testid="overcuts"
+      >
+        {translate("verdictPlaces.overcut", {
+          length: formatLength(verdict.overcut),
+          places: over.length,
+        })}
+      </LinkButton>
+      {allowed > 0 && `, ${translate("verdictPlaces.allowed", { length: formatLength(allowed) })}`}
+    </>
+  );
+}
+
+export function VerdictPlaces({ verdict }: { verdict: VerdictSummary }) {
+  const { data: full } = useVerdict();
+  if (full === undefined) return null;
+  const [left, uncut] = [full.edge_setback, full.edge_uncut].map(placesOf);
+  return (
+    <>
       {left !== undefined && left.length > 0 && (
         <Places rows={left} icon={<IconArrowsMinimize size={15} aria-hidden />} testId="left-out">
           {translate("verdictPlaces.leftOut", {
@@ -62,19 +79,25 @@ interface PlacesProps {
   readonly children: ReactNode;
 }
 
-function Places({ rows, icon, testId, children }: PlacesProps) {
+/** An action that shows the first of some edges, and with each call the next one. */
+function useNextPlace(rows: readonly number[]): () => void {
   const [next, setNext] = useState(0);
   const zoomToEdges = useUiStore((ui) => ui.zoomToEdges);
+  return () => {
+    const row = rows[next % rows.length];
+    if (row !== undefined) zoomToEdges([row]);
+    setNext(next + 1);
+  };
+}
+
+function Places({ rows, icon, testId, children }: PlacesProps) {
+  const zoomToNext = useNextPlace(rows);
   return (
     <button
       type="button"
       className={css.pick}
       title={translate("verdictPlaces.eachClickShowsTheNext")}
-      onClick={() => {
-        const row = rows[next % rows.length];
-        if (row !== undefined) zoomToEdges([row]);
-        setNext(next + 1);
-      }}
+      onClick={zoomToNext}
       data-testid={testId}
     >
       {icon}
