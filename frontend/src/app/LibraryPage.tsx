@@ -67,7 +67,7 @@ export function LibraryPage() {
         <Title order={1} fz={17}>
           {translate("libraryPage.machinesBoardsAndTools")}
         </Title>
-        <ul className={css.shelves}>
+        <ul className={css.shelves} data-touch>
           {TABS.map(([one, title]) => (
             <li key={one}>
               <a

@@ -28,6 +28,7 @@ export function MachineCard({ machine }: { machine: Machine }) {
       <Flex align="center" wrap="wrap" gap={10} px={16} pt={14} pb={10}>
         <Title order={2} fz={17} flex="1 1 160px">
           <Anchor
+            underline="hover"
             inherit
             c="inherit"
             href={machineAddress(machine.name)}
