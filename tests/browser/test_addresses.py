@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import httpx
 import pytest
 from playwright.sync_api import Page, expect
 
+from knifetip.dxf.samples import samples
 from tests.browser.conftest import Running
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
@@ -52,6 +54,37 @@ def test_views_of_the_history_and_single_machines_have_addresses(
     expect(page.get_by_test_id("settings")).to_be_visible()
 
 
+def test_work_is_sorted_by_its_columns_and_keeps_the_order_in_the_address(
+    page: Page, server: Running
+) -> None:
+    headers = {"X-Knifetip": "page"}
+    with httpx.Client(base_url=server.url, trust_env=False, headers=headers) as api:
+        for name, customer in (
+            ("corrugated-tray.dxf", "Sorted Z"),
+            ("rigid-box-blank.dxf", "Sorted A"),
+        ):
+            file = (name, samples()[name])
+            drawing = api.post("/api/v1/drawings", files={"file": file}).json()
+            details = {"customer": customer}
+            api.patch(f"/api/v1/drawings/{drawing['id']}", json=details).raise_for_status()
+    page.goto(f"{server.url}/#/")
+    page.get_by_test_id("work-search").fill("Sorted")
+    column = page.get_by_role("columnheader", name="Customer")
+    customers = page.locator("[data-testid=drawing-row] td:nth-child(3)")
+    expect(column).to_have_attribute("aria-sort", "none")
+    page.get_by_test_id("sort-customer").click()
+    expect(column).to_have_attribute("aria-sort", "ascending")
+    expect(customers.first).to_have_text("Sorted A")
+    page.get_by_test_id("sort-customer").click()
+    expect(column).to_have_attribute("aria-sort", "descending")
+    expect(customers.first).to_have_text("Sorted Z")
+    expect(page).to_have_url(f"{server.url}/#/by/customer/reversed")
+    page.reload()
+    expect(column).to_have_attribute("aria-sort", "descending")
+    expect(customers.first).to_have_text("Sorted Z")
+    expect(page.get_by_test_id("to-work")).to_have_attribute("aria-current", "page")
+
+
 @pytest.mark.parametrize(
     "address",
     [
@@ -61,6 +94,7 @@ def test_views_of_the_history_and_single_machines_have_addresses(
         "machines/no-such-table",
         "settings/nothing",
         "nowhere",
+        "by/colour",
     ],
 )
 def test_an_unknown_address_says_so(page: Page, server: Running, address: str) -> None:

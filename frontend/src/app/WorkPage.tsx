@@ -17,22 +17,31 @@ import { NO_FILTER, type WorkFilter, WorkFilters } from "../panels/work/WorkFilt
 import { WorkTable } from "../panels/work/WorkTable";
 import { useOrders } from "../state/queries";
 import { groupByFile, PROGRESS } from "../state/work/orders";
+import type { WorkOrder } from "../state/work/workOrder";
 import { prefetch } from "./views";
 
 /** Pause after which a search begins (ms). */
 const PAUSE = 250;
 
-const wantedOf = ({ search, progress, machine, sort }: WorkFilter): OrdersFilter => ({
+const wantedOf = (
+  { search, progress, machine }: WorkFilter,
+  { sort, reverse }: WorkOrder,
+): OrdersFilter => ({
   search: search.trim(),
   state: [...PROGRESS[progress]],
   machine,
   sort,
+  reverse,
 });
 
-export function WorkPage() {
+interface Props {
+  readonly order: WorkOrder;
+}
+
+export function WorkPage({ order }: Props) {
   const [filter, setFilter] = useState<WorkFilter>(NO_FILTER);
   const [wanted] = useDebouncedValue(filter, filter.search === "" ? 0 : PAUSE);
-  const list = useOrders(wantedOf(wanted));
+  const list = useOrders(wantedOf(wanted, order));
   const { data: rows, error } = list;
   const none = rows?.length === 0;
   const isUnfiltered =
@@ -56,7 +65,7 @@ export function WorkPage() {
           </Group>
         </Permitted>
       </header>
-      <WorkFilters filter={filter} onChange={setFilter} />
+      <WorkFilters filter={filter} order={order} onChange={setFilter} />
       {error !== null && <Note role="alert">{errorText(error)}</Note>}
       {rows === undefined && error === null && (
         <Stack gap={8} mt={12} aria-hidden>
@@ -70,7 +79,7 @@ export function WorkPage() {
           {translate("workPage.nothingMeetsTheseConditions")}
         </Note>
       ) : (
-        rows !== undefined && <WorkTable groups={groupByFile(rows)} />
+        rows !== undefined && <WorkTable groups={groupByFile(rows)} order={order} />
       )}
       {list.hasNextPage && (
         <ShowMore busy={list.isFetchingNextPage} act={() => void list.fetchNextPage()} />

@@ -1831,6 +1831,10 @@ export const de = {
   "workFilters.search": "Name, Kunde, Auftrag suchen",
   "workFilters.state": "Zustand",
   "workFilters.machine": "Maschine",
+  "workFilters.byBoard": "Nach Material",
+  "workFilters.byMachine": "Nach Maschine",
+  "workFilters.byState": "Nach Zustand",
+  "workFilters.byTime": "Nach Maschinenzeit",
   "workFilters.allMachines": "Alle Maschinen",
   "workFilters.order": "Reihenfolge der Tabelle",
   "workTable.drawing": "Zeichnung",
@@ -1842,6 +1846,7 @@ export const de = {
   "workTable.nextAction": "Als Nächstes",
   "workTable.delete": "Löschen",
   "workTable.sheet": "Bogen",
+  "workTable.time": "Maschinenzeit",
   "workTable.sameFile": "{others, plural, one {# weitere} other {# weitere}} mit derselben Datei",
   "workTable.deleteThisDrawing": "Diese Zeichnung löschen?",
   "workTable.isDeletedForEver":

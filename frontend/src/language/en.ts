@@ -1762,6 +1762,10 @@ export const en = {
   "workFilters.search": "Search name, customer, order",
   "workFilters.state": "State",
   "workFilters.machine": "Machine",
+  "workFilters.byBoard": "By board",
+  "workFilters.byMachine": "By machine",
+  "workFilters.byState": "By state",
+  "workFilters.byTime": "By machine time",
   "workFilters.allMachines": "All machines",
   "workFilters.order": "Order of the table",
   "workTable.drawing": "Drawing",
@@ -1773,6 +1777,7 @@ export const en = {
   "workTable.nextAction": "Next",
   "workTable.delete": "Delete",
   "workTable.sheet": "Sheet",
+  "workTable.time": "Machine time",
   "workTable.sameFile": "{others, plural, one {# more} other {# more}} with the same file",
   "workTable.deleteThisDrawing": "Delete this drawing?",
   "workTable.isDeletedForEver":

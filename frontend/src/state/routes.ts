@@ -2,6 +2,7 @@
  * Views in the hash of the address, shown by the router.
  *
  *     #/                                   drawings and their orders
+ *     #/by/COLUMN, #/by/COLUMN/reversed    the same, sorted by a column
  *     #/drawings/ID                        a drawing, at the first step that needs the user
  *     #/drawings/ID/STEP                   a step of a drawing: lines, sheet, process or check
  *     #/drawings/ID/STEP/jobs/ID           the same, with a job of the drawing
@@ -26,8 +27,14 @@
 
 import { navigate } from "wouter/use-hash-location";
 import { type OpenDrawing, type Step, useUiStore } from "./store";
+import type { WorkOrder } from "./work/workOrder";
 
 export const WORK = "/";
+
+/** Addresses of the work, sorted by the newest drawing or by a column. */
+export const SORTED_WORK =
+  /^\/(?:by\/(?<column>name|customer|due|board|machine|state|time)(?<reversed>\/reversed)?)?$/;
+
 export const MACHINES = "/machines/:machine?";
 export const STATIONS = "/station";
 export const STATION = "/station/:machine";
@@ -113,6 +120,12 @@ export const showHistory = (view: HistoryView): void =>
 
 export const showSettings = (tab: AccountTab): void =>
   navigate(tab === "own" ? "/settings" : `/settings/${tab}`);
+
+/** Show the work in another order. */
+export const showWork = ({ sort, reverse }: WorkOrder): void =>
+  navigate(sort === "newest" ? WORK : `/by/${sort}${reverse ? "/reversed" : ""}`, {
+    replace: true,
+  });
 
 const layoutPath = (id: string): string => `/layouts/${encodeURIComponent(id)}/sheet`;
 export const layoutAddress = (id: string): string => `#${layoutPath(id)}`;

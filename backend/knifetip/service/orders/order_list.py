@@ -20,16 +20,27 @@ from knifetip.service.http.models import PageQuery
 from knifetip.service.order_details.details import contains
 from knifetip.service.orders.models import JobOut, JobState
 
-Sort = Literal["newest", "name", "customer", "due"]
+Sort = Literal["newest", "name", "customer", "due", "board", "machine", "state", "time"]
 
 _JOB: Final = aliased(Job)
 _SERIAL: Final = Drawing.serial.desc()
-#: Rows without a value come last.
-_ORDER: Final[dict[Sort, tuple[Any, ...]]] = {
-    "newest": (_SERIAL,),
-    "name": (sa.func.lower(Drawing.name), _SERIAL),
-    "customer": (Drawing.customer == "", sa.func.lower(Drawing.customer), _SERIAL),
-    "due": (Drawing.due.is_(None), Drawing.due, _SERIAL),
+#: The states in the order in which a job passes through them.
+_STATES: Final[tuple[JobState, ...]] = (
+    *("received", "compiling", "refused", "ready", "queued", "running", "held", "interrupted"),
+    *("done", "continued", "scrapped", "cancelled"),
+)
+#: The details of the job where it has its own, as the page shows them.
+_CUSTOMER: Final = sa.func.coalesce(sa.func.nullif(_JOB.customer, ""), Drawing.customer)
+_DUE: Final = sa.func.coalesce(_JOB.due, Drawing.due)
+#: What the list is sorted by; NULL for rows without a value.
+_KEYS: Final[dict[Sort, Any]] = {
+    "name": sa.func.lower(Drawing.name),
+    "customer": sa.func.nullif(sa.func.lower(_CUSTOMER), ""),
+    "due": _DUE,
+    "board": _JOB.board,
+    "machine": _JOB.machine,
+    "state": sa.case({state: at for at, state in enumerate(_STATES)}, value=_JOB.state),
+    "time": sa.func.nullif(_JOB.seconds, 0.0),
 }
 
 
@@ -54,8 +65,13 @@ class OrdersQuery(PageQuery):
     )
     sort: Sort = Field(
         default="newest",
-        description="Order of the list. newest: last uploaded first. name, customer: by the "
-        "alphabet. due: earliest due time first",
+        description="Order of the list. newest: last uploaded first. name, customer, board, "
+        "machine: by the alphabet. due: earliest due time first. state: state of the newest job, "
+        "from received to ended. time: shortest machine time first. Rows without a value come last",
+    )
+    reverse: bool = Field(
+        default=False,
+        description="Sort the other way round; rows without a value still come last",
     )
 
 
@@ -97,6 +113,13 @@ def find_orders(database: Database, wanted: OrdersQuery) -> list[tuple[Drawing, 
         query = query.where(sa.or_(none, _JOB.state.in_(states)))
     if wanted.machine:
         query = query.where(_JOB.machine == wanted.machine)
-    query = query.order_by(*_ORDER[wanted.sort]).offset(wanted.cursor or 0).limit(wanted.limit)
+    query = query.order_by(*_order(wanted)).offset(wanted.cursor or 0).limit(wanted.limit)
     with database.reading() as session:
         return [(drawing, job) for drawing, job in session.execute(query)]
+
+
+def _order(wanted: OrdersQuery) -> tuple[Any, ...]:
+    if wanted.sort == "newest":
+        return (Drawing.serial if wanted.reverse else _SERIAL,)
+    key = _KEYS[wanted.sort]
+    return key.is_(None), key.desc() if wanted.reverse else key, _SERIAL

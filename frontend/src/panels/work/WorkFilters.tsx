@@ -2,20 +2,20 @@
 
 import { NativeSelect, SimpleGrid, TextInput } from "@mantine/core";
 import { IconSearch } from "@tabler/icons-react";
-import type { OrdersFilter } from "../../api/client";
 import { translate } from "../../language/translate";
 import { useMachines } from "../../state/queries";
+import { showWork } from "../../state/routes";
 import type { ProgressGroup } from "../../state/work/orders";
+import type { WorkOrder } from "../../state/work/workOrder";
 
 export interface WorkFilter {
   readonly search: string;
   readonly progress: ProgressGroup;
   /** "" for all machines */
   readonly machine: string;
-  readonly sort: NonNullable<OrdersFilter["sort"]>;
 }
 
-export const NO_FILTER: WorkFilter = { search: "", progress: "all", machine: "", sort: "newest" };
+export const NO_FILTER: WorkFilter = { search: "", progress: "all", machine: "" };
 
 const PROGRESS_CHOICES: readonly { value: ProgressGroup; label: string }[] = [
   { value: "all", label: translate("workFilters.allStates") },
@@ -25,19 +25,24 @@ const PROGRESS_CHOICES: readonly { value: ProgressGroup; label: string }[] = [
   { value: "ended", label: translate("workFilters.ended") },
 ];
 
-const SORTS: readonly { value: WorkFilter["sort"]; label: string }[] = [
+const SORTS: readonly { value: WorkOrder["sort"]; label: string }[] = [
   { value: "newest", label: translate("workFilters.newestFirst") },
   { value: "due", label: translate("workFilters.byDueTime") },
   { value: "customer", label: translate("workFilters.byCustomer") },
   { value: "name", label: translate("workFilters.byName") },
+  { value: "board", label: translate("workFilters.byBoard") },
+  { value: "machine", label: translate("workFilters.byMachine") },
+  { value: "state", label: translate("workFilters.byState") },
+  { value: "time", label: translate("workFilters.byTime") },
 ];
 
 interface Props {
   readonly filter: WorkFilter;
+  readonly order: WorkOrder;
   readonly onChange: (filter: WorkFilter) => void;
 }
 
-export function WorkFilters({ filter, onChange }: Props) {
+export function WorkFilters({ filter, order, onChange }: Props) {
   const { data: machines } = useMachines();
   const change = (part: Partial<WorkFilter>) => onChange({ ...filter, ...part });
   return (
@@ -70,9 +75,9 @@ export function WorkFilters({ filter, onChange }: Props) {
       <NativeSelect
         aria-label={translate("workFilters.order")}
         data={[...SORTS]}
-        value={filter.sort}
+        value={order.sort}
         onChange={({ currentTarget }) =>
-          change({ sort: currentTarget.value as WorkFilter["sort"] })
+          showWork({ sort: currentTarget.value as WorkOrder["sort"], reverse: false })
         }
         data-testid="work-sort"
       />

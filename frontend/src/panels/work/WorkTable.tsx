@@ -1,23 +1,29 @@
 /** The table of work: a row for each drawing, with its newest job and its next action. */
 
 import { ActionIcon, Button, Table, Tooltip, VisuallyHidden } from "@mantine/core";
-import { IconCopy, IconTrash } from "@tabler/icons-react";
+import { IconArrowDown, IconArrowUp, IconCopy, IconTrash } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
 import { type OrderRow, service } from "../../api/client";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
 import { deleteDrawing } from "../../state/actions";
-import { formatSize, formatUnitless } from "../../state/format";
+import { formatDuration, formatSize, formatUnitless } from "../../state/format";
 import { useBoardTitles, useMachineTitles } from "../../state/queries";
-import { drawingPath, layoutAddress } from "../../state/routes";
+import { drawingPath, layoutAddress, showWork } from "../../state/routes";
 import { dateTimeText } from "../../state/times";
 import { nextAction, type RowGroup } from "../../state/work/orders";
+import { ariaSort, nextOrder, type WorkColumn, type WorkOrder } from "../../state/work/workOrder";
 import { StateBadge } from "../job/StateBadge";
 import { ConfirmDialog } from "../shared/ConfirmDialog";
 import { DrawingPicture } from "../shared/DrawingPicture";
 import css from "./work.module.css";
 
-export function WorkTable({ groups }: { groups: readonly RowGroup[] }) {
+interface TableProps {
+  readonly groups: readonly RowGroup[];
+  readonly order: WorkOrder;
+}
+
+export function WorkTable({ groups, order }: TableProps) {
   const [unfolded, setUnfolded] = useState<ReadonlySet<string>>(new Set());
   const [asked, setAsked] = useState<OrderRow | null>(null);
   const toggle = (file: string) =>
@@ -31,12 +37,9 @@ export function WorkTable({ groups }: { groups: readonly RowGroup[] }) {
       <Table verticalSpacing={6} horizontalSpacing={8} className={css.table ?? ""} highlightOnHover>
         <Table.Thead>
           <Table.Tr>
-            <Table.Th colSpan={2}>{translate("workTable.drawing")}</Table.Th>
-            <Table.Th className={css.wide ?? ""}>{translate("workTable.customer")}</Table.Th>
-            <Table.Th className={css.wide ?? ""}>{translate("workTable.due")}</Table.Th>
-            <Table.Th className={css.widest ?? ""}>{translate("workTable.board")}</Table.Th>
-            <Table.Th className={css.widest ?? ""}>{translate("workTable.machine")}</Table.Th>
-            <Table.Th className={css.state ?? ""}>{translate("workTable.state")}</Table.Th>
+            {COLUMNS.map((column) => (
+              <ColumnHead key={column.column} {...column} order={order} />
+            ))}
             <Table.Th>{translate("workTable.nextAction")}</Table.Th>
             <Table.Th className={css.state ?? ""}>
               <VisuallyHidden>{translate("workTable.delete")}</VisuallyHidden>
@@ -86,6 +89,43 @@ export function WorkTable({ groups }: { groups: readonly RowGroup[] }) {
   );
 }
 
+interface Column {
+  readonly column: WorkColumn;
+  readonly title: string;
+  /** Class of the widths at which it is shown. */
+  readonly shown?: string | undefined;
+  readonly span?: number;
+}
+
+const COLUMNS: readonly Column[] = [
+  { column: "name", title: translate("workTable.drawing"), span: 2 },
+  { column: "customer", title: translate("workTable.customer"), shown: css.wide },
+  { column: "due", title: translate("workTable.due"), shown: css.wide },
+  { column: "board", title: translate("workTable.board"), shown: css.widest },
+  { column: "machine", title: translate("workTable.machine"), shown: css.widest },
+  { column: "time", title: translate("workTable.time"), shown: css.widest },
+  { column: "state", title: translate("workTable.state"), shown: css.state },
+];
+
+/** The title of a column; a click sorts by it. */
+function ColumnHead({ column, title, shown, span, order }: Column & { order: WorkOrder }) {
+  const sorted = ariaSort(order, column);
+  return (
+    <Table.Th colSpan={span} className={shown ?? ""} aria-sort={sorted}>
+      <button
+        type="button"
+        className={css.sort}
+        onClick={() => showWork(nextOrder(order, column))}
+        data-testid={`sort-${column}`}
+      >
+        {title}
+        {sorted === "ascending" && <IconArrowUp size={13} aria-hidden />}
+        {sorted === "descending" && <IconArrowDown size={13} aria-hidden />}
+      </button>
+    </Table.Th>
+  );
+}
+
 interface CopiesProps {
   readonly count: number;
   readonly open: boolean;
@@ -132,6 +172,7 @@ function Row({ row, aside = null, isCopy = false, onDelete }: RowProps) {
   const order = job?.external_id || drawing.external_id;
   const board = job === null ? "" : titleOf(job.board);
   const machine = job === null ? "" : machineTitle(job.machine);
+  const time = job === null || job.seconds === 0 ? "" : formatDuration(job.seconds);
   const size =
     drawing.unit === null
       ? `${formatUnitless(drawing.width)} × ${formatUnitless(drawing.height)}`
@@ -153,7 +194,7 @@ function Row({ row, aside = null, isCopy = false, onDelete }: RowProps) {
             .join(" · ")}
         </span>
         <span className={css.facts} data-narrow>
-          {[customer, dueText, board, machine].filter(Boolean).join(" · ")}
+          {[customer, dueText, board, machine, time].filter(Boolean).join(" · ")}
         </span>
         <span className={css.facts} data-state>
           {job !== null && <StateBadge job={job} size="sm" />}
@@ -166,6 +207,7 @@ function Row({ row, aside = null, isCopy = false, onDelete }: RowProps) {
       </Table.Td>
       <Table.Td className={css.widest ?? ""}>{board}</Table.Td>
       <Table.Td className={css.widest ?? ""}>{machine}</Table.Td>
+      <Table.Td className={css.widest ?? ""}>{time}</Table.Td>
       <Table.Td className={css.state ?? ""}>{job !== null && <StateBadge job={job} />}</Table.Td>
       <Table.Td>
         <Button

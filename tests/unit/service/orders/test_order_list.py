@@ -80,5 +80,36 @@ def test_the_list_is_searched_sorted_and_paged(listed: Listed) -> None:
     assert "next" not in second.links
 
 
+def test_the_list_is_sorted_by_the_newest_job_and_reversed(listed: Listed) -> None:
+    without = listed.upload(48.0, due="2031-01-01T00:00:00Z")
+    table, router = listed.upload(49.0), listed.upload(50.0)
+    order_job(listed.client, table, machine="demo-table")
+    job = order_job(listed.client, router, machine="router-table")["id"]
+    assert listed.ids(sort="machine") == [table, router, without]
+    # A row without a value is the last one in either direction.
+    assert listed.ids(sort="machine", reverse=True) == [router, table, without]
+    assert listed.ids(reverse=True) == [without, table, router]
+    assert listed.ids(sort="board")[-1] == without
+    assert listed.ids(sort="time")[-1] == without
+    listed.client.post(f"/api/v1/jobs/{job}/cancel", json={}).raise_for_status()
+    assert listed.ids(sort="state") == [table, router, without]
+    assert listed.ids(sort="state", reverse=True) == [router, table, without]
+
+
+def test_the_list_is_sorted_by_the_details_of_the_job_where_it_has_its_own(listed: Listed) -> None:
+    first, second = listed.upload(51.0), listed.upload(52.0)
+    details = {"due": "2033-01-01T00:00:00Z", "customer": f"A {listed.customer}"}
+    listed.client.patch(
+        f"/api/v1/drawings/{first}", json={"due": "2032-01-01T00:00:00Z"}
+    ).raise_for_status()
+    listed.client.patch(
+        f"/api/v1/drawings/{second}", json={"due": "2031-01-01T00:00:00Z"}
+    ).raise_for_status()
+    assert listed.ids(sort="due") == [second, first]
+    order_job(listed.client, second, machine="demo-table", **details)
+    assert listed.ids(sort="due") == [first, second]
+    assert listed.ids(sort="customer") == [second, first]
+
+
 def test_an_unknown_order_is_refused(client: httpx.Client) -> None:
     assert client.get("/api/v1/orders", params={"sort": "size"}).status_code == 422
