@@ -23,7 +23,7 @@ def test_program_lines_slider_and_section_are_in_step(page: Page, screenshots: P
     sentence = page.get_by_test_id("verdict-sentence")
     expect(sentence).to_have_text(
         re.compile(
-            r"Cuts your drawing to \S+\smm in [\d.:]+\s\w+; "
+            r"Cuts your drawing to (?:<\s)?[\d.]+\smm in [\d.:]+\s\w+; "
             r"up to [\d.]+\smm overcut at \d+ places, [\d.]+\smm allowed\."
         )
     )

@@ -101,10 +101,57 @@ def test_jobs_are_moved_by_buttons_and_by_dragging(queue: Queue) -> None:
     row(queue, "third.dxf").get_by_test_id("move-up").click()
     expect_order(queue, "first.dxf", "third.dxf", "second.dxf")
     assert who(queue, "third.dxf") == "operator Mia"
-    row(queue, "second.dxf").drag_to(row(queue, "first.dxf"), target_position={"x": 60, "y": 4})
+    drag_with_mouse(grip(queue, "second.dxf"), grip(queue, "first.dxf"))
     expect_order(queue, "second.dxf", "first.dxf", "third.dxf")
     choose(queue, "third.dxf", "Move to the top")
     expect_order(queue, "third.dxf", "second.dxf", "first.dxf")
+
+
+def grip(queue: Queue, name: str) -> Locator:
+    return row(queue, name).get_by_test_id("drag-job")
+
+
+def centre(locator: Locator) -> tuple[float, float]:
+    locator.scroll_into_view_if_needed()
+    box = locator.bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2.0, box["y"] + box["height"] / 2.0
+
+
+def drag_with_mouse(source: Locator, target: Locator) -> None:
+    mouse = source.page.mouse
+    mouse.move(*centre(source))
+    mouse.down()
+    mouse.move(*centre(target), steps=8)
+    mouse.up()
+
+
+def test_jobs_are_moved_with_a_finger_and_with_the_keyboard(queue: Queue) -> None:
+    page = queue.list.page
+    expect_order(queue, "first.dxf", "second.dxf", "third.dxf")
+    (x, y), (to_x, to_y) = centre(grip(queue, "third.dxf")), centre(grip(queue, "first.dxf"))
+    touch = page.context.new_cdp_session(page)
+
+    def send(kind: str, *points: tuple[float, float]) -> None:
+        touch_points = [{"x": x, "y": y} for x, y in points]
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touch_points})
+
+    send("touchStart", (x, y))
+    # Held until the row is lifted; a finger that moves at once would scroll the list.
+    expect(page.locator("[data-dragged=true]")).to_have_count(1)
+    for step in range(1, 9):
+        send("touchMove", (x + (to_x - x) * step / 8.0, y + (to_y - y) * step / 8.0))
+    send("touchEnd")
+    expect_order(queue, "third.dxf", "first.dxf", "second.dxf")
+
+    grip(queue, "third.dxf").focus()
+    page.keyboard.press("Space")
+    expect(page.locator("[data-dragged=true]")).to_have_count(1)
+    for place in (2, 3):
+        page.keyboard.press("ArrowDown")
+        expect(page.get_by_text(f"third.dxf: place {place} of 3")).to_be_attached()
+    page.keyboard.press("Space")
+    expect_order(queue, "first.dxf", "second.dxf", "third.dxf")
 
 
 def test_a_move_in_an_order_that_has_changed_is_refused_and_shown(queue: Queue) -> None:

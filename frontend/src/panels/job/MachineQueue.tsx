@@ -1,4 +1,4 @@
-/** The queue of one machine in the order in which its jobs run; rows are dragged to reorder it. */
+/** The queue of one machine in the order in which its jobs run; rows are dragged by their grips. */
 
 import {
   ActionIcon,
@@ -16,11 +16,10 @@ import {
   IconArrowUp,
   IconCheck,
   IconDots,
-  IconGripVertical,
   IconPlayerPause,
   IconPlayerPlay,
 } from "@tabler/icons-react";
-import { type DragEvent, type ReactNode, useState } from "react";
+import { type ReactNode, useState } from "react";
 import type { Machine, QueueEntry } from "../../api/client";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
@@ -28,7 +27,6 @@ import { changeJob, moveJob, transferJob } from "../../state/actions";
 import { formatDuration } from "../../state/format";
 import { isOnTable, waitsAtMachine } from "../../state/job/jobs";
 import {
-  indexBeside,
   neighboursAt,
   PRIORITIES,
   priorityTitle,
@@ -42,20 +40,13 @@ import { DrawingPicture } from "../shared/DrawingPicture";
 import panels from "../shared/panels.module.css";
 import { Figure, Note } from "../shared/parts";
 import { Section } from "../shared/Section";
+import { Grip, SortableRows, useSortableRow } from "../shared/Sortable";
 import css from "./job.module.css";
 import { StateBadge } from "./StateBadge";
 import { WaitsAtMachine } from "./WaitsAtMachine";
 
-/** The row over which a job is dragged, and whether the job would be below it. */
-interface Target {
-  readonly id: string;
-  readonly below: boolean;
-}
-
 export function MachineQueue({ machine, title }: { machine: string; title: string }) {
   const { data: queue } = useQueue(machine);
-  const [dragged, setDragged] = useState<string | null>(null);
-  const [target, setTarget] = useState<Target | null>(null);
   const reason = useRefusal("POST /api/v1/jobs/{id}/move");
   const entries = queue?.entries ?? [];
   const ids = waitingIds(entries);
@@ -64,19 +55,7 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
     const neighbours = neighboursAt(ids, id, index);
     if (neighbours !== null) void moveJob(id, machine, neighbours);
   };
-  const drop = () => {
-    if (dragged !== null && target !== null) {
-      moveTo(dragged, indexBeside(ids, dragged, target.id, target.below));
-    }
-    setDragged(null);
-    setTarget(null);
-  };
-  const dragOver = (event: DragEvent, id: string) => {
-    if (dragged === null) return;
-    event.preventDefault();
-    const { top, height } = event.currentTarget.getBoundingClientRect();
-    setTarget({ id, below: event.clientY > top + height / 2 });
-  };
+  const nameOf = (id: string) => entries.find(({ job }) => job.id === id)?.job.drawing_name ?? "";
 
   return (
     <Section
@@ -98,58 +77,71 @@ export function MachineQueue({ machine, title }: { machine: string; title: strin
           {translate("machineQueue.noJobWaitsForThis")}
         </Note>
       )}
-      <Flex
-        component="ol"
-        direction="column"
-        gap={4}
-        data-touch
-        data-testid={`queue-of-${machine}`}
+      <SortableRows
+        ids={ids}
+        howTo={translate("machineQueue.howToMove")}
+        nameOf={nameOf}
+        onMove={(from, to) => moveTo(ids[from] ?? "", to)}
       >
-        {entries.map((entry) => {
-          const { job, place } = entry;
-          return (
-            <li
-              key={job.id}
-              draggable={place > 0 && reason === null}
-              className={css.entry}
-              data-place={place}
-              data-hold={job.on_hold}
-              data-dragged={dragged === job.id}
-              data-target={target?.id === job.id ? (target.below ? "below" : "above") : undefined}
-              onDragStart={(event) => {
-                event.dataTransfer.effectAllowed = "move";
-                event.dataTransfer.setData("text/plain", job.id);
-                setDragged(job.id);
-              }}
-              onDragOver={(event) => place > 0 && dragOver(event, job.id)}
-              onDrop={(event) => {
-                event.preventDefault();
-                drop();
-              }}
-              onDragEnd={() => {
-                setDragged(null);
-                setTarget(null);
-              }}
-            >
-              <Row entry={entry} />
-              {place > 0 && reason === null && (
-                <Actions
-                  entry={entry}
-                  last={place === ids.length}
-                  move={(step) => moveTo(job.id, place - 1 + step)}
-                  toTop={() => moveTo(job.id, 0)}
-                />
-              )}
-              {waitsAtMachine(job) && (
-                <Box px={8} pb={8}>
-                  <WaitsAtMachine job={job} />
-                </Box>
-              )}
-            </li>
-          );
-        })}
-      </Flex>
+        <Flex
+          component="ol"
+          direction="column"
+          gap={4}
+          data-touch
+          data-testid={`queue-of-${machine}`}
+        >
+          {entries.map((entry) => (
+            <Entry
+              key={entry.job.id}
+              entry={entry}
+              last={entry.place === ids.length}
+              fixed={entry.place === 0 || reason !== null}
+              moveTo={(index) => moveTo(entry.job.id, index)}
+            />
+          ))}
+        </Flex>
+      </SortableRows>
     </Section>
+  );
+}
+
+interface EntryProps {
+  entry: QueueEntry;
+  last: boolean;
+  /** The job cannot be moved. */
+  fixed: boolean;
+  moveTo: (index: number) => void;
+}
+
+function Entry({ entry, last, fixed, moveTo }: EntryProps) {
+  const { job, place } = entry;
+  const { row, grip } = useSortableRow({ id: job.id, disabled: fixed });
+  return (
+    <li {...row} className={css.entry} data-place={place} data-hold={job.on_hold}>
+      <Flex align="center">
+        {!fixed && (
+          <Grip
+            grip={grip}
+            label={translate("machineQueue.drag", { name: job.drawing_name, place })}
+            testId="drag-job"
+          />
+        )}
+        <Row entry={entry} />
+      </Flex>
+      {!fixed && (
+        <Actions
+          entry={entry}
+          last={last}
+          move={(step) => moveTo(place - 1 + step)}
+          toTop={() => moveTo(0)}
+        />
+      )}
+      {waitsAtMachine(job) && (
+        <Box px={8} pb={8}>
+          <WaitsAtMachine job={job} />
+        </Box>
+      )}
+    </li>
   );
 }
 
@@ -166,7 +158,6 @@ function Row({ entry }: { entry: QueueEntry }) {
     >
       <Text span w={20} ta="center" c="ink.2" fw={650}>
         {place > 0 ? place : "▶"}
-        {place > 0 && <IconGripVertical size={14} className={css.grip} aria-hidden />}
       </Text>
       <DrawingPicture className={css.picture} src={entry.picture} />
       <span className={css.text}>

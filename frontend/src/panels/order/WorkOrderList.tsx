@@ -1,23 +1,7 @@
 /** The tracks of the program as a list in working order: dragged, or moved with buttons and keys. */
 
-import {
-  type Announcements,
-  closestCenter,
-  DndContext,
-  KeyboardSensor,
-  MouseSensor,
-  TouchSensor,
-  useSensor,
-  useSensors,
-} from "@dnd-kit/core";
-import {
-  SortableContext,
-  sortableKeyboardCoordinates,
-  useSortable,
-  verticalListSortingStrategy,
-} from "@dnd-kit/sortable";
 import { ActionIcon, Button, Flex, Group, Stack, Text } from "@mantine/core";
-import { IconArrowDown, IconArrowUp, IconGripVertical, IconRoute } from "@tabler/icons-react";
+import { IconArrowDown, IconArrowUp, IconRoute } from "@tabler/icons-react";
 import { useState } from "react";
 import { translate } from "../../language/translate";
 import { LINE_STYLES } from "../../state/drawing/palette";
@@ -32,6 +16,7 @@ import {
 import { useUiStore } from "../../state/store";
 import panels from "../shared/panels.module.css";
 import { Note } from "../shared/parts";
+import { Grip, SortableRows, useSortableRow } from "../shared/Sortable";
 import { Swatch } from "../shared/Swatch";
 import { WorkPicture } from "./WorkPicture";
 import css from "./workOrder.module.css";
@@ -101,12 +86,6 @@ function Sorted({ items }: { items: readonly WorkItem[] }) {
   const options = useUiStore((ui) => ui.options);
   const set = useUiStore((ui) => ui.set);
   const [refused, setRefused] = useState<BrokenRule | null>(null);
-  const sensors = useSensors(
-    useSensor(MouseSensor, { activationConstraint: { distance: 4 } }),
-    // A finger that moves at once scrolls the list.
-    useSensor(TouchSensor, { activationConstraint: { delay: 180, tolerance: 6 } }),
-    useSensor(KeyboardSensor, { coordinateGetter: sortableKeyboardCoordinates }),
-  );
   const ids = orderOf(items);
   const move = (from: number, to: number) => {
     if (from < 0 || to < 0 || to >= items.length || from === to) return;
@@ -117,31 +96,24 @@ function Sorted({ items }: { items: readonly WorkItem[] }) {
   };
   return (
     <>
-      <DndContext
-        sensors={sensors}
-        collisionDetection={closestCenter}
-        accessibility={{
-          announcements: announcements(items),
-          screenReaderInstructions: { draggable: translate("workOrder.howToMove") },
-        }}
-        onDragEnd={({ active, over }) =>
-          over !== null && move(ids.indexOf(Number(active.id)), ids.indexOf(Number(over.id)))
-        }
+      <SortableRows
+        ids={ids}
+        howTo={translate("workOrder.howToMove")}
+        nameOf={(id) => nameOf(items[ids.indexOf(id)] as WorkItem)}
+        onMove={move}
       >
-        <SortableContext items={ids} strategy={verticalListSortingStrategy}>
-          <ol className={css.list} data-testid="work-items">
-            {items.map((item, place) => (
-              <Row
-                key={item.edge}
-                item={item}
-                place={place}
-                last={place === items.length - 1}
-                move={move}
-              />
-            ))}
-          </ol>
-        </SortableContext>
-      </DndContext>
+        <ol className={css.list} data-testid="work-items">
+          {items.map((item, place) => (
+            <Row
+              key={item.edge}
+              item={item}
+              place={place}
+              last={place === items.length - 1}
+              move={move}
+            />
+          ))}
+        </ol>
+      </SortableRows>
       <div role="status" data-testid="order-refused">
         {refused !== null && (
           <div className={panels.callout} data-tone="amber">
@@ -161,35 +133,17 @@ interface RowProps {
 }
 
 function Row({ item, place, last, move }: RowProps) {
-  const { attributes, listeners, setNodeRef, transform, transition, isDragging } = useSortable({
-    id: item.edge,
-  });
+  const { row, grip } = useSortableRow({ id: item.edge });
   const selectEdges = useUiStore((ui) => ui.selectEdges);
   const selected = useUiStore((ui) => ui.selection.has(item.edge));
   const name = nameOf(item);
   return (
-    <li
-      ref={setNodeRef}
-      className={css.item}
-      data-dragged={isDragging}
-      data-edge={item.edge}
-      style={{
-        transform: transform === null ? undefined : `translateY(${transform.y}px)`,
-        transition,
-      }}
-    >
-      <ActionIcon
-        {...attributes}
-        {...listeners}
-        className={css.grip}
-        variant="subtle"
-        color="gray"
-        size={28}
-        aria-label={translate("workOrder.drag", { name, place: place + 1 })}
-        data-testid="drag-track"
-      >
-        <IconGripVertical size={15} aria-hidden />
-      </ActionIcon>
+    <li {...row} className={css.item} data-edge={item.edge}>
+      <Grip
+        grip={grip}
+        label={translate("workOrder.drag", { name, place: place + 1 })}
+        testId="drag-track"
+      />
       <button
         type="button"
         className={`${panels.pick} ${css.name}`}
@@ -240,26 +194,4 @@ function Row({ item, place, last, move }: RowProps) {
       </ActionIcon>
     </li>
   );
-}
-
-/** What a screen reader says while a track is moved. */
-function announcements(items: readonly WorkItem[]): Announcements {
-  const placeOf = (id: number | string): number =>
-    items.findIndex(({ edge }) => edge === Number(id)) + 1;
-  const atPlace = (id: number | string, over: number | string | undefined): string | undefined => {
-    const item = items[placeOf(id) - 1];
-    return item === undefined || over === undefined
-      ? undefined
-      : translate("workOrder.atPlace", {
-          name: nameOf(item),
-          place: placeOf(over),
-          count: items.length,
-        });
-  };
-  return {
-    onDragStart: ({ active }) => atPlace(active.id, active.id),
-    onDragOver: ({ active, over }) => atPlace(active.id, over?.id),
-    onDragEnd: ({ active, over }) => atPlace(active.id, over?.id),
-    onDragCancel: ({ active }) => atPlace(active.id, active.id),
-  };
 }

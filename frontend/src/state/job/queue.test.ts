@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 import type { QueueEntry } from "../../api/client";
-import { indexBeside, neighboursAt, priorityTitle, startText, waitingIds } from "./queue";
+import { neighboursAt, priorityTitle, startText, waitingIds } from "./queue";
 
 const entry = (change: object, job: object = {}): QueueEntry =>
   ({ place: 1, starts_in: 90, job: { id: "a", on_hold: false, ...job }, ...change }) as QueueEntry;
@@ -17,16 +17,6 @@ describe("a place in the queue", () => {
     ["a", 3, null],
   ])("of %s with %i jobs before it", (id, index, expected) => {
     expect(neighboursAt(ids, id, index)).toEqual(expected);
-  });
-
-  test.each([
-    ["a", "b", false, 0],
-    ["a", "b", true, 1],
-    ["a", "c", true, 2],
-    ["c", "a", false, 0],
-    ["b", "b", true, 1],
-  ])("of %s beside the row of %s", (id, row, below, expected) => {
-    expect(indexBeside(ids, id, row, below)).toBe(expected);
   });
 
   test("belongs to jobs that no machine has taken", () => {

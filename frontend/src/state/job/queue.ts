@@ -31,19 +31,6 @@ export function neighboursAt(ids: readonly string[], id: string, index: number):
   return { previous: others[index - 1] ?? "", next: others[index] ?? "" };
 }
 
-/** Number of other jobs before a place above or below the row of another job. */
-export function indexBeside(
-  ids: readonly string[],
-  id: string,
-  row: string,
-  below: boolean,
-): number {
-  const others = ids.filter((other) => other !== id);
-  const at = others.indexOf(row);
-  // The job's own row is a place, too.
-  return at < 0 ? ids.indexOf(id) : at + Number(below);
-}
-
 /** When a job starts, as a text; empty for the job that occupies the machine. */
 export function startText({ place, starts_in, job }: QueueEntry): string {
   if (place === 0) return "";
