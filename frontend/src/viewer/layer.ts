@@ -129,6 +129,11 @@ void main() {
 }
 `;
 
+/**
+ * Up to this number of segments, each has four vertices of its own instead of one instance: drivers
+ * without a graphics card set up every instance anew, which takes longer than to draw it.
+ */
+const MOST_REPEATED = 20_000;
 /** Up to this number of segments, the lines of a layer always have a width. */
 const FEW = 500;
 const CORNERS = new Float32Array([0, -1, 1, -1, 1, 1, 0, 1]);
@@ -136,7 +141,7 @@ const TRIANGLES = [0, 1, 2, 0, 2, 3];
 
 export class LineLayer {
   readonly objects: readonly [
-    Mesh<InstancedBufferGeometry, RawShaderMaterial>,
+    Mesh<BufferGeometry, RawShaderMaterial>,
     LineSegments<BufferGeometry, RawShaderMaterial>,
   ];
   visible = true;
@@ -170,7 +175,7 @@ export class LineLayer {
         uniforms: this.uniforms,
       });
     this.objects = [
-      new Mesh(emptyGeometry(), material(VERTEX, FRAGMENT)),
+      new Mesh(new BufferGeometry(), material(VERTEX, FRAGMENT)),
       new LineSegments(new BufferGeometry(), material(THIN_VERTEX, THIN_FRAGMENT)),
     ];
     for (const object of this.objects) object.frustumCulled = false;
@@ -199,7 +204,8 @@ export class LineLayer {
     wide.visible = this.count > 0 && !isThin;
     narrow.visible = isThin;
     if (lines === null) return;
-    if (wide.visible && wide.geometry.instanceCount === 0) fillWide(wide.geometry, lines);
+    if (wide.visible && wide.geometry.getAttribute("ends") === undefined)
+      wide.geometry = wideGeometry(lines);
     if (isThin && narrow.geometry.getAttribute("place") === undefined)
       fillThin(narrow.geometry, lines);
   }
@@ -234,35 +240,67 @@ export class LineLayer {
   }
 
   private clear(): void {
-    const [wide, narrow] = this.objects;
-    if (wide.geometry.instanceCount > 0) {
-      wide.geometry.dispose();
-      wide.geometry = emptyGeometry();
-    }
-    if (narrow.geometry.getAttribute("place") !== undefined) {
-      narrow.geometry.dispose();
-      narrow.geometry = new BufferGeometry();
+    for (const object of this.objects) {
+      if (Object.keys(object.geometry.attributes).length === 0) continue;
+      object.geometry.dispose();
+      object.geometry = new BufferGeometry();
     }
   }
 }
 
-function fillWide(geometry: InstancedBufferGeometry, lines: Lines): void {
-  const setAttribute = (
-    name: string,
-    values: Float32Array | Uint8Array,
-    size: number,
-    normalised = false,
-  ) => {
+function wideGeometry(lines: Lines): BufferGeometry {
+  return lines.count <= MOST_REPEATED ? repeatedGeometry(lines) : instancedGeometry(lines);
+}
+
+/** Attributes of a segment: values, numbers a segment, and whether bytes stand for 0 to 1. */
+const attributesOf = ({ ends, colour, along, dash, time }: Lines) =>
+  [
+    ["ends", ends, 4, false],
+    ["colour", colour, 4, true],
+    ["along", along, 1, false],
+    ["dash", Float32Array.from(dash), 1, false],
+    ["time", time, 2, false],
+  ] as const;
+
+function instancedGeometry(lines: Lines): InstancedBufferGeometry {
+  const geometry = new InstancedBufferGeometry();
+  geometry.setAttribute("corner", new BufferAttribute(CORNERS, 2));
+  geometry.setIndex(TRIANGLES);
+  for (const [name, values, size, normalised] of attributesOf(lines)) {
     const attribute = new InstancedBufferAttribute(values, size, normalised);
     attribute.setUsage(DynamicDrawUsage);
     geometry.setAttribute(name, attribute);
-  };
-  setAttribute("ends", lines.ends, 4);
-  setAttribute("colour", lines.colour, 4, true);
-  setAttribute("along", lines.along, 1);
-  setAttribute("dash", Float32Array.from(lines.dash), 1);
-  setAttribute("time", lines.time, 2);
+  }
   geometry.instanceCount = lines.count;
+  return geometry;
+}
+
+function repeatedGeometry(lines: Lines): BufferGeometry {
+  const { count } = lines;
+  const geometry = new BufferGeometry();
+  const corners = new Float32Array(8 * count);
+  const triangles = new Uint32Array(6 * count);
+  for (let at = 0; at < count; at++) {
+    corners.set(CORNERS, 8 * at);
+    for (let one = 0; one < 6; one++) triangles[6 * at + one] = 4 * at + (TRIANGLES[one] as number);
+  }
+  geometry.setAttribute("corner", new BufferAttribute(corners, 2));
+  geometry.setIndex(new BufferAttribute(triangles, 1));
+  for (const [name, values, size, normalised] of attributesOf(lines))
+    geometry.setAttribute(
+      name,
+      new BufferAttribute(repeated(values, size, count), size, normalised),
+    );
+  return geometry;
+}
+
+/** The values of each segment four times in succession. */
+function repeated(values: Float32Array | Uint8Array, size: number, count: number) {
+  const all = values instanceof Uint8Array ? new Uint8Array(4 * size * count) : new Float32Array(4 * size * count);
+  for (let at = 0; at < 4 * count; at++)
+    for (let one = 0; one < size; one++)
+      all[at * size + one] = values[(at >> 2) * size + one] as number;
+  return all;
 }
 
 /** Both ends of a segment are vertices; each needs the colour. */
@@ -278,12 +316,4 @@ function fillThin(geometry: BufferGeometry, { count, ends, colour, time }: Lines
   geometry.setAttribute("time", new BufferAttribute(time, 1));
   // Without an attribute `position`, three.js cannot count the vertices.
   geometry.setDrawRange(0, 2 * count);
-}
-
-function emptyGeometry(): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute("corner", new BufferAttribute(CORNERS, 2));
-  geometry.setIndex(TRIANGLES);
-  geometry.instanceCount = 0;
-  return geometry;
 }

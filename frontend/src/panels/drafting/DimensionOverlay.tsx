@@ -11,6 +11,7 @@ import { useDrafting } from "../../state/drafting/drafting";
 import { measure } from "../../state/drafting/measure";
 import { useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
+import { anchorAt } from "./anchor";
 import css from "./drafting.module.css";
 
 interface Props {
@@ -57,23 +58,23 @@ export function DimensionOverlay({ toScreen, unit }: Props) {
   ];
   return (
     <>
-      <svg className={css.overlay} role="img" aria-label={translate("dimensions.dimensions")}>
-        <g className={css.dimension} data-testid="overall-size">
+      <div className={css.overlay} role="img" aria-label={translate("dimensions.dimensions")}>
+        <div className={css.dimension} data-testid="overall-size">
           {overall !== null && sides(overall, OVERALL)}
-        </g>
-        <g className={css.dimension} data-tone="selected" data-testid="selection-size">
+        </div>
+        <div className={css.dimension} data-tone="selected" data-testid="selection-size">
           {size?.kind === "box" &&
             String(size.box) !== String(overall) &&
             sides(size.box, SELECTED)}
           {size?.kind === "line" && line(size.from, size.to, figure(size.length), SELECTED)}
           {size?.kind === "arc" && line(size.centre, size.at, `R ${figure(size.radius)}`, 0)}
-        </g>
-        <g className={css.dimension} data-tone="kept" data-testid="kept-dimensions">
+        </div>
+        <div className={css.dimension} data-tone="kept" data-testid="kept-dimensions">
           {kept.map(({ from, to }) =>
             line(from, to, measuring ? "" : figure(measure(from, to).distance), 0),
           )}
-        </g>
-      </svg>
+        </div>
+      </div>
       {measuring &&
         kept.map((dimension) => (
           <Removable
@@ -98,7 +99,9 @@ interface LineProps {
 }
 
 /** A line between two points, moved aside, with a tick at each end and its figure. */
-function DimensionLine({ from, to, text, apart }: LineProps) {
+function DimensionLine({ text, apart, ...ends }: LineProps) {
+  const { transform, local } = anchorAt(ends.from);
+  const [from, to] = [local(ends.from), local(ends.to)];
   const length = Math.hypot(to.x - from.x, to.y - from.y);
   if (length < 1) return null;
   const along = { x: (to.x - from.x) / length, y: (to.y - from.y) / length };
@@ -112,7 +115,8 @@ function DimensionLine({ from, to, text, apart }: LineProps) {
   const angle = turned > 90 || turned <= -90 ? turned + 180 : turned;
   const at = middle(a, b);
   return (
-    <>
+    // The parent has the label.
+    <svg className={css.anchored} style={{ transform }} aria-hidden="true">
       {apart > 0 && <path d={`M${from.x} ${from.y}L${a.x} ${a.y}M${to.x} ${to.y}L${b.x} ${b.y}`} />}
       <path d={`M${a.x} ${a.y}L${b.x} ${b.y}${tick(a)}${tick(b)}`} />
       {length >= SHORTEST && text !== "" && (
@@ -125,7 +129,7 @@ function DimensionLine({ from, to, text, apart }: LineProps) {
           {text}
         </text>
       )}
-    </>
+    </svg>
   );
 }
 
