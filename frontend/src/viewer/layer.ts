@@ -296,7 +296,10 @@ function repeatedGeometry(lines: Lines): BufferGeometry {
 
 /** The values of each segment four times in succession. */
 function repeated(values: Float32Array | Uint8Array, size: number, count: number) {
-  const all = values instanceof Uint8Array ? new Uint8Array(4 * size * count) : new Float32Array(4 * size * count);
+  const all =
+    values instanceof Uint8Array
+      ? new Uint8Array(4 * size * count)
+      : new Float32Array(4 * size * count);
   for (let at = 0; at < 4 * count; at++)
     for (let one = 0; one < size; one++)
       all[at * size + one] = values[(at >> 2) * size + one] as number;
