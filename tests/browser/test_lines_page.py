@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 
 import httpx
@@ -79,6 +80,53 @@ def test_edges_are_selected_by_lasso_likeness_and_list(page: Page, screenshots: 
     page.get_by_test_id("select-listed").click()
     expect(selection).to_contain_text("4 edges selected")
     record_view(page, screenshots / "list-of-edges.png")
+
+
+def test_edges_are_selected_by_a_lasso_that_a_finger_draws(page: Page) -> None:
+    page.set_viewport_size({"width": 820, "height": 1180})
+    touch = page.context.new_cdp_session(page)
+    touch.send("Emulation.setTouchEmulationEnabled", {"enabled": True})
+    open_lines(page)
+    selection = page.get_by_test_id("selection")
+
+    def send(kind: str, *points: tuple[float, float]) -> None:
+        touch_points = [{"x": x, "y": y} for x, y in points]
+        touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": touch_points})
+
+    def tap(test_id: str) -> None:
+        box = page.get_by_test_id(test_id).bounding_box()
+        assert box is not None
+        send("touchStart", (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2))
+        send("touchEnd")
+
+    def draw(*corners: tuple[float, float]) -> None:
+        box = page.get_by_test_id("canvas").bounding_box()
+        assert box is not None
+        places = [(box["x"] + x * box["width"], box["y"] + y * box["height"]) for x, y in corners]
+        send("touchStart", places[0])
+        for (x, y), (to_x, to_y) in pairwise(places):
+            for step in range(1, 7):
+                send("touchMove", (x + (to_x - x) * step / 6, y + (to_y - y) * step / 6))
+        send("touchEnd")
+
+    tap("tool-lasso")
+    expect(page.get_by_test_id("area-bar")).to_be_visible()
+    # The two lines at the left of three, then none.
+    draw((0.1, 0.1), (0.6, 0.1), (0.6, 0.9), (0.1, 0.9), (0.1, 0.12))
+    expect(selection).to_contain_text("2 edges selected")
+    # The page has not scrolled under the finger, and a second finger moves the view instead.
+    assert page.evaluate("document.scrollingElement.scrollTop") == 0
+    box = page.get_by_test_id("canvas").bounding_box()
+    assert box is not None
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    bar = page.get_by_test_id("scale-bar").inner_text()
+    send("touchStart", (x - 20, y))
+    send("touchStart", (x - 20, y), (x + 20, y))
+    for step in range(1, 9):
+        send("touchMove", (x - 20 - 15 * step, y), (x + 20 + 15 * step, y))
+    send("touchEnd")
+    expect(selection).to_contain_text("2 edges selected")
+    expect(page.get_by_test_id("scale-bar")).not_to_have_text(bar)
 
 
 def test_a_kept_dimension_stays_and_is_removed(page: Page) -> None:
