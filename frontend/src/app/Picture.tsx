@@ -13,6 +13,7 @@ import { PathLegend } from "../panels/drawing/PathLegend";
 import { Scrubber } from "../panels/drawing/Scrubber";
 import { SelectionBar } from "../panels/drawing/SelectionBar";
 import { ViewBar } from "../panels/drawing/ViewBar";
+import { useMarkPoints } from "../panels/order/useMarkPoints";
 import type { PictureCommands } from "../state/commands/picture";
 import { isAreaKind, useDrafting } from "../state/drafting/drafting";
 import { bridgeNear, useBridgePicking } from "../state/order/bridges";
@@ -53,10 +54,11 @@ export function Picture({ onReady }: Props) {
   /** Called whenever the view changes. */
   const viewListeners = useRef(new Set<() => void>());
   const picked = usePickedPoints(scale);
+  const marks = useMarkPoints(scale);
   // The canvas keeps the events of the first rendering.
-  const points = useRef(picked);
+  const points = useRef({ ...picked, ...marks });
   useEffect(() => {
-    points.current = picked;
+    points.current = { ...picked, ...marks };
   });
   const [area, setArea] = useState<readonly Point[] | null>(null);
   useEffect(() => {
@@ -75,11 +77,14 @@ export function Picture({ onReady }: Props) {
               .getState()
               .setHover(row === null && moves.length === 0 ? null : { row, moves, ...at }),
           onSelect: (rows, mode, at) => {
-            if (at === null || !points.current.pickPoint(at)) selectAt(rows, mode, at);
+            if (at !== null && (points.current.pickPoint(at) || points.current.pickMark(at)))
+              return;
+            selectAt(rows, mode, at);
           },
           onCursor: (at) => {
             setCursor(at);
             points.current.draftCursor(at);
+            points.current.markCursor(at);
           },
           onView: (scale) => {
             setScale(scale);

@@ -4,6 +4,7 @@ import { useEffect, useReducer } from "react";
 import type { Point } from "../geometry/records";
 import { DimensionOverlay } from "../panels/drafting/DimensionOverlay";
 import { DraftOverlay } from "../panels/drafting/DraftOverlay";
+import { MarkOverlay } from "../panels/order/MarkOverlay";
 import { OrderNumbers } from "../panels/order/OrderNumbers";
 import { useUiStore } from "../state/store";
 import type { Viewer } from "../viewer/viewer";
@@ -26,6 +27,7 @@ export function ViewOverlays({ viewer, listeners, unit }: Props) {
   const step = useUiStore((ui) => ui.step);
   const toScreen = (place: Point): Point => viewer.toScreen(place);
   if (step === "process") return <OrderNumbers toScreen={toScreen} />;
+  if (step === "sheet") return <MarkOverlay toScreen={toScreen} />;
   if (step !== "lines") return null;
   return (
     <>

@@ -3,6 +3,7 @@
 import { useEffect, useMemo, useRef } from "react";
 import { boundsOf } from "../geometry/bounds";
 import type { Edges } from "../geometry/records";
+import { cornersOnDrawing, type Similarity } from "../geometry/similarity";
 import { type Sweep, sweepOf } from "../geometry/sweep";
 import { timeOf, totalSeconds } from "../geometry/timeline";
 import { type TipOffset, tipOffset } from "../geometry/tip";
@@ -130,8 +131,8 @@ function useShownTable(viewer: MaybeViewer): void {
   const open = useUiStore((ui) => ui.drawing);
   const machine = useShownMachine();
   const sheet = useUiStore((ui) => ui.sheet);
-  // By measured marks the table is shown shifted, and not turned.
-  const placement = timeline?.toolpath.similarity?.slice(2) ?? timeline?.toolpath.placement;
+  const placement = timeline?.toolpath.placement;
+  const measured = timeline?.toolpath.similarity;
   useEffect(() => {
     if (machine === undefined || drawing === undefined || open === null) {
       viewer?.showTable(null);
@@ -141,17 +142,18 @@ function useShownTable(viewer: MaybeViewer): void {
     }
     const x = placement?.[0] ?? machine.origin[0] - drawing.bounds[0];
     const y = placement?.[1] ?? machine.origin[1] - drawing.bounds[1];
-    viewer?.showTable([-x, -y, machine.width - x, machine.height - y]);
-    viewer?.showSheet(sheetBox(sheet, { x: machine.origin[0] - x, y: machine.origin[1] - y }));
+    // A sheet whose marks have been measured is shown as drawn, and the table turned about it.
+    const lies: Similarity = measured ?? [1, 0, x, y];
+    viewer?.showTable(cornersOnDrawing([0, 0, machine.width, machine.height], lies));
+    const corner = { x: machine.origin[0] - x, y: machine.origin[1] - y };
+    const drawn = { x: drawing.bounds[0], y: drawing.bounds[1] };
+    viewer?.showSheet(sheetBox(sheet, measured == null ? corner : drawn));
     viewer?.showZones(
-      machine.zones.map((zone) => [
-        zone.x - x,
-        zone.y - y,
-        zone.x + zone.width - x,
-        zone.y + zone.height - y,
-      ]),
+      machine.zones.map((zone) =>
+        cornersOnDrawing([zone.x, zone.y, zone.x + zone.width, zone.y + zone.height], lies),
+      ),
     );
-  }, [viewer, machine, drawing, placement, sheet, open]);
+  }, [viewer, machine, drawing, placement, measured, sheet, open]);
 }
 
 function useShownPath(viewer: MaybeViewer, edges: Edges | null, tools: Tools): void {

@@ -37,3 +37,24 @@ test("a drawing without edges has no points", () => {
   const snap = buildSnap({ ends: new Float64Array(), bulge: new Float64Array() });
   expect(snap({ x: 1, y: 2 }, 3)).toEqual({ x: 1, y: 2, kind: "free" });
 });
+
+test("where two lines cross is a point, which is preferred to the middle of a line", () => {
+  const cross = {
+    ends: Float64Array.of(0, 0, 20, 20, 0, 18, 20, 2),
+    bulge: Float64Array.of(0, 0),
+  };
+  const found = buildSnap(cross)({ x: 10.5, y: 10 }, 2);
+  expect([found.kind, found.x, found.y]).toEqual(["crossing", 10, 10]);
+});
+
+test("the order of the kinds decides, and other kinds are no points", () => {
+  // A circle of radius 2, whose ends are as near as its centre.
+  const circle = {
+    ends: Float64Array.of(-2, 0, 2, 0, 2, 0, -2, 0),
+    bulge: Float64Array.of(1, 1),
+  };
+  expect(buildSnap(circle)({ x: 0.5, y: 0 }, 4).kind).toBe("end");
+  const marks = buildSnap(circle, undefined, ["centre", "crossing", "end"]);
+  expect(marks({ x: 0.5, y: 0 }, 4)).toEqual({ x: 0, y: 0, kind: "centre" });
+  expect(buildSnap(circle, undefined, ["crossing"])({ x: 0, y: 2.5 }, 1).kind).toBe("edge");
+});

@@ -2,40 +2,70 @@
 
 import Flatbush from "flatbush";
 import { circleOf, nearestOnArc, pointAt } from "./arc";
+import { crossing, type Line } from "./crossing";
 import { buildPickIndex } from "./pick";
 import type { Point, Segments } from "./records";
 
 /** Kinds of points; one of an earlier kind is preferred. */
-const KINDS: readonly Snapped["kind"][] = ["end", "middle", "centre"];
+const KINDS: readonly Snapped["kind"][] = ["end", "crossing", "middle", "centre"];
+/** Most lines near a place that are compared for crossings. */
+const MOST_LINES = 40;
 
 export interface Snapped extends Point {
   /** What the point is: "edge" for another point of an edge, "free" if no edge is near. */
-  readonly kind: "end" | "middle" | "centre" | "edge" | "free";
+  readonly kind: "end" | "crossing" | "middle" | "centre" | "edge" | "free";
 }
 
 /** The point within `reach` mm of a place; the place itself if there is none. */
 export type Snap = (place: Point, reach: number) => Snapped;
 
-/** Index the ends, middles and centres of the rows for which `accepts` is true. */
+/**
+ * Index the points of the rows for which `accepts` is true.
+ *
+ * `kinds` are the kinds of points that are found; one of an earlier kind is preferred.
+ */
 export function buildSnap(
   segments: Segments,
   accepts: (row: number) => boolean = () => true,
+  kinds: readonly Snapped["kind"][] = KINDS,
 ): Snap {
   const edges = buildPickIndex(segments);
   const points = [...segments.bulge.keys()]
     .filter(accepts)
-    .flatMap((row) => pointsOf(segments, row));
+    .flatMap((row) => pointsOf(segments, row))
+    .filter(({ kind }) => kinds.includes(kind));
   const tree = points.length === 0 ? null : new Flatbush(points.length);
   for (const { x, y } of points) tree?.add(x, y, x, y);
   tree?.finish();
 
+  const crossingsNear = ({ x, y }: Point, reach: number): Snapped[] => {
+    if (!kinds.includes("crossing")) return [];
+    const lines = edges
+      .near(x, y, reach, reach, accepts)
+      .filter((row) => segments.bulge[row] === 0)
+      .slice(0, MOST_LINES)
+      .map((row): Line => {
+        const [x0, y0, x1, y1] = edgeOf(segments, row);
+        return [x0, y0, x1, y1];
+      });
+    return lines.flatMap((line, at) =>
+      lines.slice(at + 1).flatMap((other): Snapped[] => {
+        const point = crossing(line, other);
+        return point === null ? [] : [{ ...point, kind: "crossing" }];
+      }),
+    );
+  };
+
   const nearestPoint = ({ x, y }: Point, reach: number): Snapped | null => {
     let found: Snapped | null = null;
     let least = Number.POSITIVE_INFINITY;
-    for (const at of tree?.search(x - reach, y - reach, x + reach, y + reach) ?? []) {
-      const point = points[at] as Snapped;
+    const indexed = tree?.search(x - reach, y - reach, x + reach, y + reach) ?? [];
+    for (const point of [
+      ...indexed.map((at) => points[at] as Snapped),
+      ...crossingsNear({ x, y }, reach),
+    ]) {
       const distance = Math.hypot(point.x - x, point.y - y);
-      const rank = KINDS.indexOf(point.kind) * reach + distance;
+      const rank = kinds.indexOf(point.kind) * reach + distance;
       if (distance > reach || rank >= least) continue;
       least = rank;
       found = point;

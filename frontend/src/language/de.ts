@@ -982,8 +982,11 @@ export const de = {
   // panels/order/SheetForm.tsx
   "marksForm.marks": "Marken eines gedruckten Bogens",
   "marksForm.note":
-    "Kleine Kreise oder Kreuze in der Zeichnung auswählen. Ihre Mitten werden an der Maschine gemessen, und der Auftrag folgt dem Druck.",
+    "Kleine Kreise, Kreuze oder Linienenden in der Zeichnung anklicken oder auswählen. Ihre Mitten werden an der Maschine gemessen, und der Auftrag folgt dem Druck.",
   "marksForm.take": "Mitten der ausgewählten Linien nehmen",
+  "marksForm.pick": "Marken in der Zeichnung anklicken",
+  "marksForm.finish": "Anklicken beenden",
+  "marksForm.noPoint": "Hier ist kein Linienende, keine Kreismitte und keine Kreuzung.",
   "marksForm.none": "Die Auswahl enthält keinen Kreis und keine Kreuzung.",
   "marksForm.close": "Marken müssen mindestens 20 mm auseinander liegen.",
   "marksForm.one": "Eine zweite Marke fehlt.",

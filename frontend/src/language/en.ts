@@ -938,8 +938,11 @@ export const en = {
   // panels/order/SheetForm.tsx
   "marksForm.marks": "Marks of a printed sheet",
   "marksForm.note":
-    "Select small circles or crosses in the drawing. Their centres are measured at the machine, and the job follows the print.",
+    "Click small circles, crosses or ends of lines in the drawing, or select them. Their centres are measured at the machine, and the job follows the print.",
   "marksForm.take": "Take the centres of the selected lines",
+  "marksForm.pick": "Click marks in the drawing",
+  "marksForm.finish": "Finish clicking",
+  "marksForm.noPoint": "There is no line end, centre of a circle or crossing here.",
   "marksForm.none": "The selection has no circle and no crossing.",
   "marksForm.close": "Marks must be at least 20 mm apart.",
   "marksForm.one": "A second mark is needed.",

@@ -39,19 +39,23 @@ export function gridLines(
   return lines.build();
 }
 
-/** The outline of a box. */
-export function frameLines(box: Box, origin: Point, colour: Rgba): Lines {
+/** The outline of a rectangle, given by its corners. */
+export function frameLines(corners: readonly Point[], origin: Point, colour: Rgba): Lines {
   const lines = new LineBuilder(origin);
-  addFrame(lines, box, colour);
+  addOutline(lines, corners, colour);
   return lines.build();
 }
 
-/** Keep-out zones: the outline of each box, with slanted lines across it. */
-export function zoneLines(boxes: readonly Box[], origin: Point, colour: Rgba): Lines {
+/** Keep-out zones: the outline of each rectangle, with slanted lines across it. */
+export function zoneLines(
+  zones: readonly (readonly Point[])[],
+  origin: Point,
+  colour: Rgba,
+): Lines {
   const lines = new LineBuilder(origin);
-  for (const box of boxes) {
-    addFrame(lines, box, colour);
-    addHatch(lines, box, colour);
+  for (const corners of zones) {
+    addOutline(lines, corners, colour);
+    addHatch(lines, corners, colour);
   }
   return lines.build();
 }
@@ -59,15 +63,30 @@ export function zoneLines(boxes: readonly Box[], origin: Point, colour: Rgba): L
 /** Number of slanted lines across a zone. */
 const HATCHES = 8;
 
-/** Lines at 45° across a box, at equal distances. */
-function addHatch(lines: LineBuilder, [x0, y0, x1, y1]: Box, colour: Rgba) {
-  const span = x1 - x0 + (y1 - y0);
+/** Lines at 45° across a rectangle, at equal distances. */
+function addHatch(lines: LineBuilder, corners: readonly Point[], colour: Rgba) {
+  const [first, second, , last] = corners;
+  if (first === undefined || second === undefined || last === undefined) return;
+  const [width, height] = [distance(first, second), distance(first, last)];
+  const at = (along: number, up: number): readonly [number, number] => [
+    first.x + ((second.x - first.x) * along) / width + ((last.x - first.x) * up) / height,
+    first.y + ((second.y - first.y) * along) / width + ((last.y - first.y) * up) / height,
+  ];
   for (let index = 1; index < HATCHES; index++) {
     // The line x + y = constant, from the lower or right side to the left or upper side.
-    const sum = (span * index) / HATCHES;
-    const low = Math.max(0, sum - (x1 - x0));
-    const high = Math.min(y1 - y0, sum);
-    lines.add(x0 + sum - low, y0 + low, x0 + sum - high, y0 + high, colour);
+    const sum = ((width + height) * index) / HATCHES;
+    const low = Math.max(0, sum - width);
+    const high = Math.min(height, sum);
+    lines.add(...at(sum - low, low), ...at(sum - high, high), colour);
+  }
+}
+
+const distance = (a: Point, b: Point): number => Math.hypot(b.x - a.x, b.y - a.y);
+
+function addOutline(lines: LineBuilder, corners: readonly Point[], colour: Rgba) {
+  for (const [at, { x, y }] of corners.entries()) {
+    const next = corners[(at + 1) % corners.length] as Point;
+    lines.add(x, y, next.x, next.y, colour);
   }
 }
 
@@ -78,11 +97,26 @@ function addFrame(lines: LineBuilder, [x0, y0, x1, y1]: Box, colour: Rgba) {
   lines.add(x0, y1, x0, y0, colour);
 }
 
-/** The X and Y axis at a datum; `arm` in mm. */
-export function datumLines(at: Point, origin: Point, arm: number, x: Rgba, y: Rgba): Lines {
+/** The X and Y axis of a table at its first corner; `arm` in mm. */
+export function datumLines(
+  corners: readonly Point[],
+  origin: Point,
+  arm: number,
+  x: Rgba,
+  y: Rgba,
+): Lines {
   const lines = new LineBuilder(origin);
-  lines.add(at.x, at.y, at.x + arm, at.y, x);
-  lines.add(at.x, at.y, at.x, at.y + arm, y);
+  const [datum, alongX, , alongY] = corners;
+  if (datum === undefined) return lines.build();
+  for (const [end, colour] of [
+    [alongX, x],
+    [alongY, y],
+  ] as const) {
+    if (end === undefined) continue;
+    const share = arm / distance(datum, end);
+    const [dx, dy] = [(end.x - datum.x) * share, (end.y - datum.y) * share];
+    lines.add(datum.x, datum.y, datum.x + dx, datum.y + dy, colour);
+  }
   return lines.build();
 }
 

@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { vCutter } from "../geometry/footprint.fixture";
 import { type Edges, LINE_TYPES, type Toolpath } from "../geometry/records";
+import { cornersOnDrawing } from "../geometry/similarity";
 import { buildTimeline } from "../geometry/timeline";
 import { tipOffset } from "../geometry/tip";
 import { dielineLines, highlightLines, type Palette } from "./dieline";
@@ -171,7 +172,11 @@ describe("furniture", () => {
 });
 
 test("the lines of a keep-out zone lie in its box", () => {
-  const { count, ends } = zoneLines([[10, 20, 50, 30]], ORIGIN, RED);
+  const { count, ends } = zoneLines(
+    [cornersOnDrawing([10, 20, 50, 30], [1, 0, 0, 0])],
+    ORIGIN,
+    RED,
+  );
   expect(count).toBeGreaterThan(4);
   for (let at = 0; at < ends.length; at += 2) {
     const [x = 0, y = 0] = [(ends[at] ?? 0) + ORIGIN.x, (ends[at + 1] ?? 0) + ORIGIN.y];

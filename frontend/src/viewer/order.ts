@@ -1,5 +1,6 @@
 /** Drawing order of the layers: larger is above. */
 export const ORDER = {
+  ground: 0.5,
   grid: 1,
   frame: 2,
   sheet: 2.5,

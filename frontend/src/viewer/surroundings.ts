@@ -2,6 +2,7 @@
 
 import type { WebGLRenderer } from "three";
 import type { Box, Point } from "../geometry/records";
+import { cornersOnDrawing, type Similarity } from "../geometry/similarity";
 import {
   datumLines,
   frameLines,
@@ -12,25 +13,37 @@ import {
 } from "../scene/overlays";
 import type { PlaneCamera } from "./camera";
 import type { ViewerColours } from "./contract";
+import { GroundLayer } from "./ground";
 import { LineLayer } from "./layer";
 import { ORDER } from "./order";
 
 /** Radius of the ring about a corner, and length of the datum axes (pixels). */
 const RING = 9;
 const ARM = 36;
+const AS_DRAWN: Similarity = [1, 0, 0, 0];
+
+const boundsOfPoints = (points: readonly Point[]): Box => {
+  const [xs, ys] = [points.map(({ x }) => x), points.map(({ y }) => y)];
+  return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+};
+
+/** Whether the first side of a rectangle is not parallel to X. */
+const isTurned = ([first, second]: readonly Point[]): boolean => first?.y !== second?.y;
 
 export class Surroundings {
-  /** The table as a box in drawing coordinates. */
-  box: Box | null = null;
+  /** Corners of the table in drawing coordinates; the first is the datum. */
+  table: readonly Point[] | null = null;
   /** A rectangular sheet as a box in drawing coordinates. */
   sheet: Box | null = null;
-  /** Keep-out zones as boxes in drawing coordinates. */
-  zones: readonly Box[] = [];
+  /** Corners of each keep-out zone in drawing coordinates. */
+  zones: readonly (readonly Point[])[] = [];
   /** Corners that have a type of their own. */
   corners: readonly Point[] = [];
   /** The box that a pin marks. */
   pin: Box | null = null;
 
+  /** The table where it is turned against the drawing. */
+  readonly ground: GroundLayer;
   private readonly gridLayer = new LineLayer("thin", ORDER.grid);
   private readonly frameLayer = new LineLayer(1.25, ORDER.frame);
   private readonly sheetLayer = new LineLayer(1.5, ORDER.sheet);
@@ -48,7 +61,14 @@ export class Surroundings {
     this.pinLayer,
   ];
 
-  constructor(private readonly colours: ViewerColours) {}
+  constructor(private readonly colours: ViewerColours) {
+    this.ground = new GroundLayer(colours.table, ORDER.ground);
+  }
+
+  /** Bounding box of the table in drawing coordinates. */
+  get box(): Box | null {
+    return this.table === null ? null : boundsOfPoints(this.table);
+  }
 
   /** Fill the frame with the backdrop and the table: to clear a rectangle is cheaper than to draw it. */
   paintGround(renderer: WebGLRenderer, camera: PlaneCamera): void {
@@ -56,7 +76,8 @@ export class Surroundings {
     renderer.setScissorTest(false);
     renderer.setClearColor(colours.backdrop);
     renderer.clear();
-    if (box === null) return;
+    // A turned table is a mesh.
+    if (box === null || this.ground.mesh.visible) return;
     const low = camera.toScreen({ x: box[0], y: box[1] });
     const high = camera.toScreen({ x: box[2], y: box[3] });
     const left = Math.max(0, low.x);
@@ -73,28 +94,32 @@ export class Surroundings {
 
   /** Rebuild the table after a change of the table or of the origin. */
   updateTable(origin: Point): void {
-    const { box, sheet, zones } = this;
+    const { table, sheet, zones } = this;
     const { zone } = this.colours;
+    this.ground.show(table !== null && isTurned(table) ? table : null, origin);
     this.zoneLayer.show(zones.length === 0 ? null : zoneLines(zones, origin, zone));
-    this.sheetLayer.show(sheet === null ? null : frameLines(sheet, origin, this.colours.sheetEdge));
-    this.frameLayer.show(box === null ? null : frameLines(box, origin, this.colours.tableEdge));
+    this.sheetLayer.show(
+      sheet === null
+        ? null
+        : frameLines(cornersOnDrawing(sheet, AS_DRAWN), origin, this.colours.sheetEdge),
+    );
+    this.frameLayer.show(table === null ? null : frameLines(table, origin, this.colours.tableEdge));
   }
 
   /** Rebuild the layers that have a fixed size on the screen. */
   draw(camera: PlaneCamera, origin: Point): void {
-    const { box, pin, colours } = this;
+    const { table, pin, colours } = this;
     const pixel = 1 / camera.scale;
     const { gridMinor, gridMajor, axisX, axisY } = colours;
     this.gridLayer.show(gridLines(camera.visibleBox(), origin, camera.scale, gridMinor, gridMajor));
-    const datum = box === null ? null : { x: box[0], y: box[1] };
     this.datumLayer.show(
-      datum === null ? null : datumLines(datum, origin, ARM * pixel, axisX, axisY),
+      table === null ? null : datumLines(table, origin, ARM * pixel, axisX, axisY),
     );
     this.cornerLayer.show(ringLines(this.corners, origin, RING * pixel, colours.corner));
     this.pinLayer.show(pin === null ? null : pinLines(pin, origin, pixel, colours.pin));
   }
 
   dispose(): void {
-    for (const layer of this.layers) layer.dispose();
+    for (const layer of [...this.layers, this.ground]) layer.dispose();
   }
 }

@@ -87,7 +87,7 @@ export class Viewer {
     this.dieline = new DielineLayers(colours);
     this.travel = new PathLayers(colours);
     this.head = new HeadMark(colours);
-    for (const { mesh } of this.travel.areas) this.scene.add(mesh);
+    for (const { mesh } of [this.surroundings.ground, ...this.travel.areas]) this.scene.add(mesh);
     for (const { objects } of this.layers) this.scene.add(...objects);
 
     this.watch = new ResizeObserver(() => this.resize());
@@ -167,9 +167,9 @@ export class Viewer {
     this.draw();
   }
 
-  /** Show the table, given as a box in drawing coordinates; null hides it. */
-  showTable(box: Box | null): void {
-    this.surroundings.box = box;
+  /** Show the table, given by its corners in drawing coordinates; null hides it. */
+  showTable(corners: readonly Point[] | null): void {
+    this.surroundings.table = corners;
     this.surroundings.updateTable(this.origin);
     this.draw();
   }
@@ -181,9 +181,9 @@ export class Viewer {
     this.draw();
   }
 
-  /** Show keep-out zones, given as boxes in drawing coordinates. */
-  showZones(boxes: readonly Box[]): void {
-    this.surroundings.zones = boxes;
+  /** Show keep-out zones, given by their corners in drawing coordinates. */
+  showZones(zones: readonly (readonly Point[])[]): void {
+    this.surroundings.zones = zones;
     this.surroundings.updateTable(this.origin);
     this.draw();
   }

@@ -1,19 +1,20 @@
 /** Marks of a printed sheet: centres of circles and crosses that the designer selects. */
 
 import { ActionIcon, Button, Checkbox, Group, Stack, Text } from "@mantine/core";
-import { IconX } from "@tabler/icons-react";
-import { useState } from "react";
+import { IconHandClick, IconX } from "@tabler/icons-react";
+import { useEffect, useState } from "react";
 import type { Registration } from "../../api/client";
 import { formatFixed } from "../../language/numbers";
 import { translate } from "../../language/translate";
-import { distance, LEAST_DISTANCE, marksOf } from "../../state/order/marks";
+import { marksOf, NO_MARKS, stopPicking, useMarkPicking, withMarks } from "../../state/order/marks";
 import { useEdges } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import { Note } from "../shared/parts";
 
-const NO_MARKS: Registration = { marks: [], scale: "fit", limit: 0.5, measured: [] };
-/** Most marks of a sheet. */
-const MOST = 20;
+const CLICK_FAULTS = {
+  none: translate("marksForm.noPoint"),
+  close: translate("marksForm.close"),
+};
 
 export function MarksForm() {
   const { data: edges } = useEdges();
@@ -21,19 +22,20 @@ export function MarksForm() {
   const registration = useUiStore((ui) => ui.registration) ?? NO_MARKS;
   const set = useUiStore((ui) => ui.set);
   const [fault, setFault] = useState<string | null>(null);
+  const { active, fault: clicked } = useMarkPicking();
+  const drawing = useUiStore((ui) => ui.drawing);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: another drawing ends the clicking
+  useEffect(() => stopPicking, [drawing]);
   const { marks } = registration;
   const change = (changed: Registration["marks"]) =>
     set({ registration: changed.length === 0 ? null : { ...registration, marks: changed } });
   const take = () => {
     if (edges === undefined) return;
-    const kept = marks.map(([x, y]) => ({ x, y }));
     const found = marksOf(edges, selection);
-    const far = found.filter((point, at) =>
-      [...kept, ...found.slice(0, at)].every((one) => distance(one, point) >= LEAST_DISTANCE),
-    );
+    const next = withMarks(marks, found);
     if (found.length === 0) setFault(translate("marksForm.none"));
-    else setFault(far.length === found.length ? null : translate("marksForm.close"));
-    change([...kept, ...far].slice(0, MOST).map(({ x, y }) => [x, y]));
+    else setFault(next.close ? translate("marksForm.close") : null);
+    change(next.marks);
   };
   return (
     <Stack gap={6} data-testid="marks-form">
@@ -60,6 +62,16 @@ export function MarksForm() {
         </Group>
       ))}
       <Button
+        variant={active ? "light" : "default"}
+        leftSection={<IconHandClick size={15} aria-hidden />}
+        aria-pressed={active}
+        disabled={edges === undefined}
+        onClick={() => (active ? stopPicking() : useMarkPicking.setState({ active: true }))}
+        data-testid="marks-pick"
+      >
+        {active ? translate("marksForm.finish") : translate("marksForm.pick")}
+      </Button>
+      <Button
         variant="default"
         disabled={selection.size === 0 || edges === undefined}
         onClick={take}
@@ -78,6 +90,7 @@ export function MarksForm() {
           }
         />
       )}
+      {active && clicked !== null && <Note role="alert">{CLICK_FAULTS[clicked]}</Note>}
       {(fault !== null || marks.length === 1) && (
         <Note role="alert">{fault ?? translate("marksForm.one")}</Note>
       )}

@@ -1,6 +1,9 @@
 /** Marks of a printed sheet, from edges of the drawing. */
 
+import { create } from "zustand";
+import type { Registration } from "../../api/client";
 import { circleOf } from "../../geometry/arc";
+import { crossing, type Line } from "../../geometry/crossing";
 import type { Point, Segments } from "../../geometry/records";
 
 /** Least distance of two marks (mm), as the server demands it. */
@@ -9,8 +12,6 @@ export const LEAST_DISTANCE = 20;
 const SAME = 0.05;
 /** Most edges that are compared for crossings. */
 const MOST_LINES = 200;
-
-type Line = readonly [x0: number, y0: number, x1: number, y1: number];
 
 /** Centres of the circles, and crossings of the straight lines, among some edges. */
 export function marksOf({ ends, bulge }: Segments, rows: Iterable<number>): readonly Point[] {
@@ -35,14 +36,40 @@ export function marksOf({ ends, bulge }: Segments, rows: Iterable<number>): read
 
 export const distance = (a: Point, b: Point): number => Math.hypot(a.x - b.x, a.y - b.y);
 
-/** Where two lines cross between their ends; null if they do not. */
-function crossing(line: Line, other: Line): Point | null {
-  const [x0, y0, x1, y1] = line;
-  const [u0, v0, u1, v1] = other;
-  const cross = (x1 - x0) * (v1 - v0) - (y1 - y0) * (u1 - u0);
-  if (Math.abs(cross) < 1e-9) return null;
-  const along = ((u0 - x0) * (v1 - v0) - (v0 - y0) * (u1 - u0)) / cross;
-  const across = ((u0 - x0) * (y1 - y0) - (v0 - y0) * (x1 - x0)) / cross;
-  if (Math.min(along, across) < -1e-9 || Math.max(along, across) > 1 + 1e-9) return null;
-  return { x: x0 + along * (x1 - x0), y: y0 + along * (y1 - y0) };
+export const NO_MARKS: Registration = { marks: [], scale: "fit", limit: 0.5, measured: [] };
+
+/** Most marks of a sheet. */
+const MOST = 20;
+
+export type Marks = Registration["marks"];
+
+/** Marks with further points; `close` if a point was left out because it is too near to another. */
+export function withMarks(
+  marks: Marks,
+  points: readonly Point[],
+): { readonly marks: Marks; readonly close: boolean } {
+  const kept = marks.map(([x, y]) => ({ x, y }));
+  const far: Point[] = [];
+  for (const point of points)
+    if ([...kept, ...far].every((one) => distance(one, point) >= LEAST_DISTANCE)) far.push(point);
+  const all = [...kept, ...far].slice(0, MOST);
+  return { marks: all.map(({ x, y }) => [x, y]), close: far.length < points.length };
 }
+
+interface Picking {
+  /** A click on the canvas is a mark. */
+  readonly active: boolean;
+  /** The point that a click would take; null without a point near the cursor. */
+  readonly cursor: Point | null;
+  /** Why the last click is no mark. */
+  readonly fault: "none" | "close" | null;
+}
+
+export const useMarkPicking = create<Picking>()(() => ({
+  active: false,
+  cursor: null,
+  fault: null,
+}));
+
+export const stopPicking = (): void =>
+  useMarkPicking.setState({ active: false, cursor: null, fault: null });
