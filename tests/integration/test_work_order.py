@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from itertools import pairwise
 from typing import Literal
 
@@ -137,3 +138,68 @@ def test_a_chosen_direction_and_an_order_go_together() -> None:
         made = compiled("demo-table", "fbb-0.4", order, LineType.CREASE, start)
         assert made.verdict.accepted
         assert begun(made, *order) == sorted(begun(made, *order))
+
+
+#: Three blanks in a row with a hole and a crease each, a small blank in the hole of the second one,
+#: and what belongs to each: outline, hole and crease, or the outline alone.
+ROW = dieline(
+    *(
+        part
+        for x in (100, 300, 500)
+        for part in (
+            (LineType.CUT, closed((x, 100), (x + 150, 100), (x + 150, 250), (x, 250))),
+            (LineType.CUT, closed((x + 20, 120), (x + 80, 120), (x + 80, 180), (x + 20, 180))),
+            (LineType.CREASE, edges(((x + 100, 110), (x + 100, 240)))),
+        )
+    ),
+    (LineType.CUT, closed((335, 135), (365, 135), (365, 165), (335, 165))),
+)
+PARTS = ((0, 4, 8), (9, 13, 17), (18, 22, 26), (27,))
+
+
+def row_compiled(order: tuple[int, ...]) -> Compiled:
+    drawn = drawing(ROW.ends, [("CUT", 7, "CONTINUOUS")] * len(ROW), bulge=ROW.bulge)
+    board = load.board("fbb-0.4")
+    options = JobOptions(work_order=order)
+    return pipeline.compile(drawn, ROW, load.machine("demo-table"), board, options=options)
+
+
+def stages(made: Compiled, *rows: int) -> list[int]:
+    """Return the operation of the first track along each edge."""
+    return [bisect_right(made.toolpath.stages, one) for one in begun(made, *rows)]
+
+
+@pytest.mark.parametrize("parts", [(2, 0, 1), (1, 2, 0), (0, 2, 1)])
+def test_blanks_follow_each_other_in_each_layer(parts: tuple[int, ...]) -> None:
+    usual = row_compiled(())
+    assert stages(usual, 8, 27, 4, 0) == [1, 2, 3, 4]
+    layers = [[PARTS[part][place] for part in parts] for place in (2, 1, 0)]
+    order = (*layers[0], 27, *layers[1], *layers[2])
+    made = row_compiled(order)
+    assert made.verdict.accepted
+    assert begun(made, *order) == sorted(begun(made, *order))
+    assert [stages(made, *layer) for layer in layers] == [[1] * 3, [3] * 3, [4] * 3]
+
+    def findings(program: Compiled) -> list[str]:
+        found = pipeline.verify(
+            program.program.text,
+            ROW,
+            program.placement,
+            load.machine("demo-table"),
+            load.board("fbb-0.4"),
+            options=JobOptions(work_order=order),
+        ).findings
+        return [one.message.code for one in found if one.refuses]
+
+    assert findings(made) == []
+    for layer in layers:
+        other = row_compiled(tuple(reversed(layer)))
+        assert set(findings(other)) == {"verify.other-order"}
+
+
+def test_a_blank_in_a_hole_is_cut_before_the_hole() -> None:
+    with pytest.raises(PlanError) as caught:
+        row_compiled((13, 27))
+    assert caught.value.message.arguments["error"].code == "order.enclosed"
+    # The edge of the hole is refused; the blank may come before holes and outlines of the others.
+    assert row_compiled((27, 22, 4, 13, 18)).verdict.accepted

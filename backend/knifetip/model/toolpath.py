@@ -46,6 +46,8 @@ class Toolpath:
     #: what the moves leave out or change as planned, such as the type of a corner
     notes: tuple[Message, ...] = ()
     one_way: bool = False  #: the tracks must be run from their start to their end
+    #: first track of each operation of a sequenced toolpath, in their order; empty if not known
+    stages: tuple[int, ...] = ()
 
     def __post_init__(self) -> None:
         put = object.__setattr__

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -60,6 +61,7 @@ def pack_toolpath(compiled: Compiled, machine: Machine) -> bytes:
             # a, b, x, y of ``geometry.similarity``: from the drawing to the table.
             "similarity": None if compiled.similarity is None else list(compiled.similarity),
             "dialect": compiled.program.dialect,
+            "stages": list(path.stages),
             "stations": [
                 {
                     "number": station.number,
@@ -90,8 +92,9 @@ def unpack_toolpath(block: bytes) -> tuple[Toolpath, Tracks]:
     PlanError
         An older version packed the tool path, without its tracks.
     """
-    columns, _ = unpack_columns(block)
+    columns, metadata = unpack_columns(block)
     if "track" not in columns:
         raise PlanError("rest.old-program")
     path = Toolpath.from_new({name: columns[name] for name in _MOVES}, ())
+    path = replace(path, stages=tuple(metadata.get("stages", ())))
     return path, find_tracks(path, columns["line"])

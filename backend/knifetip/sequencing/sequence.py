@@ -96,8 +96,9 @@ def sequence(
     if chosen is not None:
         check_stages(chosen, work)
     head = Head(machine.station(int(work[0].tool[0])), machine)
-    home, parts, count = head.pose, [], 0
+    home, parts, count, stages = head.pose, [], 0, []
     for toolpath in work:
+        stages.append(count)
         station = machine.station(int(toolpath.tool[0]))
         parts += head.change_station(station)
         moves = _order_tracks(toolpath, station, machine, head.pose, count, chosen)
@@ -113,7 +114,7 @@ def sequence(
     result = _lower_turns(turn_free_blades(joined, machine), machine, outline, safety)
     result = avoid_zones(result, machine)
     check_travel(result, machine)
-    return result
+    return replace(result, stages=tuple(stages))
 
 
 def _order_tracks(

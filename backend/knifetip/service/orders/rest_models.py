@@ -85,6 +85,12 @@ class TrackOut(BaseModel):
 
     number: int = Field(description="Number of the track, from 1, in the order of the program")
     station: int = Field(description="Number of the station")
+    stage: int = Field(
+        description="Number of the operation, from 1: the work of one tool on lines of one type, "
+        "and cuts inside a contour before those around them. A chosen order (`work_order`) cannot "
+        "change the order of the operations. 0 if it is not known: in programs of older versions "
+        "and for the rest of a sheet"
+    )
     first_line: int = Field(description="First program line of the track, from 1")
     last_line: int = Field(description="Last program line of the track")
     edges: list[int] = Field(description="Rows of the edges that it makes, counted from 0")

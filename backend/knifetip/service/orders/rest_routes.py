@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
+
 import numpy as np
 from fastapi import Response
 
@@ -46,6 +48,7 @@ def get_tracks(service: ServiceDep, id: JobId) -> list[TrackOut]:
             TrackOut(
                 number=number + 1,
                 station=int(tracks.station[number]),
+                stage=bisect_right(path.stages, number),
                 first_line=int(tracks.first_line[number]),
                 last_line=int(tracks.last_line[number]),
                 edges=edges[edges >= 0].tolist(),

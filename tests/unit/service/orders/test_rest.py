@@ -63,6 +63,7 @@ def test_the_tracks_have_lines_edges_and_states(
 ) -> None:
     rows = client.get(f"/api/jobs/{interrupted['id']}/tracks").json()
     assert [row["number"] for row in rows] == list(range(1, len(rows) + 1))
+    assert {row["stage"] for row in rows} == {1}
     assert rows[0]["state"] == "begun"
     assert {row["state"] for row in rows[1:]} <= {"uncut"}
     assert sorted(edge for row in rows for edge in row["edges"]) == [0, 1, 2, 3]
