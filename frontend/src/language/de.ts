@@ -1771,12 +1771,26 @@ export const de = {
     "zuerst kommen Rillen, solange der Karton fest liegt, dann V-Nuten, Ritzungen und Perforationen, zuletzt Schnitte.",
   "workOrder.oneToolAfterTheOther":
     "jedes Werkzeug macht seine ganze Arbeit, bevor das nächste genommen wird.",
+  "workOrder.piecesFirst":
+    "Löcher, Schlitze und innere Konturen werden vor Umrissen geschnitten, damit kein Werkzeug auf losem Karton arbeitet.",
   "workOrder.insideFirst":
     "was in einer Kontur liegt, wird geschnitten, solange der Bogen es hält.",
   "workOrder.comesBefore": "„{first}“ kommt vor „{second}“: {why}",
   "workOrder.howToMove":
-    "Leertaste hebt den Zug an, Pfeiltasten verschieben ihn, noch einmal Leertaste setzt ihn ab; Escape bricht ab.",
-  "workOrder.drag": "Zug {place} verschieben: {name}",
+    "Leertaste hebt die Zeile an, Pfeiltasten verschieben sie, noch einmal Leertaste setzt sie ab; Escape bricht ab.",
+  "workOrder.view": "Wie die Reihenfolge aufgelistet ist",
+  "workOrder.byBlanks": "Nach Zuschnitten",
+  "workOrder.inOneList": "In einer Liste",
+  "workOrder.aboutBlanks":
+    "Die Zuschnitte stehen in der Folge, in der sie fertig werden. Ein verschobener Zuschnitt kommt in jedem Arbeitsgang früher oder später; die Arbeitsgänge behalten ihre Reihenfolge.",
+  "workOrder.blank": "Zuschnitt {number}",
+  "workOrder.besideBlanks": "Neben den Zuschnitten",
+  "workOrder.layer": "{type}, Arbeitsgang {place} von {count}",
+  "workOrder.contentsOf": "Inhalt: {name}",
+  "workOrder.tracks": "{n, plural, one {# Zug} other {# Züge}}",
+  "workOrder.tracksInLayers":
+    "{tracks, plural, one {# Zug} other {# Züge}} in {layers, plural, one {# Arbeitsgang} other {# Arbeitsgängen}}",
+  "workOrder.drag": "{name} verschieben, jetzt an Platz {place}",
   "workOrder.moveUp": "Früher: {name}",
   "workOrder.moveDown": "Später: {name}",
   "workOrder.atPlace": "{name}: Platz {place} von {count}",

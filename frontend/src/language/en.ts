@@ -1706,11 +1706,25 @@ export const en = {
   "workOrder.creasesFirst":
     "creases are made first, while the board lies firmly, then V-grooves, half-cuts and perforations, and cuts last.",
   "workOrder.oneToolAfterTheOther": "each tool makes all its work before the next one is taken.",
+  "workOrder.piecesFirst":
+    "holes, slits and inner contours are cut before outlines, so that no tool works on loose board.",
   "workOrder.insideFirst": "what lies inside a contour is cut while the sheet still holds it.",
   "workOrder.comesBefore": "“{first}” comes before “{second}”: {why}",
   "workOrder.howToMove":
-    "Press the space bar to lift the track, the arrow keys to move it, and the space bar again to put it down; Escape cancels.",
-  "workOrder.drag": "Move track {place}: {name}",
+    "Press the space bar to lift the row, the arrow keys to move it, and the space bar again to put it down; Escape cancels.",
+  "workOrder.view": "How the order is listed",
+  "workOrder.byBlanks": "By blanks",
+  "workOrder.inOneList": "In one list",
+  "workOrder.aboutBlanks":
+    "Blanks are listed as they are finished. A blank that is moved comes earlier or later in each operation; the operations keep their order.",
+  "workOrder.blank": "Blank {number}",
+  "workOrder.besideBlanks": "Beside the blanks",
+  "workOrder.layer": "{type}, operation {place} of {count}",
+  "workOrder.contentsOf": "Contents: {name}",
+  "workOrder.tracks": "{n, plural, one {# track} other {# tracks}}",
+  "workOrder.tracksInLayers":
+    "{tracks, plural, one {# track} other {# tracks}} in {layers, plural, one {# operation} other {# operations}}",
+  "workOrder.drag": "Move {name}, now at place {place}",
   "workOrder.moveUp": "Earlier: {name}",
   "workOrder.moveDown": "Later: {name}",
   "workOrder.atPlace": "{name}: place {place} of {count}",

@@ -1,44 +1,25 @@
-/** The tracks of the program as a list in working order: dragged, or moved with buttons and keys. */
+/** The order of the work: tracks of the program by blanks and layers, or in one list. */
 
-import { ActionIcon, Button, Flex, Group, Stack, Text } from "@mantine/core";
-import { IconArrowDown, IconArrowUp, IconRoute } from "@tabler/icons-react";
+import { Button, SegmentedControl, Stack } from "@mantine/core";
+import { IconRoute } from "@tabler/icons-react";
 import { useState } from "react";
 import { translate } from "../../language/translate";
-import { LINE_STYLES } from "../../state/drawing/palette";
-import { useWorkOrder } from "../../state/order/useWorkOrder";
-import {
-  type BrokenRule,
-  brokenRule,
-  movedItem,
-  orderOf,
-  type WorkItem,
-} from "../../state/order/workOrder";
+import { useWorkOrder, type WorkOrder } from "../../state/order/useWorkOrder";
+import { brokenRule, movedItem, orderOf, type WorkItem } from "../../state/order/workOrder";
 import { useUiStore } from "../../state/store";
 import panels from "../shared/panels.module.css";
 import { Note } from "../shared/parts";
-import { Grip, SortableRows, useSortableRow } from "../shared/Sortable";
-import { Swatch } from "../shared/Swatch";
-import { WorkPicture } from "./WorkPicture";
-import css from "./workOrder.module.css";
+import { reasonOf } from "./orderReason";
+import { SortedList } from "./SortedList";
+import { nameOfTrack, trackRow } from "./WorkTrack";
+import { WorkTree } from "./WorkTree";
 
-/** Most tracks in the list. A longer list would be slow and too long to sort by hand. */
+/** Most tracks in one list. A longer list would be slow and too long to sort by hand. */
 const MOST = 400;
+/** Most tracks whose order the server takes. */
+const MOST_ORDERED = 5000;
 
-const nameOf = ({ edge, edges, type }: WorkItem): string =>
-  translate("workOrder.track", { type: LINE_STYLES[type].title, edge, n: edges.length });
-
-const RULES = {
-  types: translate("workOrder.creasesFirst"),
-  tools: translate("workOrder.oneToolAfterTheOther"),
-  enclosed: translate("workOrder.insideFirst"),
-} as const;
-
-const reasonOf = ({ rule, first, second }: BrokenRule): string =>
-  translate("workOrder.comesBefore", {
-    first: nameOf(first),
-    second: nameOf(second),
-    why: RULES[rule],
-  });
+type View = "parts" | "tracks";
 
 export function WorkOrderList() {
   const work = useWorkOrder();
@@ -55,11 +36,7 @@ export function WorkOrderList() {
       <Note>
         {order.length === 0 ? translate("workOrder.shortest") : translate("workOrder.byHand")}
       </Note>
-      {work.items.length > MOST ? (
-        <Note>{translate("workOrder.tooMany", { n: work.items.length, most: MOST })}</Note>
-      ) : (
-        <Sorted items={work.items} />
-      )}
+      <Views work={work} />
       {order.length > 0 && <Shortest />}
     </Stack>
   );
@@ -82,116 +59,63 @@ function Shortest() {
   );
 }
 
-function Sorted({ items }: { items: readonly WorkItem[] }) {
+/** By blanks if there are several; a single one may be listed so, too. */
+function Views({ work: { items, parts } }: { work: WorkOrder }) {
   const options = useUiStore((ui) => ui.options);
   const set = useUiStore((ui) => ui.set);
-  const [refused, setRefused] = useState<BrokenRule | null>(null);
-  const ids = orderOf(items);
+  const [chosen, setChosen] = useState<View | null>(null);
+  const [refused, setRefused] = useState("");
+  const hasParts = parts.length > 0 && parts.length <= MOST && items.length <= MOST_ORDERED;
+  const view: View = hasParts ? (chosen ?? (parts.length > 1 ? "parts" : "tracks")) : "tracks";
+  const onOrder = (ordered: readonly WorkItem[]) => {
+    setRefused("");
+    set({ options: { ...options, work_order: orderOf(ordered) } });
+  };
   const move = (from: number, to: number) => {
-    if (from < 0 || to < 0 || to >= items.length || from === to) return;
     const broken = brokenRule(items, from, to);
-    setRefused(broken);
-    if (broken === null)
-      set({ options: { ...options, work_order: orderOf(movedItem(items, from, to)) } });
+    if (broken === null) onOrder(movedItem(items, from, to));
+    else setRefused(reasonOf(broken, nameOfTrack));
   };
   return (
     <>
-      <SortableRows
-        ids={ids}
-        howTo={translate("workOrder.howToMove")}
-        nameOf={(id) => nameOf(items[ids.indexOf(id)] as WorkItem)}
-        onMove={move}
-      >
-        <ol className={css.list} data-testid="work-items">
-          {items.map((item, place) => (
-            <Row
-              key={item.edge}
-              item={item}
-              place={place}
-              last={place === items.length - 1}
-              move={move}
-            />
-          ))}
-        </ol>
-      </SortableRows>
+      {hasParts && (
+        <SegmentedControl
+          size="xs"
+          fullWidth
+          aria-label={translate("workOrder.view")}
+          data={[
+            { value: "parts", label: translate("workOrder.byBlanks") },
+            { value: "tracks", label: translate("workOrder.inOneList") },
+          ]}
+          value={view}
+          onChange={(value) => setChosen(value as View)}
+          data-testid="work-view"
+        />
+      )}
+      {view === "parts" && (
+        <>
+          <Note>{translate("workOrder.aboutBlanks")}</Note>
+          <WorkTree items={items} parts={parts} onOrder={onOrder} onRefused={setRefused} />
+        </>
+      )}
+      {view === "tracks" && items.length > MOST && (
+        <Note>{translate("workOrder.tooMany", { n: items.length, most: MOST })}</Note>
+      )}
+      {view === "tracks" && items.length <= MOST && (
+        <SortedList
+          kind="track"
+          testId="work-items"
+          onMove={move}
+          rows={items.map((item, place) => trackRow(item, place + 1))}
+        />
+      )}
       <div role="status" data-testid="order-refused">
-        {refused !== null && (
+        {refused !== "" && (
           <div className={panels.callout} data-tone="amber">
-            {reasonOf(refused)}
+            {refused}
           </div>
         )}
       </div>
     </>
-  );
-}
-
-interface RowProps {
-  item: WorkItem;
-  place: number;
-  last: boolean;
-  move: (from: number, to: number) => void;
-}
-
-function Row({ item, place, last, move }: RowProps) {
-  const { row, grip } = useSortableRow({ id: item.edge });
-  const selectEdges = useUiStore((ui) => ui.selectEdges);
-  const selected = useUiStore((ui) => ui.selection.has(item.edge));
-  const name = nameOf(item);
-  return (
-    <li {...row} className={css.item} data-edge={item.edge}>
-      <Grip
-        grip={grip}
-        label={translate("workOrder.drag", { name, place: place + 1 })}
-        testId="drag-track"
-      />
-      <button
-        type="button"
-        className={`${panels.pick} ${css.name}`}
-        aria-pressed={selected}
-        onClick={() => selectEdges(item.edges)}
-      >
-        <Text span w={24} ta="end" c="ink.0" fw={650} className={css.number}>
-          {place + 1}
-        </Text>
-        <WorkPicture edges={item.edges} box={item.box} colour={LINE_STYLES[item.type].colour} />
-        <Flex component="span" direction="column" miw={0} align="flex-start">
-          <Group component="span" gap={6} wrap="nowrap">
-            <Swatch type={item.type} />
-            <Text span fz={13} fw={550} truncate="end">
-              {LINE_STYLES[item.type].title}
-            </Text>
-          </Group>
-          <Text span fz={12} c="ink.3">
-            {translate("workOrder.edgesAndTool", {
-              edge: item.edge,
-              n: item.edges.length,
-              station: item.station,
-            })}
-          </Text>
-        </Flex>
-      </button>
-      <ActionIcon
-        variant="subtle"
-        color="gray"
-        size={28}
-        disabled={place === 0}
-        aria-label={translate("workOrder.moveUp", { name })}
-        onClick={() => move(place, place - 1)}
-        data-testid="track-up"
-      >
-        <IconArrowUp size={15} aria-hidden />
-      </ActionIcon>
-      <ActionIcon
-        variant="subtle"
-        color="gray"
-        size={28}
-        disabled={last}
-        aria-label={translate("workOrder.moveDown", { name })}
-        onClick={() => move(place, place + 1)}
-        data-testid="track-down"
-      >
-        <IconArrowDown size={15} aria-hidden />
-      </ActionIcon>
-    </li>
   );
 }

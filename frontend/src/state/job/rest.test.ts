@@ -20,6 +20,7 @@ import {
 const track = (number: number, station: number, state: Track["state"]): Track => ({
   number,
   station,
+  stage: 1,
   first_line: 10 * number,
   last_line: 10 * number + 5,
   edges: [number],

@@ -2,16 +2,20 @@
 
 import { useQuery } from "@tanstack/react-query";
 import { useMemo } from "react";
+import { layoutService } from "../../api/layouts";
 import { isOutdated } from "../drawing/steps";
 import { hasProgram } from "../job/jobs";
 import { queries, useDrawing, useEdges, useJob } from "../queries";
 import { useUiStore } from "../store";
 import { inChosenOrder, newestProgram, type WorkItem, workItems } from "./workOrder";
+import { hasStages, partNumbers, type WorkPart, workParts } from "./workParts";
 
 export interface WorkOrder {
   /** Offset from the drawing to the sheet (mm). */
   readonly placement: readonly [number, number];
   readonly items: readonly WorkItem[];
+  /** The items by blanks; empty while the blanks or the operations are not known. */
+  readonly parts: readonly WorkPart[];
 }
 
 /** null while there is no program of the drawing as it is now. */
@@ -33,11 +37,25 @@ export function useWorkOrder(): WorkOrder | null {
     () => (wanted && tracks !== undefined && edges !== undefined ? workItems(tracks, edges) : null),
     [wanted, tracks, edges],
   );
-  return useMemo(
+  const divided = made !== null && hasStages(made);
+  const { data: blanks } = useQuery({
+    queryKey: ["blanks", drawing?.id, drawing?.updated],
+    queryFn: ({ signal }) => layoutService.blanks(drawing?.id ?? "", signal),
+    staleTime: Number.POSITIVE_INFINITY,
+    retry: false,
+    enabled: divided,
+  });
+  const numbers = useMemo(
     () =>
-      made === null || toolpath === undefined
-        ? null
-        : { placement: toolpath.placement, items: inChosenOrder(made, order) },
-    [made, toolpath, order],
+      divided && edges !== undefined && blanks !== undefined
+        ? partNumbers(made, edges, blanks)
+        : null,
+    [divided, made, edges, blanks],
   );
+  return useMemo(() => {
+    if (made === null || toolpath === undefined) return null;
+    const items = inChosenOrder(made, order);
+    const parts = numbers === null ? [] : workParts(items, numbers);
+    return { placement: toolpath.placement, items, parts };
+  }, [made, numbers, toolpath, order]);
 }

@@ -30,6 +30,7 @@ const track = (edges: number[], station = 1, end: [number, number] = [0, 0]): Tr
   edges,
   start: [0, 0],
   end,
+  stage: 1,
   state: "uncut",
 });
 

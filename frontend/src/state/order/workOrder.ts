@@ -17,6 +17,8 @@ export interface WorkItem {
   readonly edges: readonly number[];
   readonly type: LineType;
   readonly station: number;
+  /** Number of its operation, from 1; 0 if the program does not have it. */
+  readonly stage: number;
   /** Start on the sheet: the head's axis (mm). */
   readonly start: Point;
   /** The track ends where it starts. */
@@ -26,13 +28,13 @@ export interface WorkItem {
 }
 
 /** Rule of the order that stays whatever the user chooses. */
-export type Rule = "types" | "tools" | "enclosed";
+export type Rule = "types" | "tools" | "enclosed" | "pieces";
 
-export interface BrokenRule {
+export interface BrokenRule<Kind = WorkItem> {
   readonly rule: Rule;
   /** The item that must come first, and the one after it. */
-  readonly first: WorkItem;
-  readonly second: WorkItem;
+  readonly first: Kind;
+  readonly second: Kind;
 }
 
 /** Greatest distance of the ends of a closed track: leads and overruns lie between them (mm). */
@@ -59,6 +61,7 @@ export function workItems(tracks: readonly Track[], edges: Edges): readonly Work
       edges: track.edges,
       type: lineTypeOf(edges.lineType[edge]),
       station: track.station,
+      stage: track.stage,
       start: { x: track.start[0], y: track.start[1] },
       closed: distance(track.start, track.end) < CLOSED,
       box: boundsOf(edges, track.edges) ?? [0, 0, 0, 0],
@@ -85,12 +88,8 @@ export function inChosenOrder(
   );
 }
 
-/** The items after one of them has moved to another position. */
-export function movedItem(
-  items: readonly WorkItem[],
-  from: number,
-  to: number,
-): readonly WorkItem[] {
+/** A list after one of its items has moved to another position. */
+export function movedItem<Kind>(items: readonly Kind[], from: number, to: number): readonly Kind[] {
   const moved = items[from];
   if (moved === undefined) return items;
   const others = items.filter((_, at) => at !== from);
@@ -98,29 +97,41 @@ export function movedItem(
 }
 
 /** The rule that a move would break; null if it breaks none that the page knows. */
-export function brokenRule(
+export const brokenRule = (
   items: readonly WorkItem[],
   from: number,
   to: number,
-): BrokenRule | null {
+): BrokenRule | null => brokenBy(items, from, to, ruleBetween);
+
+/** The rule that a move in a list breaks; `rule` is the one by which an item precedes another. */
+export function brokenBy<Kind>(
+  items: readonly Kind[],
+  from: number,
+  to: number,
+  rule: (first: Kind, second: Kind) => Rule | null,
+): BrokenRule<Kind> | null {
   const moved = items[from];
   if (moved === undefined) return null;
   const passed = from < to ? items.slice(from + 1, to + 1) : items.slice(to, from).reverse();
   for (const other of passed) {
     const [first, second] = from < to ? [moved, other] : [other, moved];
-    const rule = ruleBetween(first, second);
-    if (rule !== null) return { rule, first, second };
+    const broken = rule(first, second);
+    if (broken !== null) return { rule: broken, first, second };
   }
   return null;
 }
 
 /** The rule by which one item must come before another one. */
-function ruleBetween(first: WorkItem, second: WorkItem): Rule | null {
+export function ruleBetween(first: WorkItem, second: WorkItem): Rule | null {
   if (first.type !== second.type) return "types";
   if (first.station !== second.station) return "tools";
-  const encloses = second.closed && isInside(first.box, second.box);
-  return first.type === "cut" && encloses ? "enclosed" : null;
+  if (first.type === "cut" && encloses(second, first)) return "enclosed";
+  return first.stage === second.stage ? null : "pieces";
 }
+
+/** Whether a track goes round another one, by their boxes. */
+export const encloses = (outer: WorkItem, inner: WorkItem): boolean =>
+  outer.closed && isInside(inner.box, outer.box);
 
 const isInside = (inner: Box, outer: Box): boolean =>
   outer[0] < inner[0] && outer[1] < inner[1] && inner[2] < outer[2] && inner[3] < outer[3];
