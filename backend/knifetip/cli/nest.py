@@ -54,6 +54,7 @@ class SheetOptions:
     grain: Annotated[
         str, typer.Option(help="Axis of the grain of the sheet: x or y. Default: none.")
     ] = ""
+    holes: Annotated[bool, typer.Option(help="Place small drawings in holes of large ones.")] = True
 
     def job(self, parts: list[NestingPart], seconds: float, seed: int) -> NestingJob:
         """Return the job that places parts on these sheets.
@@ -77,6 +78,7 @@ class SheetOptions:
             ),
             margins=Margins(**margin),
             gap=self.gap,
+            in_holes=self.holes,
             parts=tuple(parts),
             seconds=seconds,
             seed=seed,
@@ -170,6 +172,7 @@ def _nest(
                 sheets=len(layouts),
                 use=best.use,
                 rectangles=best.columns_use,
+                in_holes=best.in_holes,
             )
         )
     )

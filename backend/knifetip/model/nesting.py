@@ -84,6 +84,10 @@ class NestingJob(Table):
     gap: Annotated[float, Field(ge=0.0, le=1000.0)] = Field(
         default=0.0, description="Least distance between two blanks (mm)"
     )
+    in_holes: bool = Field(
+        default=True,
+        description="Whether copies are placed in holes of larger ones, which are cut after them",
+    )
     parts: tuple[NestingPart, ...] = Field(
         strict=False,  # JSON has lists
         min_length=1,

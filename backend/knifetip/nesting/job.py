@@ -37,7 +37,7 @@ def problem_of(job: NestingJob, parts: Sequence[Part]) -> Problem:
     if min(whole.size) <= 0.0:
         raise PlanError("nesting.no-room", width=job.sheet.width, height=job.sheet.height)
     usable = [board for board in boards if min(board.size) > 0.0]
-    return Problem(parts, [*usable, whole], job.gap, job.seconds, job.seed)
+    return Problem(parts, [*usable, whole], job.gap, job.seconds, job.seed, job.in_holes)
 
 
 def _board(width: float, height: float, job: NestingJob, count: int | None) -> Board:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
@@ -13,6 +13,7 @@ from shapely import Polygon
 from knifetip.geometry import arc
 from knifetip.geometry.chords import chord_counts
 from knifetip.geometry.columns import F64
+from knifetip.layout.blanks import chord_lines
 from knifetip.layout.compose import placement_matrix
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.drawing import extents
@@ -42,6 +43,8 @@ class Part:
     boxes: tuple[tuple[float, Box], ...]  #: permitted turns (°), each with its box
     mirror: bool
     quantity: int
+    #: holes of the blanks in which no edges lie, as drawn (mm)
+    holes: tuple[Polygon, ...] = ()
 
     def box(self, turn: float) -> Box:
         """Return the box at one of the permitted turns (°)."""
@@ -83,7 +86,19 @@ def make_part(
     for turn in turns:
         box = extents(ends @ placement_matrix(turn, mirror=mirror), bow)
         boxes.append((turn, Box(box[:2], float(box[2] - box[0]), float(box[3] - box[1]))))
-    return Part(area, outline, tuple(boxes), mirror, quantity)
+    holes = tuple(_holes(area, ends, bulge))
+    return Part(area, outline, tuple(boxes), mirror, quantity, holes)
+
+
+def _holes(area: shapely.Geometry, ends: F64, bulge: F64) -> Iterator[Polygon]:
+    """Yield the holes of blanks that no edge crosses, and in which no other blank lies."""
+    lines = chord_lines(ends, bulge)
+    shapely.prepare(lines)
+    for blank in shapely.get_parts(area):
+        for ring in blank.interiors:
+            hole = Polygon(ring)
+            if not shapely.intersects(shapely.buffer(hole, -_BEYOND), lines).any():
+                yield hole
 
 
 def _points(ends: F64, bulge: F64) -> F64:

@@ -20,6 +20,7 @@ class Problem:
     gap: float  #: least distance between two blanks (mm)
     seconds: float  #: time of the search
     seed: int = 0
+    in_holes: bool = True  #: whether parts are placed in holes of others
 
 
 def check_sizes(problem: Problem) -> None:

@@ -5,7 +5,8 @@ a sheet if their strip is not longer than the sheet.  All parts that are left ar
 they do not fit, the copies are sorted by area, and the greatest number of them that fits is found
 by bisection, between what columns of boxes achieve and what the area permits.  Then smaller parts
 are added.  The last sheet is made as short as possible.  Columns of boxes are kept where the engine
-finds nothing better, so that there is a complete arrangement at every time (ADR 150).
+finds nothing better, so that there is a complete arrangement at every time (ADR 150).  Parts in
+holes of others are placed before, and are placed with these (ADR 169).
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from knifetip.nesting.counts import (
     without,
 )
 from knifetip.nesting.fit import LEAST, fit_on_sheet
+from knifetip.nesting.holes import FilledHoles, fill_holes
 from knifetip.nesting.problem import Problem, check_sizes
 
 #: Most sheets of an arrangement.
@@ -47,6 +49,7 @@ class Found:
     use: float  #: share of the board that the blanks cover (%)
     columns_use: float  #: the same of boxes in columns (%)
     seconds: float  #: since the search began
+    in_holes: int  #: number of copies that lie in holes of others
 
 
 def nest(
@@ -71,7 +74,9 @@ def nest(
         A part fits on no sheet, or more than ``MOST_SHEETS`` sheets are needed.
     """
     check_sizes(problem)
-    search = _Search(problem, report, stopped, time.monotonic())
+    begun = time.monotonic()
+    filled = fill_holes(problem, stopped)
+    search = _Search(filled.problem, report, stopped, begun, filled)
     return search.run()
 
 
@@ -81,6 +86,7 @@ class _Search:
     report: Callable[[Found], None]
     stopped: Callable[[], bool]
     begun: float
+    holes: FilledHoles
     best: Found | None = None
     filled: list[FilledSheet] = field(default_factory=list)
 
@@ -163,7 +169,8 @@ class _Search:
         if self.best is None or use > self.best.use + 1e-9:
             columns_use = use if self.best is None else self.best.columns_use
             seconds = time.monotonic() - self.begun
-            self.best = Found(arrangement, use, columns_use, seconds)
+            in_holes = self.holes.count(arrangement)
+            self.best = Found(self.holes.expand(arrangement), use, columns_use, seconds, in_holes)
             self.report(self.best)
         return True
 

@@ -2039,4 +2039,7 @@ export const de = {
   "layoutEditor.remnantOf": "Rest von {name}",
   "layoutEditor.useUp": "Einen Bogen von {size} aus dem Vorrat nehmen",
   "layoutEditor.fromStock": "Zuerst Bogen aus dem Vorrat verwenden",
+  "layoutEditor.useHoles": "Kleine Zuschnitte in Löcher von großen",
+  "layoutEditor.inHoles":
+    "{n, plural, one {# Exemplar liegt} other {# Exemplare liegen}} in Löchern.",
 } as const satisfies Translation;

@@ -1967,4 +1967,6 @@ export const en = {
   "layoutEditor.remnantOf": "Remnant of {name}",
   "layoutEditor.useUp": "Take one sheet of {size} out of the stock",
   "layoutEditor.fromStock": "Use sheets of the stock first",
+  "layoutEditor.useHoles": "Small blanks in holes of large ones",
+  "layoutEditor.inHoles": "{n, plural, one {# copy lies} other {# copies lie}} in holes.",
 } as const;

@@ -29,11 +29,12 @@ MESSAGES: Final[Entries] = {
     ),
     "nesting.result": entry(
         "{file}: sheets: {sheets}; use of the board {use:.4g} %, with rectangles "
-        "{rectangles:.4g} %",
+        "{rectangles:.4g} %; in holes: {in_holes}",
         file="text",
         sheets="count",
         use="number",
         rectangles="number",
+        in_holes="count",
     ),
     "nesting.sheet-size": entry(
         "“{text}” is not the size of a sheet",

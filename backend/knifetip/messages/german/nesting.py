@@ -27,7 +27,7 @@ TEXTS: Final[Texts] = {
     ),
     "nesting.result": Text(
         "{file}: Bogen: {sheets}; Nutzung des Materials {use:.4g} %, mit Rechtecken "
-        "{rectangles:.4g} %",
+        "{rectangles:.4g} %; in Löchern: {in_holes}",
     ),
     "nesting.sheet-size": Text(
         "„{text}“ ist keine Größe eines Bogens",

@@ -56,6 +56,7 @@ class NestingOut(BaseModel):
     rectangles_use: float = Field(
         description="The same if the bounding boxes of the drawings were placed in columns (%)"
     )
+    in_holes: int = Field(description="Number of copies that lie in holes of others")
     sheets: list[NestedSheet] = Field(
         description="All sheets of the best arrangement; empty if there is none yet"
     )

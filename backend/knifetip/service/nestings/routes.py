@@ -91,6 +91,7 @@ def _nesting_out(row: Nesting) -> NestingOut:
     found = row.result or {"seconds": 0.0, "use": 0.0, "rectangles_use": 0.0, "sheets": []}
     return NestingOut.model_validate(
         {
+            "in_holes": 0,  # in results of older versions
             **found,
             "id": row.id,
             "created": rfc3339(row.created),

@@ -146,6 +146,7 @@ def result_json(
         "seconds": round(found.seconds, 3),
         "use": round(found.use, 2),
         "rectangles_use": round(found.columns_use, 2),
+        "in_holes": found.in_holes,
         "sheets": [
             {
                 **layout.model_dump(mode="json"),

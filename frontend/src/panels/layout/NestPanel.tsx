@@ -44,6 +44,7 @@ export function NestPanel({ draft, nameOf, onFound }: Props) {
   const [fault, setFault] = useState("");
   const [last, setLast] = useState<Nesting | null>(null);
   const [fromStock, setFromStock] = useState(false);
+  const [inHoles, setInHoles] = useState(true);
   const { data: stock } = useStock(board);
   // Sheets with another grain would turn the blanks against it.
   const usable = (stock ?? []).filter((one) => (one.grain ?? null) === grain);
@@ -82,7 +83,7 @@ export function NestPanel({ draft, nameOf, onFound }: Props) {
       }));
       const margins = { left: margin, right: margin, below: margin, above: margin };
       const begun = await layoutService.beginNesting({
-        ...{ sheet: draft.sheet, margins, gap, parts, seconds },
+        ...{ sheet: draft.sheet, margins, gap, parts, seconds, in_holes: inHoles },
         left_overs: fromStock ? usable.map(leftOver) : [],
       } as Parameters<typeof layoutService.beginNesting>[0]);
       setLast(begun);
@@ -115,6 +116,13 @@ export function NestPanel({ draft, nameOf, onFound }: Props) {
           data-testid="nest-from-stock"
         />
       )}
+      <Switch
+        size="xs"
+        label={translate("layoutEditor.useHoles")}
+        checked={inHoles}
+        onChange={(event) => setInHoles(event.currentTarget.checked)}
+        data-testid="nest-in-holes"
+      />
       <NumberInput
         hideControls
         label={translate("layoutEditor.timeS")}
@@ -148,6 +156,9 @@ export function NestPanel({ draft, nameOf, onFound }: Props) {
               rectangles: formatNumber(last.rectangles_use, { maximumFractionDigits: 1 }),
               sheets: last.sheets.length,
             })
+          : ""}
+        {last !== null && last.in_holes > 0
+          ? ` ${translate("layoutEditor.inHoles", { n: last.in_holes })}`
           : ""}
       </p>
       {fault !== "" && (

@@ -102,10 +102,10 @@ export function SheetCanvas(props: Props) {
             data-testid="sheet-copy"
           >
             <rect className={css.box} width={copy.shape.width} height={copy.shape.height} />
-            {copy.shape.outlines.map((ring, number) => (
-              // biome-ignore lint/suspicious/noArrayIndexKey: the outlines of a drawing do not change
-              <path key={number} d={pathOf(ring)} />
-            ))}
+            <path
+              d={[...copy.shape.outlines, ...copy.shape.holes].map(pathOf).join("")}
+              fillRule="evenodd"
+            />
           </g>
         ))}
       </g>

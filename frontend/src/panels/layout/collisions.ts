@@ -2,7 +2,8 @@
  * Copies on a sheet that overlap or extend over its edge.
  *
  * This shows faults while a copy is moved; the server decides when the layout is stored. Outlines
- * overlap if their lines cross, or if one lies within the other. Lines that touch do not cross.
+ * overlap if their lines cross, or if one lies within the other, but not in one of its holes. Lines
+ * that touch do not cross.
  */
 
 import type { Box } from "../../geometry/records";
@@ -42,14 +43,36 @@ const low = (box: Box | undefined): number => box?.[0] ?? 0;
 export function overlap(one: Copy, other: Copy): boolean {
   const x = other.x - one.x;
   const y = other.y - one.y;
-  return one.shape.outlines.some((ring) =>
-    other.shape.outlines.some((next) => ringsOverlap(ring, next, x, y)),
-  );
+  const moved = (ring: Ring): Ring => ring.map((value, at) => value + (at % 2 === 0 ? x : y));
+  const holes = other.shape.holes.map(moved);
+  return other.shape.outlines
+    .map(moved)
+    .some((next) =>
+      one.shape.outlines.some(
+        (ring) =>
+          ringsOverlap(ring, next) &&
+          !liesInHole(next, one.shape.holes) &&
+          !liesInHole(ring, holes),
+      ),
+    );
 }
 
-/** Whether a ring overlaps another one, which is moved by (x, y). */
-function ringsOverlap(ring: Ring, next: Ring, x: number, y: number): boolean {
-  const moved = next.map((value, at) => value + (at % 2 === 0 ? x : y));
+const liesInHole = (ring: Ring, holes: readonly Ring[]): boolean =>
+  holes.some(
+    (hole) => isNoLarger(ring, hole) && !ringsCross(ring, hole) && somePointWithin(ring, hole),
+  );
+
+/** Whether a ring extends over the box of another one nowhere. */
+const isNoLarger = (ring: Ring, other: Ring): boolean =>
+  [0, 1].every((axis) => {
+    const [own, around] = [ring, other].map((one) => one.filter((_, index) => index % 2 === axis));
+    return (
+      Math.min(...(own ?? [])) > Math.min(...(around ?? [])) - DEPTH &&
+      Math.max(...(own ?? [])) < Math.max(...(around ?? [])) + DEPTH
+    );
+  });
+
+function ringsOverlap(ring: Ring, moved: Ring): boolean {
   if (ringsCross(ring, moved)) return true;
   return somePointWithin(ring, moved) || somePointWithin(moved, ring);
 }

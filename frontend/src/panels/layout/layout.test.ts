@@ -31,6 +31,7 @@ const L: DrawingShape = {
     bulge: new Float64Array(6),
   },
   outlines: [CORNERS],
+  holes: [],
   area: 2800,
 };
 const placed = (x: number, y: number, fields: Partial<Placed> = {}): Placed => ({
@@ -75,12 +76,34 @@ test("copies that touch do not collide, and those that cross or lie within each 
 
 test("a small shape within a large one collides", () => {
   const square = (size: number) => [0, 0, size, 0, size, size, 0, size];
-  const shape = (size: number) => ({ width: size, height: size, outlines: [square(size)] });
+  const shape = (size: number) => ({
+    width: size,
+    height: size,
+    outlines: [square(size)],
+    holes: [],
+  });
   const inner: Copy = { placed: 0, x: 20, y: 20, shape: shape(5) };
   const outer: Copy = { placed: 1, x: 0, y: 0, shape: shape(50) };
   expect(overlap(inner, outer)).toBe(true);
   expect(overlap(outer, inner)).toBe(true);
   expect(overlap({ ...inner, x: 60 }, outer)).toBe(false);
+});
+
+test("a small shape in a hole of a large one does not collide", () => {
+  const square = (low: number, high: number) => [low, low, high, low, high, high, low, high];
+  const inner = { width: 5, height: 5, outlines: [square(0, 5)], holes: [] };
+  const frame = { width: 50, height: 50, outlines: [square(0, 50)], holes: [square(10, 40)] };
+  const collide = (x: number, y: number): boolean =>
+    overlap({ placed: 0, x, y, shape: inner }, { placed: 1, x: 0, y: 0, shape: frame });
+  expect([collide(20, 20), collide(10, 35)]).toEqual([false, false]);
+  const filling = { ...inner, outlines: [square(0, 30)] };
+  const hosting = { placed: 1, x: 0, y: 0, shape: frame };
+  expect(overlap({ placed: 0, x: 10, y: 10, shape: filling }, hosting)).toBe(false);
+  expect([collide(8, 20), collide(2, 2), collide(36, 20)]).toEqual([true, true, true]);
+  // What is larger than the hole lies on board, also where it touches the hole.
+  const larger = { ...inner, outlines: [square(0, 35)] };
+  expect(overlap({ placed: 0, x: 5, y: 10, shape: larger }, hosting)).toBe(true);
+  expect(overlap({ placed: 0, x: 10, y: 10, shape: larger }, hosting)).toBe(true);
 });
 
 test("copies that extend over the edge of the sheet collide", () => {

@@ -14,6 +14,8 @@ export interface DrawingShape {
   readonly edges: Segments;
   /** Outlines of the blanks. */
   readonly outlines: readonly Ring[];
+  /** Holes of the blanks. */
+  readonly holes: readonly Ring[];
   /** Board of the blanks (mm²). */
   readonly area: number;
 }
@@ -23,6 +25,7 @@ export interface TurnedShape {
   readonly width: number;
   readonly height: number;
   readonly outlines: readonly Ring[];
+  readonly holes: readonly Ring[];
 }
 
 /** One copy of a drawing on the sheet. */
@@ -67,11 +70,14 @@ export function turnShape(drawing: DrawingShape, pose: Pose): TurnedShape {
     ends: turnPoints(drawing.edges.ends, pose),
     bulge,
   }) ?? [0, 0, 0, 0];
-  const outlines = drawing.outlines.map((ring) => {
-    const points = turnPoints(ring, pose);
-    return Array.from(points, (value, at) => value - (at % 2 === 0 ? left : below));
-  });
-  return { width: right - left, height: above - below, outlines };
+  const moved = (ring: Ring): Ring =>
+    Array.from(turnPoints(ring, pose), (value, at) => value - (at % 2 === 0 ? left : below));
+  return {
+    width: right - left,
+    height: above - below,
+    outlines: drawing.outlines.map(moved),
+    holes: drawing.holes.map(moved),
+  };
 }
 
 /** All copies of the placed drawings, row by row; drawings whose shape is not known have none. */

@@ -25,7 +25,8 @@ async function fetchShape(id: string, signal: AbortSignal): Promise<DrawingShape
     layoutService.blanks(id, signal),
   ]);
   const outlines = blanks.map(({ outline }) => outline.flat());
-  return { name: drawing.name, edges: madeEdges(edges), outlines, area };
+  const holes = blanks.flatMap((blank) => blank.holes.map((hole) => hole.flat()));
+  return { name: drawing.name, edges: madeEdges(edges), outlines, holes, area };
 }
 
 export interface Shapes {

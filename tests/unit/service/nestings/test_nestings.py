@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from itertools import pairwise
 from typing import Any
 
 import httpx
@@ -13,6 +14,7 @@ from knifetip.errors import NotFound
 from knifetip.service.nestings.store import LEASE, NestingState, NestingStore
 from knifetip.service.store import Store
 from tests.support.serving.server import order_job, square, upload_drawing, wait_for_state
+from tests.support.writers import dxf_text as text
 
 pytestmark = pytest.mark.xdist_group("server")
 
@@ -58,6 +60,30 @@ def test_the_sheets_of_a_nesting_become_layouts_that_are_ordered(
         assert (stored["overlaps"], stored["off_sheet"]) == ([], [])
         assert stored["use"] == pytest.approx(use, abs=0.01)
     wait_for_state(client, order_job(client, stored["id"])["id"], "ready")
+
+
+def test_blanks_in_holes_are_counted_and_cut_before_the_hole(client: httpx.Client) -> None:
+    outline = text.rectangle(200, 150, (8, "CUT"))
+    corners = [(20, 20), (180, 20), (180, 130), (20, 130), (20, 20)]
+    hole = "".join(text.line(*a, *b, (8, "CUT")) for a, b in pairwise(corners))
+    frame = upload_drawing(client, text.dxf(outline, hole, units=4))["id"]
+    small = upload_drawing(client, text.dxf(text.rectangle(40, 30, (8, "CUT")), units=4))["id"]
+    parts = [{"drawing": frame, "quantity": 1}, {"drawing": small, "quantity": 3}]
+    found = wait(client, begin(client, "", parts=parts).headers["Location"], "done")
+    assert (found["count"], found["in_holes"]) == (4, 3)
+    (sheet,) = found["sheets"]
+    del sheet["use"]
+    stored = client.post("/api/layouts", json={"name": "frame", **sheet}).json()
+    assert (stored["overlaps"], stored["off_sheet"]) == ([], [])
+    job = wait_for_state(client, order_job(client, stored["id"])["id"], "ready")
+    tracks = client.get(f"/api/jobs/{job['id']}/tracks").json()
+    # The small blanks, then the hole, then the outline of the frame.
+    assert [len(track["edges"]) for track in tracks] == [4] * 5
+    assert [track["stage"] for track in tracks] == [1, 1, 1, 2, 3]
+    without = wait(
+        client, begin(client, "", parts=parts, in_holes=False).headers["Location"], "done"
+    )
+    assert without["in_holes"] == 0
 
 
 def test_a_stopped_nesting_keeps_its_best_arrangement(client: httpx.Client, drawing: str) -> None:
