@@ -9,7 +9,9 @@ import pytest
 import shapely
 from shapely import Polygon, affinity
 
+from knifetip.geometry.columns import F64
 from knifetip.model.dieline import LineType
+from knifetip.nesting.arrangement import Arrangement, FilledSheet, Place
 from knifetip.nesting.holes import fill_holes
 from knifetip.nesting.inner_fit import lowest_position
 from knifetip.nesting.parts import make_part
@@ -92,6 +94,31 @@ def test_a_part_lies_in_a_hole_only_where_all_turns_of_the_host_permit_it() -> N
     ]
     found = nested(Problem([part(FRAME, HALF), *mirrored], [SHEET], 2.0, 60.0))
     assert found.in_holes == 2
+
+
+@pytest.mark.parametrize("turn", QUARTERS)
+@pytest.mark.parametrize("mirror", [False, True])
+def test_parts_in_a_hole_turn_with_the_host(turn: float, mirror: bool) -> None:
+    hole = shapely.box(20, 60, 180, 140)  # beside the middle
+    shape = Polygon(shapely.box(0, 0, 200, 150).exterior, [hole.exterior])
+    ends = np.concatenate(
+        [np.stack((ring[:-1], ring[1:]), axis=1) for ring in map(_corners, (shape, hole))]
+    )
+    host = make_part(dieline((LineType.CUT, ends)), [shape], QUARTERS, mirror=mirror)
+    parts = [host, part(SMALL, QUARTERS, 4)]
+    filled = fill_holes(Problem(parts, [SHEET], 5.0, 60.0))
+    sheet = FilledSheet(SHEET, (Place(0, turn, 30.0, 40.0),))
+    (expanded,) = filled.expand(Arrangement((sheet,))).sheets
+    shapes = [affinity.scale(shape, -1.0 if mirror else 1.0, origin=(0.0, 0.0)), SMALL]
+    frame, *small = placed_shapes(expanded, shapes)
+    assert frame.bounds[:2] == pytest.approx((30.0, 40.0))
+    assert len(small) == 4
+    inner = Polygon(frame.interiors[0])
+    assert all(inner.buffer(-4.99).contains(one) for one in small)
+
+
+def _corners(polygon: Polygon) -> F64:
+    return np.array(polygon.exterior.coords)
 
 
 def test_a_hole_with_lines_in_it_stays_empty() -> None:
