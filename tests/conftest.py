@@ -23,6 +23,7 @@ from tests.support.serving.postgresql import (
     run_server,
     temporary_database,
 )
+from tests.support.statements import share_compiled_statements
 from tests.support.stored import migrated_store
 
 # Tests do not fail because a machine is busy (`make bench` measures time) or by chance:
@@ -53,6 +54,13 @@ def _english() -> None:
 def _state_folder(tmp_path_factory: pytest.TempPathFactory) -> None:
     """Let gateways, also those in other processes, keep their journals in a temporary folder."""
     os.environ["XDG_STATE_HOME"] = str(tmp_path_factory.mktemp("state"))
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _statements() -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        share_compiled_statements(patch)
+        yield
 
 
 @pytest.fixture(scope="session")
