@@ -109,10 +109,14 @@ test:
 	@# 1 says that tests failed; any other code, that the tests did not run to their end.
 	$(PYTEST) tests $(SELECTED) || { [ $$? -eq 1 ] && $(MAKE) --no-print-directory failed; }
 
-# backend/docs/slowest-tests.md: on what `make test` spends its CPU time; ROOM=tests/browser
-# measures a part of the tests anew.
-slowest: dev page
-	$(PYTEST) $(or $(ROOM),tests) $(SELECTED) -n 1 -p tests.support.cpu_time
+# Prints the tests on which `make test` spends most CPU time, and writes them to
+# backend/docs/slowest-tests.md; ROOM=tests/browser measures a part of the tests anew.
+slowest:
+	@mkdir -p build
+	@$(MAKE) --no-print-directory dev page > build/slowest.log 2>&1 || { cat build/slowest.log; exit 1; }
+	@$(PYTEST) $(or $(ROOM),tests) $(SELECTED) -n 1 -p tests.support.cpu_time >> build/slowest.log 2>&1 \
+	|| { code=$$?; echo "Tests have failed, see build/slowest.log." >&2; [ $$code -eq 1 ]; }
+	@sed -n '/^|/p; /^They/q' backend/docs/slowest-tests.md
 
 test-all:
 	$(MAKE) test SELECTED=
