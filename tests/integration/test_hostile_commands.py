@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.command import Command
+from tests.support.grid import in_turn
 from tests.support.writers import hostile
 
 _MAKE = ("--machine", "demo-table", "--board", "e-flute", "-o", "made.ngc")
@@ -24,7 +25,14 @@ def check_refused(result: tuple[int, str, str], word: str) -> None:
     assert hint
 
 
-@pytest.mark.parametrize("name", hostile.REFUSED)
+# In `make test` the large ones are sent to a server only (test_hostile_uploads.py).
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=() if name in _SMALL else pytest.mark.long)
+        for name in hostile.REFUSED
+    ],
+)
 def test_a_hostile_file_is_not_read(knifetip: Command, tmp_path: Path, name: str) -> None:
     _, word, made = hostile.REFUSED[name]
     file = tmp_path / "drawing"
@@ -32,8 +40,9 @@ def test_a_hostile_file_is_not_read(knifetip: Command, tmp_path: Path, name: str
     check_refused(knifetip("read", file), word)
 
 
-@pytest.mark.parametrize("words", [("classify",), ("clean",), ("program", *_MAKE)])
-@pytest.mark.parametrize("name", _SMALL)
+@pytest.mark.parametrize(
+    ("name", "words"), in_turn(_SMALL, [("classify",), ("clean",), ("program", *_MAKE)])
+)
 def test_no_output_is_written_for_a_hostile_file(
     knifetip: Command,
     monkeypatch: pytest.MonkeyPatch,

@@ -322,25 +322,29 @@ def test_a_program_cannot_reach_files_outside_its_folder(
 
 
 @pytest.mark.parametrize(
-    ("program", "codes"),
+    ("program", "seconds", "codes"),
     [
-        ("{} loop", {"conversion.too-slow"}),
-        ("{ 10000000 string } loop", {"conversion.too-much-memory"}),
+        ("{} loop", 0.7, {"conversion.too-slow"}),
+        ("{ 10000000 string } loop", 3.0, {"conversion.too-much-memory"}),
         (
             "/s 65535 string def { s print } loop",
+            0.7,
             {"conversion.too-large", "conversion.too-slow"},
         ),
         (
             "{ null (w) .tempfile exch pop 1000 { dup 65535 string writestring } repeat closefile }"
             " loop",
+            3.0,
             # A version without this operator reports an error.
             {"conversion.too-large", "conversion.failed-at"},
         ),
-        ("/f { f f } def f", {"conversion.failed-at", "conversion.failed"}),
-        ("{ showpage } loop", {"conversion.too-slow", "conversion.too-large"}),
+        ("/f { f f } def f", 3.0, {"conversion.failed-at", "conversion.failed"}),
+        ("{ showpage } loop", 0.7, {"conversion.too-slow", "conversion.too-large"}),
     ],
 )
-def test_a_hostile_program_is_refused_within_the_limits(program: str, codes: set[str]) -> None:
-    with cpu_limit.limit_cpu(3.0), pytest.raises((NotADrawing, DrawingTooLarge)) as caught:
+def test_a_hostile_program_is_refused_within_the_limits(
+    program: str, seconds: float, codes: set[str]
+) -> None:
+    with cpu_limit.limit_cpu(seconds), pytest.raises((NotADrawing, DrawingTooLarge)) as caught:
         pipeline.read(eps(program))
     assert caught.value.message.code in codes
