@@ -16,7 +16,7 @@ import pytest
 
 from knifetip.gateway import held_jogs, station
 from knifetip.gateway.claim import run_gateway
-from knifetip.gateway.controller import SafeState
+from knifetip.gateway.controller import Controller, SafeState
 from knifetip.gateway.grbl import driver
 from knifetip.gateway.hot_folder import HotFolder
 from knifetip.gateway.job_server import GatewaySettings
@@ -94,8 +94,12 @@ async def shop(
     speed: float = 50.0,
     office: StationOffice | None = None,
     prepare: Callable[[Table], None] = lambda _: None,
+    dialled: list[Controller] | None = None,
 ) -> AsyncIterator[tuple[StationOffice, Table]]:
-    """Run a gateway with a simulated table, which is prepared before the gateway connects."""
+    """Run a gateway with a simulated table, which is prepared before the gateway connects.
+
+    ``dialled`` gets each controller to which the gateway connects.
+    """
     monkeypatch.setattr(station, "WATCHED_INTERVAL", 0.02)
     monkeypatch.setattr(station, "_PAUSE", 0.02)
     office = office or StationOffice()
@@ -105,12 +109,19 @@ async def shop(
         asyncio.timeout(120.0),
     ):
         prepare(server.table)
+
+        async def dial(safe: SafeState, stop_motion: bool) -> Controller:
+            controller = await driver.dial(
+                server.address, safe, stop_motion=stop_motion, silence=5.0, poll=0.02
+            )
+            if dialled is not None:
+                dialled.append(controller)
+            return controller
+
         running = asyncio.create_task(
             run_gateway(
                 GatewaySettings("http://office", MACHINE, "table-7", wait=0.1, beat=0.01),
-                lambda safe, stop_motion: driver.dial(
-                    server.address, safe, stop_motion=stop_motion, silence=5.0, poll=0.02
-                ),
+                dial,
                 client=client,
             )
         )
@@ -172,13 +183,18 @@ async def test_after_a_reset_at_the_machine_an_operation_connects_again(
 ) -> None:
     office = StationOffice()
     office.claim_seconds = 60.0
-    async with shop(monkeypatch, office=office) as (_, table):
+    dialled: list[Controller] = []
+    async with shop(monkeypatch, office=office, dialled=dialled) as (_, table):
         await office.report(connected=True, state="idle")
         # As real grblHAL does when the reset button of the machine is pressed.
         table.answer("")
         table.answer(BANNER)
+        # An operation that the gateway gets before it has read this is refused.
+        while dialled[0].fault is None:
+            await asyncio.sleep(0.01)
         assert (await office.result(office.ask(**JOG)))["state"] == "done"
         await office.report(state="idle", position=[120.0, 0.0, 20.0, 0.0])
+        assert len(dialled) == 2
 
 
 async def test_a_late_operation_is_dropped(monkeypatch: pytest.MonkeyPatch) -> None:
