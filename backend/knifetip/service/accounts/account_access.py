@@ -56,6 +56,7 @@ class Accounts:
         self._hashes: Counter[str] = Counter()
         self._closed = False  # never becomes False again: there is always an administrator then
         self._checked = -KEPT
+        self._clears = 0  # number of times that the cache was cleared
 
     def close(self) -> None:
         """Shut the threads down."""
@@ -66,6 +67,7 @@ class Accounts:
         """Clear the cache, because users or keys have changed."""
         self._found.clear()
         self._checked = -KEPT
+        self._clears += 1
 
     async def proof(self, facts: RequestFacts, *, used: bool = True) -> Proof:
         """Return the owner of the credentials of a request, and whether an administrator exists.
@@ -81,8 +83,12 @@ class Accounts:
             return Proof()
         now = time.monotonic()
         if not self._closed and now - self._checked >= KEPT:
-            self._closed = await self._run(self._threads, self.store.users.has_admin)
-            self._checked = now
+            clears = self._clears
+            found = await self._run(self._threads, self.store.users.has_admin)
+            self._closed = self._closed or found
+            # What was read before a change is not kept.
+            if clears == self._clears:
+                self._checked = now
         bearer = bearer_key(facts.authorization)
         if bearer is not None:
             principal = await self._find(
@@ -107,11 +113,13 @@ class Accounts:
         place = credential, used
         found = self._found.get(place)
         if found is None or found[0] <= now:
-            principal = await self._run(self._threads, look_up)
-            self._found.pop(place, None)
-            self._found[place] = found = now + KEPT, principal
-            if len(self._found) > _CREDENTIALS:
-                self._found.popitem(last=False)
+            clears = self._clears
+            found = now + KEPT, await self._run(self._threads, look_up)
+            if clears == self._clears:
+                self._found.pop(place, None)
+                self._found[place] = found
+                if len(self._found) > _CREDENTIALS:
+                    self._found.popitem(last=False)
         return found[1]
 
     def _owner_of_cookie(self, token: str, used: bool = True) -> Principal | None:
