@@ -26,6 +26,7 @@ from knifetip.service.components import Service
 from knifetip.service.processes.pool import ProcessPool
 from knifetip.service.processes.warm_up import WarmUp
 from knifetip.service.settings import Settings
+from tests.support.serving.worker_reuse import ReusingPool
 from tests.support.writers import dxf_text as text
 
 ENDS = {"done", "refused", "interrupted", "scrapped", "cancelled"}
@@ -62,6 +63,7 @@ def run_server(settings: Settings, rules: AccessRules | None = None) -> Iterator
     thread = threading.Thread(target=server.run)
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("knifetip.server.app.WarmUp", _Prepared)
+        patch.setattr("knifetip.server.app.ProcessPool", ReusingPool)
         thread.start()
         while not server.started and thread.is_alive():
             time.sleep(0.02)
