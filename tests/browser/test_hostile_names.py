@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import httpx
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Dialog, Page, expect
 
 from tests.browser.conftest import Running
 from tests.support.hostile_names import HOSTILE_NAMES, acting
@@ -17,6 +17,21 @@ pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.ma
 
 #: Layers may not contain line breaks, which end them in a DXF file.
 LAYERS = [name for name in HOSTILE_NAMES.values() if name.isprintable()]
+
+
+@pytest.fixture
+def page(page: Page) -> Iterator[Page]:
+    """Open the page, and fail if it opens a dialog."""
+    opened: list[str] = []
+
+    def record(dialog: Dialog) -> None:
+        opened.append(dialog.message)
+        dialog.dismiss()
+
+    page.on("dialog", record)
+    yield page
+    page.remove_listener("dialog", record)
+    assert opened == []
 
 
 def test_hostile_names_of_drawings_and_layers_are_text(
@@ -33,7 +48,6 @@ def test_hostile_names_of_drawings_and_layers_are_text(
                 continue
             assert answer.status_code == 201, answer.text
             shown.append((answer.json()["id"], answer.json()["name"]))
-    page.on("dialog", lambda dialog: pytest.fail(f"a dialog opened: {dialog.message}"))
     assert len(shown) > 8
     for id, name in (*shown[:3], *shown[3::2]):
         page.goto(f"{server.url}/#/drawings/{id}")
@@ -76,7 +90,6 @@ def test_hostile_names_in_the_library_are_text(
             ):
                 answer = client.put(f"/api/{path}", json=body)
                 assert answer.status_code == 201, answer.text
-    page.on("dialog", lambda dialog: pytest.fail(f"a dialog opened: {dialog.message}"))
     for width in (1440, 390):
         page.set_viewport_size({"width": width, "height": 900})
         page.goto(f"{server.url}/#/library")
