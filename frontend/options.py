@@ -70,11 +70,18 @@ def _of_edges() -> dict[str, Any]:
         result[name] = {
             "types": kind.types,
             "byType": issubclass(kind, LineTypeChoice),
+            "help": "help" in _schema_of(name),
             "fields": {
                 key: _field_of_edges(properties[key]) for key in _fields_of(kind)
             },
         }
     return result
+
+
+def _schema_of(name: str) -> dict[str, Any]:
+    """Return the schema of an option."""
+    found: dict[str, Any] = JobOptions.model_json_schema()["properties"][name]
+    return found
 
 
 def _kinds_of_edges() -> Iterator[tuple[str, type[EdgeChoice]]]:
@@ -120,6 +127,8 @@ def _texts() -> dict[str, str]:
         found[f"option.{name}.description"] = _icu(properties[name]["description"])
     for name, kind in _kinds_of_edges():
         found[f"edgeOption.{name}"] = _icu(properties[name]["title"])
+        if "help" in properties[name]:
+            found[f"edgeOption.{name}.help"] = _icu(properties[name]["help"])
         own = kind.model_json_schema()["properties"]
         for key in _fields_of(kind):
             found |= _texts_of(f"edgeOption.{name}.{key}", own[key])

@@ -58,6 +58,7 @@ from knifetip.planning.boundary import BoardOutline
 from knifetip.planning.chosen_bridges import ChosenBridge, locate_bridges
 from knifetip.planning.chosen_depths import check_crease_depths, check_depths
 from knifetip.planning.chosen_starts import ChosenStart, apply_starts, place_starts
+from knifetip.planning.chosen_tools import all_cuts_chosen, check_tools
 from knifetip.planning.cutters import with_best_cutter
 from knifetip.planning.nothing_to_make import check_has_work
 from knifetip.planning.placement import placement
@@ -289,6 +290,7 @@ def compile(
     with located_errors(drawing):
         work = chosen_work(options, dieline)
         dieline = with_depths(dieline, work, board.caliper)
+        check_tools(work, dieline, machine)
         check_depths(work, dieline, machine, board)
         check_crease_depths(work, dieline, machine, board)
     checked = clean_checked(dieline)
@@ -309,7 +311,9 @@ def compile(
         with located_errors(drawing):
             return _write_and_verify(job, toolpath, notes, progress)
 
-    compiled, found = with_best_cutter(attempt, machine, load.cutters)
+    compiled, found = with_best_cutter(
+        attempt, machine, load.cutters, fixed=all_cuts_chosen(work, dieline)
+    )
     verdict = compiled.verdict
     findings = (*verdict.findings, *planned_notes(found))
     return replace(compiled, verdict=replace(verdict, findings=findings))

@@ -9,7 +9,7 @@ import httpx
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.steps import choose_board
+from tests.browser.steps import choose_board, go_to
 from tests.support.serving.server import upload_drawing
 from tests.support.writers import dxf_text as text
 
@@ -68,3 +68,44 @@ def test_start_direction_and_passes_are_chosen_and_sent(page: Page, screenshots:
     assert (deep["line_type"], deep["passes"], deep["depth"]) == ("cut", 3, None)
     expect(page.get_by_test_id("changed-contour_starts")).to_contain_text("Direction: Reverse")
     page.screenshot(path=screenshots / "edge-options-2.png")
+
+
+def test_the_tool_of_a_chain_is_chosen_and_sent(page: Page, screenshots: Path) -> None:
+    address = page.url.partition("#")[0]
+    with httpx.Client(base_url=address, timeout=60.0) as client:
+        drawing = upload_drawing(client, text.dxf(text.rectangle(320, 220, (8, "CUT")), units=4))
+        machines = {one["name"]: one for one in client.get("/api/machines").json()}
+    page.goto(f"{address}#/drawings/{drawing['id']}/sheet")
+    expect(page.get_by_test_id("canvas")).to_be_visible()
+    page.get_by_test_id("machine-select").click()
+    page.get_by_role("option", name=machines["demo-table"]["title"]).click()
+    go_to(page, "lines")
+    page.wait_for_timeout(1500)
+    select_left_edge(page)
+    page.get_by_test_id("select-menu").click()
+    page.get_by_test_id("select-connected").click()
+    go_to(page, "process")
+    # One knife is no choice.
+    expect(page.get_by_test_id("edge-option-cut_depths")).to_be_visible()
+    tool = page.get_by_test_id("edge-edge_tools-station")
+    expect(tool).to_be_hidden()
+    go_to(page, "sheet")
+    page.get_by_test_id("machine-select").click()
+    page.get_by_role("option", name=machines["fine-router-table"]["title"]).click()
+    go_to(page, "process")
+    tool.click()
+    expect(page.get_by_role("option")).to_have_text(
+        ["4 Router", "5 Router 3 mm", "6 Router 1.5 mm"]
+    )
+    page.get_by_role("option", name="6 Router 1.5 mm").click()
+    expect(page.get_by_test_id("edge-choices")).to_contain_text("Tool: Station 6")
+    page.screenshot(path=screenshots / "edge-tools.png")
+    choose_board(page, "Greyboard 3")
+    page.get_by_test_id("compile").click()
+    expect(page.get_by_test_id("job-state")).to_have_text("Ready to send", timeout=120_000)
+    expect(page.get_by_test_id("changed-edge_tools")).to_contain_text("4 edges · Tool: Station 6")
+    job_id = page.url.rpartition("/")[2]
+    job = httpx.get(f"{address}api/jobs/{job_id}", timeout=60.0).json()
+    (chosen,) = job["edge_tools"]
+    assert (sorted(chosen["edges"]), chosen["station"]) == ([0, 1, 2, 3], 6)
+    assert b"T6 M6" in httpx.get(f"{address}api/jobs/{job_id}/program", timeout=60.0).content

@@ -80,6 +80,21 @@ class CreaseDepth(LineTypeChoice):
     )
 
 
+class EdgeTool(LineTypeChoice):
+    """The tool that makes some edges."""
+
+    station: int | None = Field(
+        default=None,
+        ge=1,
+        le=255,
+        title="Tool",
+        description="Number of the station of the machine whose tool makes the edges: a tool of "
+        "the same kind as the one that makes this line type otherwise. For combi lines it is the "
+        "crease wheel or the knife. Null for the planner's choice",
+        json_schema_extra={"unit": "station"},
+    )
+
+
 class EdgeFeed(LineTypeChoice):
     """The feed with which some edges are cut."""
 
@@ -164,6 +179,20 @@ class VerifiedOptions(Table):
         title="Depth of creases",
         description="Depths of creases; empty for those of the board. Of several for one edge the "
         "last counts, and one for the edge before one for its line type",
+    )
+    edge_tools: tuple[EdgeTool, ...] = Field(
+        default=(),
+        strict=False,  # JSON has lists
+        max_length=1000,
+        title="Tool of edges",
+        description="Stations whose tools make edges; empty for the planner's choice. Of several "
+        "for one edge the last counts, and one for the edge before one for its line type. A "
+        "cutter or laser that is chosen for one edge of a contour makes the whole contour, and "
+        "creases that continue each other have one wheel",
+        json_schema_extra={
+            "help": "Creases that continue each other need the same wheel. A cutter or laser makes "
+            "the whole contour of an edge."
+        },
     )
     edge_feeds: tuple[EdgeFeed, ...] = Field(
         default=(),

@@ -215,6 +215,14 @@ class Machine(MachineProperties):
                 return held[0 if caliper is None else kind.tool.best_for(tools, caliper)]
         return None
 
+    def stations_like(self, station: Station) -> tuple[Station, ...]:
+        """Return the stations with a tool of the same kind as that of a station, itself included.
+
+        One of them can make what the other one makes.
+        """
+        kind = type(station.tool)
+        return tuple(one for one in self.stations if type(one.tool) is kind)
+
     def for_board(self, board: Board) -> Machine:
         """Return the machine with its tools limited to the feeds and depths of a board.
 

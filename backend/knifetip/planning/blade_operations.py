@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -80,20 +81,33 @@ def plan_blade_cuts(sides: CutSides, dieline: Dieline, rows: I32, setup: Setup) 
     operations = []
     for bounds in (False, True):
         part_rows = np.flatnonzero((side != 0) == bounds)
-        for own, depth, passes in setup.depth_groups(rows[part_rows], setup.through_depth):
-            subset = part_rows[own]
-            if len(subset) == 0:
-                continue
+        for subset, depth, passes, own_setup in _groups(part_rows, rows, setup):
             waste = side[subset] if bounds else None
             cuts = _Cuts(LineType.CUT, rows[subset], depth, waste, layer[subset], passes)
-            operation = _cut(outline, dieline, cuts, setup)
+            operation = _cut(outline, dieline, cuts, own_setup)
             level = _levels(operation, index, layers)
             path_rank = rank[index[operation.source[operation.paths.first[:-1]]]]
             # Levels are less than the number of cuts.
             for number, part in _split_by_rank(operation, path_rank * len(rows) + level):
-                operations += [(number, one) for one in _in_passes(part, cuts, setup)]
+                operations += [(number, one) for one in _in_passes(part, cuts, own_setup)]
     operations.sort(key=lambda rank_and_operation: rank_and_operation[0])
     return [operation for _, operation in operations]
+
+
+def _groups(subset: I64, rows: I32, setup: Setup) -> Iterator[tuple[I64, float, int, Setup]]:
+    """Yield cuts in groups of equal tool, passes and depth.
+
+    Each group is its indices in ``rows``, its depth (mm), its number of passes, 0 for as many as
+    the knife needs, and the setup of its knife.
+
+    ``subset``: indices in ``rows`` of the cuts.
+    ``rows`` (m,): indices in the dieline of all cuts.
+    """
+    for of_tool, own_setup in setup.tool_groups(rows[subset]):
+        cuts = subset[of_tool]
+        for own, depth, passes in own_setup.depth_groups(rows[cuts], setup.through_depth):
+            if len(own):
+                yield cuts[own], depth, passes, own_setup
 
 
 def _levels(operation: Operation, index: I64, layers: CutLayers) -> I64:

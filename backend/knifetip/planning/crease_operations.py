@@ -19,7 +19,7 @@ from knifetip.model.board import Board
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.job_options import CreaseDepth
 from knifetip.model.operation import End, Operation
-from knifetip.planning.crease_wheels import choose_wheels, crease_stations
+from knifetip.planning.crease_wheels import choose_wheels, crease_stations, with_chosen_wheels
 from knifetip.planning.dashes import merge_dashes
 from knifetip.planning.double_creases import double_creases
 from knifetip.planning.path_ends import close_joints, end_directions, end_points
@@ -49,7 +49,7 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
     Raises
     ------
     PlanError
-        Different depths were chosen for creases that continue each other.
+        Different depths or wheels were chosen for creases that continue each other.
     """
     board = setup.board
     paths, source, ends = _crease_paths(dieline, rows)
@@ -68,6 +68,7 @@ def plan_creases(dieline: Dieline, rows: I32, setup: Setup) -> list[Operation]:
     _check_depths(depth, source, setup)
     stations = crease_stations(setup.machine, setup.station)
     wheel = choose_wheels(paths, source, depth, stations, board)
+    wheel = with_chosen_wheels(wheel, setup.chosen_stations(source[paths.first[:-1]]), stations)
     operations = []
     for index in np.unique(wheel):
         operation = replace(setup, station=stations[index]).operation(
@@ -130,13 +131,15 @@ def _with_chosen(depth: F64, source: I32, setup: Setup) -> F64:
 
 
 def _check_chosen(paths: Paths, source: I32, setup: Setup) -> None:
-    """Raise ``PlanError`` if the depths that were chosen for the segments of a path differ.
+    """Raise ``PlanError`` if what was chosen for the segments of a path differs.
 
-    The wheel rolls along a path without a lift, so the board would be pressed between them.
+    The wheel rolls along a path without a lift, so the board would be pressed between two depths,
+    and one wheel makes the whole path.
     """
     # A depth of 0 stands for the depth of the board.
-    chosen = np.nan_to_num(_chosen_depths(source, setup))
-    differs = np.flatnonzero((np.diff(chosen) != 0.0) & (np.diff(paths.path_of) == 0))
+    depth = np.nan_to_num(_chosen_depths(source, setup))
+    changes = (np.diff(depth) != 0.0) | (np.diff(setup.chosen_stations(source)) != 0)
+    differs = np.flatnonzero(changes & (np.diff(paths.path_of) == 0))
     for row in differs[:1]:
         pair = source[row : row + 2]
         raise PlanError("edge-choice.joined", edge=pair[0], other=pair[1], at_edges=pair)

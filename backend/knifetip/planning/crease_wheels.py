@@ -61,6 +61,25 @@ def choose_wheels(
     )
 
 
+def with_chosen_wheels(wheel: I64, chosen: I64, stations: tuple[Station, ...]) -> I64:
+    """Return the index in ``stations`` of the wheel for each of p paths, (p,): that which the user
+    has chosen, else the given one.
+
+    Parameters
+    ----------
+    wheel : (p,)
+        The wheels from ``choose_wheels``.
+    chosen : (p,)
+        Number of the station that is chosen for each path; 0 for none.
+    stations
+        The stations with a crease wheel.
+    """
+    numbers = np.array([station.number for station in stations])
+    found = (chosen[:, None] == numbers).argmax(axis=1)
+    result: I64 = np.where(chosen > 0, found, wheel)
+    return result
+
+
 def _distance_beside(paths: Paths, depth: F64, station: Station) -> F64:
     """Return the greatest distance at which a wheel presses beside each of p paths, (p,) mm."""
     wheel = station.tool

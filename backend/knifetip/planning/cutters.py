@@ -57,6 +57,8 @@ def with_best_cutter(
     attempt: Callable[[Machine], Compiled],
     machine: Machine,
     cutters: Callable[[], Mapping[str, Cutter]],
+    *,
+    fixed: bool = False,
 ) -> tuple[Compiled, list[Message]]:
     """Return the program of the thickest router bit of a machine that makes all cuts, and notes.
 
@@ -71,13 +73,15 @@ def with_best_cutter(
         The machine of the job.
     cutters
         Returns cutters that can be fitted, by title.
+    fixed
+        Whether the user has chosen the cutters of all cuts, so that there is one program.
 
     Raises
     ------
     PlanError, CompensationError
         The drawing cannot be made with any cutter of the machine.
     """
-    if cutting_station(machine) is None:
+    if fixed or cutting_station(machine) is None:
         return attempt(machine), []
     carried = [one for one in machine.stations if isinstance(one.tool, Cutter)]
     carried.sort(key=lambda one: -one.tool.diameter)

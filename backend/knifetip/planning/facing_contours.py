@@ -47,9 +47,24 @@ def merge_facing_layers(paths: Paths, layer: I64, milled: Bool, diameter: float)
         return result
     contours, _ = select_paths(paths, rows)
     waste = _surrounding_waste(contours)
-    one, other = _near_pairs(contours, waste, _has_layers(waste, layer[rows]), diameter)
+    one, other, _ = _near_pairs(contours, waste, _has_layers(waste, layer[rows]), diameter)
     result[rows] = _lowest_of_sets(one, other, layer[rows])
     return result
+
+
+def facing_pairs(paths: Paths, milled: Bool, distance: float) -> tuple[I64, I64, F64]:
+    """Return the pairs of paths in the same waste that are nearer to each other than a distance.
+
+    A pair is returned once for each pair of its segments that are so near: the indices of both
+    paths, (k,) and (k,), and how far apart the segments are, (k,) mm.
+
+    ``paths``, ``milled``: see ``merge_facing_layers``.
+    """
+    rows = np.flatnonzero(milled).astype(np.int32)
+    contours, _ = select_paths(paths, rows)
+    every = np.ones(len(rows), np.bool_)
+    one, other, apart = _near_pairs(contours, _surrounding_waste(contours), every, distance)
+    return rows[one].astype(np.int64), rows[other].astype(np.int64), apart
 
 
 def slit_layers(paths: Paths, layer: I64, milled: Bool, slit: Bool, radius: float) -> I64:
@@ -123,9 +138,11 @@ def _has_layers(waste: I64, layer: I64) -> Bool:
     return several
 
 
-def _near_pairs(contours: Paths, waste: I64, selected: Bool, distance: float) -> tuple[I64, I64]:
+def _near_pairs(
+    contours: Paths, waste: I64, selected: Bool, distance: float
+) -> tuple[I64, I64, F64]:
     """Return the pairs of contours beside the same waste that are nearer to each other than a
-    distance.
+    distance, and how far apart they are.
 
     A pair is returned once for each pair of its segments that are so near.
 
@@ -143,7 +160,7 @@ def _near_pairs(contours: Paths, waste: I64, selected: Bool, distance: float) ->
     i, j = i[kept], j[kept]
     apart = np.minimum(_distances(contours, i, j), _distances(contours, j, i))
     near = apart < distance
-    return owner[i[near]].astype(np.int64), owner[j[near]].astype(np.int64)
+    return owner[i[near]].astype(np.int64), owner[j[near]].astype(np.int64), apart[near]
 
 
 @kernel

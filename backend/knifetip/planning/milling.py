@@ -39,6 +39,11 @@ from knifetip.planning.drawn_twice import explain_copies
 from knifetip.planning.facing_contours import merge_facing_layers, slit_layers
 from knifetip.planning.last_cuts import releasing_cuts, track_levels
 from knifetip.planning.layers import cut_layers
+from knifetip.planning.milling_tools import (
+    check_facing_tools,
+    milling_tools,
+    tools_of_contours,
+)
 from knifetip.planning.path_ends import close_joints
 from knifetip.planning.reachable import reachable_by_disc
 from knifetip.planning.setup import Setup
@@ -79,24 +84,25 @@ def plan_milling(
         A contour has no room for the bridges that the board requires, or a part of a blank that
         cuts divide would have too few of them.
     """
-    machine, board, cutter = setup.machine, setup.board, setup.station.tool
-    x, y = machine.carriage_of(setup.station).axes[:2]
-    assert isinstance(cutter, DiscTool)
+    board, tools = setup.board, milling_tools(setup, rows)
     pieces = _divide_by_sides(dieline.ends[rows], dieline.bulge[rows])
     cuts = dieline.ends[rows], dieline.bulge[rows], rows
     try:
-        _check_shared(pieces, rows, cutter)
+        _check_shared(pieces, rows, tools.radii[tools.of_cut[pieces.row]])
         check_contour_crossings(pieces.ends, pieces.bulge, pieces.removed, rows[pieces.row])
     except PlanError as error:
         raise explain_copies(error, *cuts, board.caliper) from None
     ends, bulge = pieces.ends, pieces.bulge
     layers = cut_layers(ends, bulge, pieces.face, contours_whole=True)
     sides = pieces.waste, pieces.removed
-    face, layer = join_contours(ends, bulge, *sides, pieces.face, layers.number, cutter.radius)
-    chains = chain(ends, bulge, group=layer * (int(face.max()) + 2) + face)
+    face, layer = join_contours(ends, bulge, *sides, pieces.face, layers.number, tools.widest)
+    tool = tools_of_contours(tools, pieces.row, face, rows[pieces.row])
+    group = layer * (int(face.max()) + 2) + face
+    chains = chain(ends, bulge, group=group * len(tools.setups) + tool)
     paths = close_joints(chains.paths(ends, bulge))
     source, part = rows[pieces.row[chains.order]], pieces.face[chains.order]
     number = layer[chains.order][chains.first[:-1]]
+    path_tool = tool[chains.order][chains.first[:-1]]
     avoid = ends_of_others(dieline, rows[np.unique(pieces.row[pieces.waste != 0])])
     flip = np.where(chains.flipped, -1, 1)
     waste = (flip * pieces.waste[chains.order])[paths.first[:-1]]
@@ -105,16 +111,16 @@ def plan_milling(
     inside = paths.closed & (waste == 0) & bounds
     ring = paths.closed & (waste == 0) & ~bounds
     if ring.any():
-        shared = _shared_error(source[ring[paths.path_of]], cutter)
+        shared = _shared_error(source[ring[paths.path_of]], tools.widest)
         raise explain_copies(shared, *cuts, board.caliper)
     side = np.where(inside, np.where(paths.areas > 0.0, 1, -1), waste)
     # All contours have the cutter on the left of travel.
     paths, order = reverse_paths(paths, side < 0)
     source, part = source[order], part[order]
     milled = paths.closed & (side != 0)
-    number = merge_facing_layers(paths, number, milled, 2.0 * cutter.radius)
-    number = slit_layers(paths, number, milled, side == 0, cutter.radius)
-    depth = _depths_of_paths(paths, source, cutter, setup)
+    check_facing_tools(tools, paths, path_tool, milled, source)
+    number = merge_facing_layers(paths, number, milled, 2.0 * tools.widest)
+    number = slit_layers(paths, number, milled, side == 0, tools.widest)
     operations = []
     track = np.empty(len(layer), np.int64)
     track[chains.order] = np.repeat(np.arange(len(paths)), np.diff(paths.first))
@@ -126,25 +132,31 @@ def plan_milling(
     # The tracks of lower ranks are made first.
     releasing = releasing_cuts(-path_rank[track], layers.stretches)[chains.order][order]
     endable = releasing | ~np.logical_or.reduceat(releasing, paths.first[:-1])[paths.path_of]
-    for rank in np.unique(path_rank):
-        path_rows = np.flatnonzero(path_rank == rank).astype(np.int32)
+    for rank, which in np.unique(np.column_stack([path_rank, path_tool]), axis=0).tolist():
+        own_setup = tools.setups[which]
+        cutter = own_setup.station.tool
+        assert isinstance(cutter, DiscTool)
+        path_rows = np.flatnonzero((path_rank == rank) & (path_tool == which)).astype(np.int32)
         subset, segment_rows = select_paths(paths, path_rows)
         end = np.where(subset.closed, End.CLOSED, End.FREE).astype(np.uint8)
-        # The contours that face these ones are one layer higher or lower.
-        facing = milled & (np.abs(number - number[path_rows[0]]) == 1)
+        # The contours that face these ones are one layer higher or lower, or have another cutter.
+        apart = np.abs(number - number[path_rows[0]])
+        facing = milled & ((apart == 1) | ((apart == 0) & (path_tool != which)))
         obstacles, _ = select_paths(paths, np.flatnonzero(facing).astype(np.int32))
         held = subset.closed & (waste[path_rows] != 0)
-        bridges = _bridge_positions(subset, held, setup, cutter, source[segment_rows], avoid)
+        own_source = source[segment_rows]
+        bridges = _bridge_positions(subset, held, own_setup, cutter, own_source, avoid)
         if len(bridges) and not setup.bridges:
-            _check_divided(bridges, subset, part[segment_rows], source[segment_rows])
-        depths = depth[path_rows][:, np.isfinite(depth[path_rows]).any(axis=0)]
-        operation = setup.operation(
-            LineType.CUT, subset, source[segment_rows], depths[subset.path_of], (end, end)
+            _check_divided(bridges, subset, part[segment_rows], own_source)
+        depths = _depths_of_paths(subset, own_source, cutter, own_setup)
+        operation = own_setup.operation(
+            LineType.CUT, subset, own_source, depths[subset.path_of], (end, end)
         )
+        x, y = setup.machine.carriage_of(own_setup.station).axes[:2]
         operations.append(
             replace(
                 operation,
-                clearance=cutter.clearance(machine.clearance),
+                clearance=cutter.clearance(setup.machine.clearance),
                 side=int(rank // len(layer) % 2),
                 bridges=bridges,
                 endable=endable[segment_rows],
@@ -154,7 +166,7 @@ def plan_milling(
                 interference=corners.interference,
                 acceleration=min(x.acceleration, y.acceleration),
                 deflection=next(
-                    ((d.x, d.y) for d in board.deflection if d.tool == setup.station.name),
+                    ((d.x, d.y) for d in board.deflection if d.tool == own_setup.station.name),
                     (0.0, 0.0),
                 ),
             )
@@ -327,15 +339,15 @@ def _divide_by_sides(ends: F64, bulge: F64) -> _Pieces:
     )
 
 
-def _check_shared(pieces: _Pieces, rows: I32, cutter: DiscTool) -> None:
+def _check_shared(pieces: _Pieces, rows: I32, radius: F64) -> None:
     """Raise ``PlanError`` if the disc on an edge between two parts would cut into a part elsewhere.
 
     It may if only a part of the edge is shared, if an outline continues the edge or leaves its end
     at less than 45°, or if an outline that does not end there is nearer to the edge than the radius
     of the disc.
 
-    ``rows`` are the indices in the dieline of the cuts.  The error gives the diameter of the
-    ``cutter``.
+    ``rows``: indices in the dieline of the cuts.
+    ``radius`` (q,) mm: radius of the cutter of each piece.
     """
     shared = np.flatnonzero(pieces.shared)
     if len(shared) == 0:
@@ -343,10 +355,10 @@ def _check_shared(pieces: _Pieces, rows: I32, cutter: DiscTool) -> None:
     # Where lines of several outlines lie on each other, only a part of an edge is shared.
     partly = np.isin(pieces.row[shared], pieces.row[~pieces.shared])
     if partly.any():
-        raise _shared_error(rows[pieces.row[shared[partly]]], cutter)
+        raise _shared_error(rows[pieces.row[shared[partly]]], radius[shared[partly]].max())
     ends, bulge = pieces.ends, pieces.bulge
     boxes = arc.bounding_boxes(ends[:, 0], ends[:, 1], bulge)
-    one, other = box_pairs(boxes[shared], boxes, cutter.radius)
+    one, other = box_pairs(boxes[shared], boxes, float(radius.max()))
     one = shared[one]
     keep = one != other
     one, other = one[keep], other[keep]
@@ -364,17 +376,20 @@ def _check_shared(pieces: _Pieces, rows: I32, cutter: DiscTool) -> None:
         point = arc.point_at(start, end, bulge[one[apart]], np.full(len(apart), share))
         facing = ends[other[apart], 0], ends[other[apart], 1], bulge[other[apart]]
         nearest = arc.point_at(*facing, arc.nearest_fraction(*facing, point))
-        bad[apart] |= np.hypot(*(nearest - point).T) < cutter.radius
+        bad[apart] |= np.hypot(*(nearest - point).T) < radius[one[apart]]
     if bad.any():
-        raise _shared_error(rows[pieces.row[one[bad]]], cutter)
+        raise _shared_error(rows[pieces.row[one[bad]]], radius[one[bad]].max())
 
 
-def _shared_error(rows: I32, cutter: DiscTool) -> PlanError:
-    """Return the error for edges between two parts, whose indices in the dieline are ``rows``."""
+def _shared_error(rows: I32, radius: float) -> PlanError:
+    """Return the error for edges between two parts, whose indices in the dieline are ``rows``.
+
+    ``radius`` mm: radius of the cutter.
+    """
     edges = np.unique(rows)
     return PlanError(
         "milling.shared-edge",
         edge=edges[0],
-        diameter=2.0 * cutter.radius,
+        diameter=2.0 * float(radius),
         at_edges=edges,
     )

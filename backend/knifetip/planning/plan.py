@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
+from typing import Final
 
 import numpy as np
 
@@ -30,6 +31,9 @@ from knifetip.planning.dashes import distinct_edges
 from knifetip.planning.groove_operations import plan_grooves
 from knifetip.planning.milling import apply_choices, plan_milling
 from knifetip.planning.setup import Setup
+
+#: Planners that need the edges of all tools at once; the others are called for each tool.
+_WITH_ALL_EDGES: Final = (Planner.CREASES, Planner.BLADE_CUTS, Planner.OFFSET_CUTS)
 
 
 def check_corners(corners: Corners | None, machine: Machine) -> None:
@@ -138,7 +142,12 @@ def plan(
                     at_edges=rows,
                 )
             setup = Setup(machine, board, station, chosen, bridges)
-            planned = planners[station.planner(kind)](dieline, rows, setup)
-            operations += planned if isinstance(planned, list) else [planned]
+            planner = station.planner(kind)
+            groups = [(rows, setup)]
+            if planner not in _WITH_ALL_EDGES:
+                groups = [(rows[own], one) for own, one in setup.tool_groups(rows)]
+            for own_rows, own_setup in groups:
+                planned = planners[planner](dieline, own_rows, own_setup)
+                operations += planned if isinstance(planned, list) else [planned]
     check_made(bridges, operations)
     return operations if corners is None else apply_choices(operations, corners, placement)

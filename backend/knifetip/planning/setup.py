@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from knifetip.geometry.path import Paths
 from knifetip.model.board import Board
 from knifetip.model.chosen_work import ChosenWork
 from knifetip.model.dieline import LineType
-from knifetip.model.job_options import CutDepth
+from knifetip.model.job_options import CutDepth, EdgeTool
 from knifetip.model.machine import Machine, Station
 from knifetip.model.operation import Operation
 from knifetip.planning.chosen_bridges import ChosenBridge
@@ -51,6 +51,44 @@ class Setup:
             own = np.flatnonzero(group == number)
             first = rows[own[0]]
             yield own, float(depth[first]), int(passes[first])
+
+    def chosen_stations(self, rows: I32) -> I64:
+        """Return the number of the station that is chosen for each of m edges, (m,); 0 for none.
+
+        A choice of another kind of tool than that of this station does not count: on a combi line,
+        it is for the other half of the work.
+
+        Parameters
+        ----------
+        rows : (m,)
+            Indices of the edges in the dieline.
+        """
+        if EdgeTool not in self.chosen:
+            return np.zeros(len(rows), np.int64)
+        chosen = self.chosen[EdgeTool].numbers("station", 0.0)[rows].astype(np.int64)
+        same = [station.number for station in self.machine.stations_like(self.station)]
+        return np.where(np.isin(chosen, same), chosen, 0)
+
+    def tool_groups(self, rows: I32) -> Iterator[tuple[I64, Setup]]:
+        """Yield the m edges in groups with the same station: their indices in ``rows``, and the
+        setup of the station.
+
+        Parameters
+        ----------
+        rows : (m,)
+            Indices of the edges in the dieline.
+        """
+        if EdgeTool not in self.chosen:
+            yield np.arange(len(rows)), self
+            return
+        chosen = self.chosen_stations(rows)
+        numbers = np.where(chosen > 0, chosen, self.station.number)
+        for number in np.unique(numbers).tolist():
+            yield np.flatnonzero(numbers == number), self.with_station(number)
+
+    def with_station(self, number: int) -> Setup:
+        """Return the setup of another station of the machine."""
+        return replace(self, station=self.machine.station(number))
 
     @property
     def through_depth(self) -> float:

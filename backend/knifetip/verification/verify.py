@@ -27,6 +27,7 @@ from knifetip.model.registration import Registration
 from knifetip.model.sheet import Sheet
 from knifetip.model.verdict import Samples, Verdict
 from knifetip.verification.checks.common.chosen_passes import check_chosen_passes
+from knifetip.verification.checks.common.chosen_tools import check_chosen_tools
 from knifetip.verification.checks.common.context import CheckContext, MeasuredFigures
 from knifetip.verification.checks.common.edge_feeds import (
     check_edge_feeds,
@@ -189,6 +190,7 @@ def verify(
     check_work_order(context, last_passes(context, executed))
     check_repeated_work(context, work)
     check_chosen_passes(context, work.paths)
+    check_chosen_tools(context, work.paths)
     check_chosen_starts(context, job.starts, work.paths)
     check_chosen_order(context, job.order, work.paths)
     check_edge_feeds(context, paths, moves, parts)

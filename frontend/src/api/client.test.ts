@@ -60,6 +60,7 @@ describe("an error", () => {
         bridges: [],
         cut_depths: [],
         crease_depths: [],
+        edge_tools: [],
         edge_feeds: [],
         program_note: "",
         external_id: "PO-1",

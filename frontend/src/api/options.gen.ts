@@ -21,6 +21,7 @@ export const EDGE_OPTIONS = {
       "half-cut"
     ],
     "byType": false,
+    "help": false,
     "fields": {
       "at": {
         "kind": "number",
@@ -48,6 +49,7 @@ export const EDGE_OPTIONS = {
       "half-cut"
     ],
     "byType": true,
+    "help": false,
     "fields": {
       "passes": {
         "kind": "number",
@@ -73,6 +75,7 @@ export const EDGE_OPTIONS = {
       "combi"
     ],
     "byType": true,
+    "help": false,
     "fields": {
       "depth": {
         "kind": "number",
@@ -84,6 +87,28 @@ export const EDGE_OPTIONS = {
       }
     }
   },
+  "edge_tools": {
+    "types": [
+      "cut",
+      "crease",
+      "v-groove",
+      "perforation",
+      "half-cut",
+      "combi"
+    ],
+    "byType": true,
+    "help": true,
+    "fields": {
+      "station": {
+        "kind": "number",
+        "min": 1,
+        "max": 255,
+        "default": null,
+        "whole": true,
+        "unit": "station"
+      }
+    }
+  },
   "edge_feeds": {
     "types": [
       "cut",
@@ -91,6 +116,7 @@ export const EDGE_OPTIONS = {
       "perforation"
     ],
     "byType": true,
+    "help": false,
     "fields": {
       "factor": {
         "kind": "number",

@@ -963,6 +963,7 @@ export const de = {
   "edgeOption.fromStart": "{share} der Kante, {length} mm ab ihrem Anfang",
   "edgeOption.asUsual": "Standard",
   "edgeOption.millimetres": "{value} mm",
+  "edgeOption.station": "Station {number}",
   "edgeOption.choicesForEdges": "Vorgaben für Kanten",
   "edgeOption.edges": "{n, plural, one {Kante {edge}} other {# Kanten}}",
   "edgeOption.remove": "Entfernen: {subject}",
@@ -977,6 +978,10 @@ export const de = {
   "edgeOption.cut_depths.depth": "Tiefe unter der Oberseite",
   "edgeOption.crease_depths": "Tiefe von Rillungen",
   "edgeOption.crease_depths.depth": "Rilltiefe",
+  "edgeOption.edge_tools": "Werkzeug der Kanten",
+  "edgeOption.edge_tools.help":
+    "Rillungen, die einander fortsetzen, brauchen dasselbe Rillrad. Ein Fräser oder Laser bearbeitet die ganze Kontur einer Kante.",
+  "edgeOption.edge_tools.station": "Werkzeug",
   "edgeOption.edge_feeds": "Vorschub der Kanten",
   "edgeOption.edge_feeds.factor": "Vorschubfaktor",
   // panels/order/SheetForm.tsx

@@ -16,6 +16,9 @@ export const DECLARED_TEXTS = {
   "edgeOption.cut_depths.depth": "Depth from top",
   "edgeOption.crease_depths": "Depth of creases",
   "edgeOption.crease_depths.depth": "Depth of the crease",
+  "edgeOption.edge_tools": "Tool of edges",
+  "edgeOption.edge_tools.help": "Creases that continue each other need the same wheel. A cutter or laser makes the whole contour of an edge.",
+  "edgeOption.edge_tools.station": "Tool",
   "edgeOption.edge_feeds": "Feed of edges",
   "edgeOption.edge_feeds.factor": "Feed factor",
   "fact.program_bytes": "Size of the program"

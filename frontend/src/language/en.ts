@@ -932,6 +932,7 @@ export const en = {
   "edgeOption.fromStart": "{share} of the edge, {length} mm from its start",
   "edgeOption.asUsual": "Default",
   "edgeOption.millimetres": "{value} mm",
+  "edgeOption.station": "Station {number}",
   "edgeOption.choicesForEdges": "Choices for edges",
   "edgeOption.edges": "{n, plural, one {Edge {edge}} other {# edges}}",
   "edgeOption.remove": "Remove: {subject}",

@@ -98,6 +98,7 @@ const SAME: readonly string[] = [
   "Perforation",
   "Start",
   "Station",
+  "Station {number}",
   "Station {station}",
   "Status {status}",
   "Test",

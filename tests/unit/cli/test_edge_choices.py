@@ -40,6 +40,21 @@ def test_a_program_and_its_proof_have_the_same_choices(knifetip: Command, drawin
     assert knifetip(*verify, *words[:2], "--cut-depths", "cut:passes=3")[0] == 1
 
 
+def test_a_tool_is_chosen_and_proven(knifetip: Command, drawing: Path) -> None:
+    out, report = drawing.with_suffix(".ngc"), drawing.with_suffix(".json")
+    target = ("--machine", "fine-router-table", "--board", "greyboard-3.0")
+    words = ("--edge-tools", "cut:station=6")
+    code, _, err = knifetip("program", drawing, *target, "-o", out, "--report", report, *words)
+    assert code == 0, err
+    data = json.loads(report.read_text())
+    assert data["edge_tools"] == [{"edges": [], "line_type": "cut", "station": 6}]
+    verify = ("verify", out, "--drawing", drawing, *target)
+    assert knifetip(*verify, *words)[0] == 0
+    code, _, err = knifetip(*verify, "--edge-tools", "0:station=5")
+    assert code == 1
+    assert "must be made by the tool of station 5, but the program makes it with that of" in err
+
+
 def test_edges_and_line_types_are_parsed() -> None:
     found = parse_edge_choices(CutDepth, "--cut-depths", ["3,4:passes=2,depth=1.5", "cut:depth=1"])
     assert found == (

@@ -213,6 +213,48 @@ MESSAGES: Final[Entries] = {
         "Remove the choice, or choose an edge of a closed contour.",
         edge="edge",
     ),
+    "tool-choice.facing": entry(
+        "Edge {edge} and edge {other} face each other at {distance:.2f} mm, but different tools "
+        "were chosen for them, one of which cuts {diameter:g} mm wide and would cut into the other "
+        "contour.",
+        "Choose the same tool for both contours.",
+        edge="edge",
+        other="edge",
+        distance="number",
+        diameter="number",
+    ),
+    "tool-choice.no-station": entry(
+        "Station {station} was chosen for edge {edge}, but {machine} has no such station.",
+        "Choose one of these: {suited:, }.",
+        edge="edge",
+        station="count",
+        machine="text",
+        suited="messages",
+    ),
+    "tool-choice.not-made": entry(
+        "A tool was chosen for edge {edge}, which has the line type {type} and is not made.",
+        "Remove the choice, or give the edge another line type.",
+        edge="edge",
+        type="text",
+    ),
+    "tool-choice.other-kind": entry(
+        "Station {station} ({name}) was chosen for edge {edge} ({type}), but on this machine "
+        "another kind of tool makes this line type.",
+        "Choose one of these: {suited:, }.",
+        edge="edge",
+        station="count",
+        name="text",
+        type="text",
+        suited="messages",
+    ),
+    "tool-choice.several": entry(
+        "The contour of edge {edge} and edge {other} is milled as a whole, but different tools "
+        "were chosen for its edges.",
+        "Choose the same tool for all edges of the contour.",
+        edge="edge",
+        other="edge",
+    ),
+    "tool-choice.station": entry("{station} ({name})", station="count", name="text"),
     "verify.bridge-missing": entry(
         "The program leaves no bridge at the chosen place on edge {edge}, where one of {width:g} "
         "mm should stay.",
@@ -261,5 +303,13 @@ MESSAGES: Final[Entries] = {
         edge="edge",
         x="x",
         y="y",
+    ),
+    "verify.other-tool": entry(
+        "Edge {edge} must be made by the tool of station {station}, but the program makes it with "
+        "that of station {found}.",
+        "Compile the job again.",
+        edge="edge",
+        station="count",
+        found="count",
     ),
 }

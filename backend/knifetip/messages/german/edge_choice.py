@@ -153,6 +153,33 @@ TEXTS: Final[Texts] = {
         "geschlossenen Schnitt und zu keiner geschlossenen Ritzung.",
         "Die Angabe entfernen oder eine Kante einer geschlossenen Kontur wählen.",
     ),
+    "tool-choice.facing": Text(
+        "Kante {edge} und Kante {other} liegen sich mit {distance:.2f} mm Abstand gegenüber, aber "
+        "für sie wurden verschiedene Werkzeuge gewählt, von denen eines {diameter:g} mm breit "
+        "schneidet und in die andere Kontur geraten würde.",
+        "Für beide Konturen dasselbe Werkzeug wählen.",
+    ),
+    "tool-choice.no-station": Text(
+        "Für Kante {edge} wurde Station {station} gewählt, aber {machine} hat keine solche "
+        "Station.",
+        "Eine von diesen wählen: {suited:, }.",
+    ),
+    "tool-choice.not-made": Text(
+        "Für Kante {edge} wurde ein Werkzeug gewählt, aber sie hat die Linienart {type} und wird "
+        "nicht bearbeitet.",
+        "Die Angabe entfernen oder der Kante eine andere Linienart geben.",
+    ),
+    "tool-choice.other-kind": Text(
+        "Für Kante {edge} ({type}) wurde Station {station} ({name}) gewählt, aber an dieser "
+        "Maschine bearbeitet ein Werkzeug anderer Art diese Linienart.",
+        "Eine von diesen wählen: {suited:, }.",
+    ),
+    "tool-choice.several": Text(
+        "Die Kontur von Kante {edge} und Kante {other} wird als Ganzes gefräst, aber für ihre "
+        "Kanten wurden verschiedene Werkzeuge gewählt.",
+        "Für alle Kanten der Kontur dasselbe Werkzeug wählen.",
+    ),
+    "tool-choice.station": Text("{station} ({name})"),
     "verify.bridge-missing": Text(
         "Das Programm lässt an der gewählten Stelle auf Kante {edge} keinen Haltesteg stehen, wo "
         "einer von {width:g} mm bleiben soll.",
@@ -187,5 +214,10 @@ TEXTS: Final[Texts] = {
         "Der geschlossene Schnitt mit Kante {edge} muss bei X {x:.3f} mm, Y {y:.3f} mm auf dieser "
         "Kante beginnen, aber das Programm beginnt ihn woanders.",
         "Einen Anfang mit mehr Platz für das Werkzeug wählen oder den Auftrag neu berechnen.",
+    ),
+    "verify.other-tool": Text(
+        "Kante {edge} muss mit dem Werkzeug von Station {station} bearbeitet werden, aber das "
+        "Programm bearbeitet sie mit dem von Station {found}.",
+        "Den Auftrag neu berechnen.",
     ),
 }

@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 from knifetip.library.machine_table import MachineTable
+from knifetip.model.edge_choice import MadeType
 
 
 class FootprintOut(BaseModel):
@@ -107,6 +108,10 @@ class ToolStationOut(BaseModel):
     )
     spindle_speed: int = Field(description="S word with it; 0 if there is none")
     tool: ToolOut = Field(description="Tool in the station")
+    line_types: list[MadeType] = Field(
+        description="Line types for whose edges the station may be chosen: its tool is of the kind "
+        "that makes them, or a part of a combi line, on this machine"
+    )
 
 
 class MachineOut(MachineTable):  # type: ignore[misc, valid-type]

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated, Any
+from typing import Annotated, Any, get_args
 
 from fastapi import Query, Request, Response
 
 from knifetip.library.definition import Shelf
 from knifetip.messages import from_json
+from knifetip.model.dieline import LineType
+from knifetip.model.edge_choice import MadeType
 from knifetip.model.machine import Machine
 from knifetip.model.tool import kind_of
+from knifetip.planning.tool_steps import makers
 from knifetip.presentation.machine import machine_json, station_json
 from knifetip.service.components import Service, ServiceDep
 from knifetip.service.database.tables import Operation
@@ -230,6 +233,7 @@ def _operation_out(row: Operation) -> OperationOut:
 
 
 def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineOut:
+    stations_of = {word: makers(machine, LineType.from_word(word)) for word in get_args(MadeType)}
     result: MachineOut = MachineOut.model_validate(
         {
             **machine_json(machine),
@@ -242,6 +246,9 @@ def _machine_out(machine: Machine, connected: bool, job: str | None) -> MachineO
                         "dimensions": station.tool.dimensions,
                         "footprint": station.tool.footprint,
                     },
+                    "line_types": [
+                        word for word, stations in stations_of.items() if station in stations
+                    ],
                 }
                 for station in machine.stations
             ],

@@ -15,12 +15,13 @@ from knifetip.model.dieline import LineType
 from knifetip.model.job_options import CutDepth
 from knifetip.verification.checks.common.base import StationCheck
 from knifetip.verification.checks.common.context import CheckContext
+from knifetip.verification.checks.common.followed_edges import edge_stations
 from knifetip.verification.checks.crease.check import CreaseCheck
 from knifetip.verification.checks.groove.check import GrooveCheck
 from knifetip.verification.checks.knife.check import KnifeCheck
 from knifetip.verification.checks.milling.check import check_milling
-from knifetip.verification.checks.milling.work import MilledPaths
-from knifetip.verification.columns import I64
+from knifetip.verification.checks.milling.work import MilledCuts, MilledPaths
+from knifetip.verification.columns import I64, Bool
 from knifetip.verification.expectation.edges import Edges, without_duplicates
 from knifetip.verification.expectation.expected_work import WORKED_TYPES
 from knifetip.verification.kinematics import TipPaths
@@ -45,9 +46,15 @@ def check_edges(context: CheckContext, work: TipPaths) -> None:
             edges = context.edges.with_types()
         edges, twin, first = without_duplicates(edges)
         rows = np.flatnonzero(work.operation == operation)
-        owner = _edge_stations(work, rows, edges, context.tolerance)
+        owner = edge_stations(context, work, rows, edges)
         for station in np.unique(work.station[rows]) if len(rows) else (-1,):
             station_rows = rows[work.station[rows] == station]
+            if operation == OperationKind.MILL:
+                # The disc of one cutter must not enter the contours of the others.
+                milling = _MillingStationCheck(context, work, station_rows, operation, edges)
+                milling.owned = owner == station
+                milling.run()
+                continue
             station_edges = edges.select(np.flatnonzero(owner == station))
             for part in _split_by_depth(context, work, station_rows, operation, station_edges):
                 _CHECKS[operation](context, work, part[0], operation, part[1]).run()
@@ -83,43 +90,22 @@ def _split_by_depth(
     ]
 
 
-def _edge_stations(work: TipPaths, rows: I64, edges: Edges, tolerance: float) -> I64:
-    """Return the index of the station that covers the greatest length of each of n edges, (n,).
-
-    A station covers the part of an edge that tip paths of its tool follow.  An edge without tip
-    paths gets the first of the stations that have tip paths, or -1 if there are none.
-
-    ``work``, ``rows``: tip paths of the program, and the indices of the tip paths that are
-    considered.
-    ``edges``: the n edges.
-    ``tolerance`` mm: greatest distance at which a tip path covers an edge.
-    """
-    stations = np.unique(work.station[rows])
-    if len(stations) < 2:
-        return np.full(len(edges), stations[0] if len(stations) else -1, np.int64)
-    near = edges.find_overlaps(work.curve[rows], tolerance)
-    # A wheel that presses one point covers no length; count it with a small one.
-    size = np.abs(near.place[:, 1] - near.place[:, 0]) + 1e-6
-    column = np.searchsorted(stations, work.station[rows][near.curve])
-    total = np.zeros((len(edges), len(stations)))
-    np.add.at(total, (near.edge, column), size)
-    result: I64 = stations[total.argmax(axis=1)].astype(np.int64)
-    return result
-
-
 class _MillingStationCheck(StationCheck):
     """Check that compares the edges with the cuts of a router bit or a laser.
 
     Unlike a knife, a router bit or laser removes board, in a strip as wide as the bit or the beam.
     """
 
+    owned: Bool  #: (n,) mask of the edges that the station must make
+
     def check(self) -> None:
         station = self.context.machine.stations[int(self.station[0])] if len(self.station) else None
         if station is None or expected_tool(station.tool).disc is None:
-            self.check_uncut(self.match_edges(), np.arange(len(self.edges)))
+            self.check_uncut(self.match_edges(), np.flatnonzero(self.owned))
             return
         centres = MilledPaths(self.curve, self.z, self.track, self.line, self.blend)
-        check_milling(self.context, self.edges, centres, station, self.slack)
+        cuts = MilledCuts(self.edges, self.owned)
+        check_milling(self.context, cuts, centres, station, self.slack)
 
 
 _CHECKS: Final[dict[OperationKind, type[StationCheck]]] = {
@@ -127,5 +113,4 @@ _CHECKS: Final[dict[OperationKind, type[StationCheck]]] = {
     OperationKind.HALF_CUT: KnifeCheck,
     OperationKind.CREASE: CreaseCheck,
     OperationKind.GROOVE: GrooveCheck,
-    OperationKind.MILL: _MillingStationCheck,
 }

@@ -8,11 +8,13 @@ import {
   NumberInput,
   Paper,
   SegmentedControl,
+  Select,
   Slider,
   Stack,
   Text,
 } from "@mantine/core";
 import { useState } from "react";
+import type { Machine } from "../../api/client";
 import type { Edges } from "../../geometry/records";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
@@ -31,11 +33,13 @@ import {
   isByType,
   type NumberField,
   optionsForEdges,
+  stationsForEdges,
   type Target,
   withoutTarget,
   withValue,
 } from "../../state/order/edgeOptions";
 import { withEdgeChoices } from "../../state/order/options";
+import { useMachines } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
 import { Note } from "../shared/parts";
@@ -43,6 +47,7 @@ import {
   choiceSummary,
   choiceText,
   fieldText,
+  optionHelp,
   optionTitle,
   targetOf,
   targetText,
@@ -56,7 +61,7 @@ interface SelectionProps {
 
 /** The fields of all options for the selected edges. */
 export function EdgeOptions({ edges, rows }: SelectionProps) {
-  const names = optionsForEdges(edges, rows);
+  const names = useOptionNames(edges, rows);
   if (names.length === 0) return null;
   return (
     <Stack gap={8} mt={14} data-testid="edge-options">
@@ -65,6 +70,25 @@ export function EdgeOptions({ edges, rows }: SelectionProps) {
         <OptionForm key={name} name={name} edges={edges} rows={rows} />
       ))}
     </Stack>
+  );
+}
+
+/** The options that can be chosen for some edges: a tool only where a machine has several. */
+function useOptionNames(edges: Edges, rows: readonly number[]): EdgeOptionName[] {
+  const stations = useStations(edges, rows);
+  const options = useUiStore((ui) => ui.options);
+  return optionsForEdges(edges, rows).filter(
+    (name) => name !== "edge_tools" || stations.length > 1 || options.edge_tools.length > 0,
+  );
+}
+
+function useStations(edges: Edges, rows: readonly number[]): Machine["stations"] {
+  const { data: machines } = useMachines();
+  const machine = useUiStore((ui) => ui.machine);
+  return stationsForEdges(
+    machines?.find(({ name }) => name === machine),
+    edges,
+    rows,
   );
 }
 
@@ -78,6 +102,7 @@ function OptionForm({ name, edges, rows }: SelectionProps & { name: EdgeOptionNa
   const first = typeof target === "string" ? target : (target[0] ?? -1);
   const fields = edgeFields(name);
   const choices: readonly EdgeChoice[] = options[name];
+  const help = optionHelp(name);
   const values = chosenValues(fields, choices, first);
   // What an edge without a choice of its own has from its line type.
   const ofType = type === null ? {} : chosenValues(fields, choices, type);
@@ -104,9 +129,11 @@ function OptionForm({ name, edges, rows }: SelectionProps & { name: EdgeOptionNa
             data-testid={`edge-scope-${name}`}
           />
         )}
+        {help !== null && <Note>{help}</Note>}
         {Object.entries(fields).map(([key, field]) => (
           <Field
             key={key}
+            selection={{ edges, rows }}
             name={name}
             id={key}
             field={field}
@@ -130,6 +157,7 @@ interface FieldProps<Kind extends EdgeField> {
   value: FieldValue;
   /** Value that is chosen for the line type of the edges; null for none. */
   usual: FieldValue;
+  selection: SelectionProps;
   /** The edge if a single one is selected. */
   edge: { edges: Edges; row: number } | null;
   onChange: (value: FieldValue) => void;
@@ -138,6 +166,7 @@ interface FieldProps<Kind extends EdgeField> {
 function Field({ field, ...rest }: FieldProps<EdgeField>) {
   if (field.kind === "choice") return <ChoiceControl field={field} {...rest} />;
   if (field.unit === "fraction") return <PlaceControl field={field} {...rest} />;
+  if (field.unit === "station") return <StationControl field={field} {...rest} />;
   return <NumberControl field={field} {...rest} />;
 }
 
@@ -202,6 +231,32 @@ function PlaceControl({ name, id, field, value, edge, onChange }: FieldProps<Num
         </Stack>
       )}
     </Stack>
+  );
+}
+
+/** One of the stations whose tools make the selected edges. */
+function StationControl({ name, id, value, usual, selection, onChange }: FieldProps<NumberField>) {
+  const stations = useStations(selection.edges, selection.rows);
+  const known = stations.map(({ number, name: title }) => ({
+    value: String(number),
+    label: `${number} ${title}`,
+  }));
+  // A station that this machine lacks stays visible until another one is chosen.
+  const foreign =
+    value === null || known.some((one) => one.value === String(value))
+      ? []
+      : [{ value: String(value), label: valueText(name, id, value) }];
+  return (
+    <Select
+      size="xs"
+      label={fieldText(name, id)}
+      placeholder={valueText(name, id, usual)}
+      data={[...known, ...foreign]}
+      value={value === null ? null : String(value)}
+      clearable
+      onChange={(chosen) => onChange(chosen === null ? null : Number(chosen))}
+      data-testid={`edge-${name}-${id}`}
+    />
   );
 }
 

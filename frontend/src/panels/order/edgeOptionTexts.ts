@@ -10,6 +10,7 @@ import {
   type EdgeOptionName,
   edgeFields,
   type FieldValue,
+  hasHelp,
   type Target,
 } from "../../state/order/edgeOptions";
 
@@ -24,6 +25,7 @@ type Needed = {
   [Name in EdgeOptionName]:
     | `edgeOption.${Name}`
     | `edgeOption.${Name}.${FieldName<Name>}`
+    | (Options[Name]["help"] extends true ? `edgeOption.${Name}.help` : never)
     | {
         [Field in FieldName<Name>]: `edgeOption.${Name}.${Field}.${ChoicesOf<
           Options[Name]["fields"][Field & keyof Options[Name]["fields"]]
@@ -37,6 +39,10 @@ const text = (...parts: readonly string[]): string =>
 
 export const optionTitle = (name: EdgeOptionName): string => text(name);
 
+/** What to know about an option; null for nothing. */
+export const optionHelp = (name: EdgeOptionName): string | null =>
+  hasHelp(name) ? text(name, "help") : null;
+
 export const fieldText = (name: EdgeOptionName, field: string): string => text(name, field);
 
 export const choiceText = (name: EdgeOptionName, field: string, choice: string): string =>
@@ -47,6 +53,7 @@ export function valueText(name: EdgeOptionName, key: string, value: FieldValue):
   const field = edgeFields(name)[key];
   if (typeof value === "string") return choiceText(name, key, value);
   if (value === null || field === undefined) return translate("edgeOption.asUsual");
+  if (field.unit === "station") return translate("edgeOption.station", { number: value });
   if (field.unit === "fraction") return formatNumber(value, { style: "percent" });
   return field.unit === "mm"
     ? translate("edgeOption.millimetres", { value: formatNumber(value) })

@@ -1,10 +1,12 @@
 import { describe, expect, test } from "vitest";
-import type { Edges } from "../../geometry/records";
+import type { Machine } from "../../api/client";
+import { type Edges, lineTypeOf } from "../../geometry/records";
 import {
   arrowAlong,
   chosenPlaces,
   chosenValues,
   edgeFields,
+  stationsForEdges,
   withoutTarget,
   withValue,
 } from "./edgeOptions";
@@ -50,7 +52,13 @@ describe("the choices for edges", () => {
     const choices = [{ edges: [0, 1], at: 0.25, direction: "free" as const }];
     expect(
       chosenPlaces(
-        { contour_starts: choices, cut_depths: [], crease_depths: [], edge_feeds: [] },
+        {
+          contour_starts: choices,
+          cut_depths: [],
+          crease_depths: [],
+          edge_tools: [],
+          edge_feeds: [],
+        },
         EDGES,
       ),
     ).toEqual([
@@ -64,4 +72,21 @@ test("an arrow shows the direction in which an edge is drawn", () => {
   expect(arrowAlong(EDGES, 0)).toBe("→");
   expect(arrowAlong(EDGES, 1)).toBe("↑");
   expect(arrowAlong(EDGES, 1, true)).toBe("↓");
+});
+
+test("the tools for edges are those that make all their line types", () => {
+  const machine = {
+    stations: [
+      { number: 1, line_types: ["cut", "half-cut", "combi"] },
+      { number: 2, line_types: ["crease", "combi"] },
+      { number: 3, line_types: ["cut"] },
+    ],
+  } as unknown as Machine;
+  const edges = { lineType: new Uint8Array([1, 5]) } as unknown as Edges;
+  const numbers = (rows: number[]): number[] =>
+    stationsForEdges(machine, edges, rows).map(({ number }) => number);
+  expect([lineTypeOf(1), lineTypeOf(5)]).toEqual(["cut", "half-cut"]);
+  expect(numbers([0])).toEqual([1, 3]);
+  expect(numbers([0, 1])).toEqual([1]);
+  expect(stationsForEdges(undefined, edges, [0])).toEqual([]);
 });

@@ -1,5 +1,6 @@
 /** Options of a job that concern some edges: what is chosen for an edge, and how it changes. */
 
+import type { Machine } from "../../api/client";
 import { EDGE_OPTIONS } from "../../api/options.gen";
 import { pointAt } from "../../geometry/arc";
 import { type Edges, type LineType, lineTypeOf, type Point } from "../../geometry/records";
@@ -23,7 +24,7 @@ export interface NumberField {
   readonly max: number;
   readonly whole: boolean;
   readonly default: number | null;
-  /** fraction: a place on the edge, 0 at its start; mm: a length. */
+  /** fraction: a place on the edge, 0 at its start; mm: a length; station: a tool of the machine. */
   readonly unit: string;
 }
 
@@ -45,6 +46,21 @@ export const edgeFields = (name: EdgeOptionName): Fields => EDGE_OPTIONS[name].f
 
 /** Whether an option may be chosen for a line type as a whole. */
 export const isByType = (name: EdgeOptionName): boolean => EDGE_OPTIONS[name].byType;
+
+/** Whether there is a text about an option. */
+export const hasHelp = (name: EdgeOptionName): boolean => EDGE_OPTIONS[name].help;
+
+/** The stations of a machine whose tools may be chosen for all of some edges. */
+export const stationsForEdges = (
+  machine: Machine | undefined,
+  edges: Edges,
+  rows: readonly number[],
+): Machine["stations"] => {
+  const types = new Set(rows.map((row) => lineTypeOf(edges.lineType[row])));
+  return (machine?.stations ?? []).filter(({ line_types: made }) =>
+    [...types].every((type) => (made as readonly LineType[]).includes(type)),
+  );
+};
 
 /** The options that some edges may have: each of them has one of the line types of the option. */
 export const optionsForEdges = (edges: Edges, rows: readonly number[]): EdgeOptionName[] => {

@@ -20,6 +20,7 @@ from knifetip.model.job_options import (
     CreaseDepth,
     CutDepth,
     EdgeFeed,
+    EdgeTool,
     JobOptions,
 )
 from knifetip.model.sheet import Sheet
@@ -44,6 +45,7 @@ CHOICES = JobOptions(
     contour_starts=(ContourStart(edges=(3, 4), at=0.25, direction="reverse"),),
     cut_depths=(CutDepth(edges=(5,), passes=2, depth=1.5), CutDepth(line_type="cut", passes=3)),
     crease_depths=(CreaseDepth(edges=(7,), depth=0.3),),
+    edge_tools=(EdgeTool(edges=(4,), station=2),),
     edge_feeds=(EdgeFeed(edges=(6,), factor=0.5),),
     bridges=(BridgeAt(edges=(9,), at=0.5, width=1.0),),
     work_order=(8, 7),

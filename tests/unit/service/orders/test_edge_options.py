@@ -59,6 +59,24 @@ def test_an_order_of_the_work_is_kept_with_the_job_and_refuses_it_if_it_breaks_a
     assert job["message"]["arguments"]["error"]["code"] == "order.one-track"
 
 
+def test_tools_are_kept_with_the_job_and_refuse_it_if_the_machine_lacks_them(
+    client: httpx.Client,
+) -> None:
+    plain, program = made(client)
+    assert plain["edge_tools"] == []
+    machine = client.get(f"/api/machines/{plain['machine']}").json()
+    makes = {station["number"]: set(station["line_types"]) for station in machine["stations"]}
+    assert makes[1] == {"cut", "half-cut", "perforation", "combi"}
+    assert makes[2] == {"crease", "combi"}
+    chosen = [{"edges": [], "line_type": "cut", "station": 1}]
+    job, same = made(client, edge_tools=chosen)
+    assert (job["state"], job["edge_tools"], same) == ("ready", chosen, program)
+    job, _ = made(client, edge_tools=[{"edges": [2], "station": 2}])
+    assert job["state"] == "refused"
+    error = job["message"]["arguments"]["error"]
+    assert (error["code"], error["arguments"]["edge"]) == ("tool-choice.other-kind", 2)
+
+
 def test_bridges_are_kept_with_the_job_and_stay_in_the_board(client: httpx.Client) -> None:
     _, program = made(client)
     bridges = [{"edges": [1], "at": 0.5, "width": 2.0}]
@@ -102,6 +120,8 @@ def test_the_newest_order_of_a_customer_on_a_board_and_a_machine_is_found(
         ({"cut_depths": [{"edges": [0], "passes": 11}]}, "cut_depths"),
         ({"cut_depths": [{"edges": [0], "line_type": "cut", "passes": 2}]}, "cut_depths"),
         ({"cut_depths": [{"edges": [0], "depth": -1.0}]}, "cut_depths"),
+        ({"edge_tools": [{"edges": [0], "station": 0}]}, "edge_tools"),
+        ({"edge_tools": [{"edges": [0], "station": 256}]}, "edge_tools"),
         ({"work_order": [-1]}, "work_order"),
         ({"bridges": [{"edges": [0], "at": 0.5, "width": 0.0}]}, "bridges"),
         ({"bridges": [{"edges": [0], "at": 1.5}]}, "bridges"),

@@ -7,7 +7,6 @@ the last one follows it completely is checked with all other edges.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,12 +17,10 @@ from knifetip.model.job_options import CutDepth
 from knifetip.model.machine import Station
 from knifetip.model.tool import Knife
 from knifetip.verification.checks.common.context import CheckContext
+from knifetip.verification.checks.common.followed_edges import followed_edges
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.intervals import Overlaps, uncovered_edges
-from knifetip.verification.curves.overlap import find_overlaps
-from knifetip.verification.expectation.cutter_paths import cutter_paths, disc_reach
 from knifetip.verification.expectation.edges import Edges
-from knifetip.verification.expectation.outline import find_outlines
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.kinematics import TipPaths
 from knifetip.verification.tools import expected_tool
@@ -62,32 +59,6 @@ def check_chosen_passes(context: CheckContext, paths: TipPaths) -> None:
         _compare(context, passes, found, context.board.caliper - own.z)
 
 
-def followed_edges(
-    context: CheckContext, edges: Edges, station: Station, own: TipPaths
-) -> Overlaps:
-    """Return the stretches in which tip paths of a station follow edges.
-
-    A path that only crosses an edge, or runs on past the end of another one, does not follow it.
-    """
-    found = _follow(context, edges, station, own)
-    size = np.diff(found.along)[:, 0]
-    path_size = own.curve[found.curve, 5]
-    follows = found.best & (size > _longest_overrun(context, station))
-    follows &= size > 0.5 * np.minimum(path_size, edges.curve[found.edge, 5])
-    follows &= np.abs(np.diff(found.place)[:, 0]) >= 0.5 * size
-    return found.select(follows)
-
-
-def _longest_overrun(context: CheckContext, station: Station) -> float:
-    """Return the greatest length by which a knife runs on past the end of a cut (mm); 0 for a
-    cutter.
-    """
-    if not isinstance(station.tool, Knife):
-        return 0.0
-    depth = context.board.caliper + context.machine.into_mat
-    return depth * math.tan(math.radians(station.tool.blade_angle)) + context.tolerance
-
-
 def _expected_passes(context: CheckContext, station: Station) -> _Passes:
     """Return the edges of a station's tool with a known number of passes.
 
@@ -109,26 +80,6 @@ def _expected_passes(context: CheckContext, station: Station) -> _Passes:
     depth = np.where(np.isfinite(depth), depth, usual)
     known = np.flatnonzero(count > 0)
     return _Passes(edges.select(known), count[known], depth[known])
-
-
-def _follow(context: CheckContext, edges: Edges, station: Station, own: TipPaths) -> Overlaps:
-    """Return the overlaps of tip paths with edges, or with the paths of a cutter beside them."""
-    if expected_tool(station.tool).disc is None:
-        return edges.find_overlaps(own.curve, context.tolerance)
-    bounds = find_outlines(context.edges.with_types(LineType.CUT))
-    beside = cutter_paths(bounds, disc_reach(context.board, station))
-    size = beside.curve[:, 5]
-    found = find_overlaps(own.curve, beside.curve, np.zeros(len(size)), size, context.tolerance)
-    low, high = beside.edge_intervals(found.edge, found.place)
-    row = bounds.edges.row[beside.edge[found.edge]]
-    index = np.full(int(context.edges.row.max(initial=0)) + 1, -1)
-    index[edges.row] = np.arange(len(edges))
-    known = index[row] >= 0
-    place = np.column_stack([low, high])
-    result = Overlaps(
-        found.curve, index[row].astype(np.int32), found.along, place, found.distance, found.best
-    )
-    return result.select(known)
 
 
 def _compare(context: CheckContext, passes: _Passes, found: Overlaps, deep: F64) -> None:

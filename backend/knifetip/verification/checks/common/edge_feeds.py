@@ -16,8 +16,8 @@ from knifetip.model.chosen_work import ChosenWork
 from knifetip.model.dieline import LineType
 from knifetip.model.job_options import EdgeFeed
 from knifetip.model.machine import Machine
-from knifetip.verification.checks.common.chosen_passes import followed_edges
 from knifetip.verification.checks.common.context import CheckContext
+from knifetip.verification.checks.common.followed_edges import followed_edges
 from knifetip.verification.checks.motion.feed_kernels import feed_faults
 from knifetip.verification.checks.motion.move_columns import move_columns, tool_columns
 from knifetip.verification.columns import F64

@@ -28,6 +28,13 @@ class HandBridges(NamedTuple):
     edge: I64  #: (m,) index of the edge
     moved: F64  #: (m,) greatest distance of the cut from the edge as drawn (mm)
 
+    def on_edges(self, mask: Bool) -> HandBridges:
+        """Return the bridges on edges of a mask, (n,)."""
+        kept = mask[self.edge]
+        return HandBridges(
+            self.path[kept], self.middle[kept], self.width[kept], self.edge[kept], self.moved[kept]
+        )
+
     def paths(self, count: int) -> Bool:
         """Return the mask of the paths with bridges, (count,)."""
         result = np.zeros(count, np.bool_)

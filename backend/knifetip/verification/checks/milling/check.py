@@ -34,7 +34,7 @@ from knifetip.verification.checks.milling.shortfalls import (
     report_wide_slits,
 )
 from knifetip.verification.checks.milling.unreached_areas import unreached_areas
-from knifetip.verification.checks.milling.work import MilledPaths, MillingWork
+from knifetip.verification.checks.milling.work import MilledCuts, MilledPaths, MillingWork
 from knifetip.verification.columns import F64, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, left_distance, line_curves, point_at
 from knifetip.verification.curves.intervals import (
@@ -44,7 +44,7 @@ from knifetip.verification.curves.intervals import (
 )
 from knifetip.verification.curves.overlap import find_overlaps
 from knifetip.verification.expectation.cutter_paths import CutterPaths, cutter_paths, disc_reach
-from knifetip.verification.expectation.edges import JOIN_DISTANCE, Edges, pairs_within
+from knifetip.verification.expectation.edges import JOIN_DISTANCE, pairs_within
 from knifetip.verification.expectation.expected_work import knife_ends
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.tools import expected_tool
@@ -66,7 +66,7 @@ _LARGER_ARC: Final = 0.0021
 
 
 def check_milling(
-    context: CheckContext, edges: Edges, centres: MilledPaths, station: Station, slack: float
+    context: CheckContext, cuts: MilledCuts, centres: MilledPaths, station: Station, slack: float
 ) -> None:
     """Check that a cutter removes the board on the waste side of its cuts, and nowhere else.
 
@@ -74,8 +74,8 @@ def check_milling(
     ----------
     context
         Inputs and results of the verification; findings and figures are added to it.
-    edges
-        Cuts that the cutter must make.
+    cuts
+        All cuts, and which of them the cutter must make.
     centres
         Paths of the cutter's centre.
     station
@@ -88,7 +88,7 @@ def check_milling(
     assert tool.disc is not None
     planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
     reach = disc_reach(context.board, station)
-    _MillingCheck(context, edges, centres, tool.disc, reach, slack).run(planned)
+    _MillingCheck(context, cuts, centres, tool.disc, reach, slack).run(planned)
 
 
 class _MillingCheck(MillingWork):
@@ -119,12 +119,14 @@ class _MillingCheck(MillingWork):
         self._check_unfinished(deep, is_through)
         pieces = cutter_paths(self.bounds, self.reach)
         gap_edge, begin, end = self._untouched_stretches(pieces, is_through)
+        own = self.owned[gap_edge]
+        gap_edge, begin, end = gap_edge[own], begin[own], end[own]
         through = self.centres.curve[is_through]
         unreached = self._record_untouched(pieces, gap_edge, begin, end, through)
         report_unreached(self.context, self.bounds, unreached, through, self.reach)
         on_cut = open_cut_mask(self)
         on_slit = self.centres.curve[is_through & on_cut]
-        slits = np.flatnonzero(~self.bounds.closing)
+        slits = np.flatnonzero(~self.bounds.closing & self.owned)
         report_wide_slits(self.context, self.edges, slits, on_slit, 2.0 * self.tool.radius)
         check_centre_paths(self, on_cut)
 
@@ -455,8 +457,8 @@ class _MillingCheck(MillingWork):
         width = (end - begin) * scale - 2.0 * self.tool.radius
         paths = knife_ends(self.edges, self.edges, 0.0, 0.0, self.bounds.outer).paths
         rounds = paths.first < 0
-        rounds[paths.path[~self.bounds.outer]] = False
-        hand = find_hand_bridges(self.context, self.edges, paths)
+        rounds[paths.path[~(self.bounds.outer & self.owned)]] = False
+        hand = find_hand_bridges(self.context, self.edges, paths).on_edges(self.owned)
         on_hand = hand.paths(len(rounds))
         if not by_board:
             rounds &= on_hand

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -34,14 +35,21 @@ class MilledPaths:
         )
 
 
+class MilledCuts(NamedTuple):
+    """All n cuts that cutters make, and those of one of the cutters."""
+
+    edges: Edges
+    owned: Bool  #: (n,) mask of the cuts that the cutter must make
+
+
 class MillingWork:
-    """The paths of one cutter's centre, and all cuts that the cutter must make.
+    """The paths of one cutter's centre, the cuts that the cutter must make, and those of others.
 
     Parameters
     ----------
     context
         Inputs and results of the verification.
-    edges
+    cuts
         The cuts; they are divided where the ends of others lie on them.
     centres
         Paths of the cutter's centre.
@@ -56,7 +64,7 @@ class MillingWork:
     def __init__(
         self,
         context: CheckContext,
-        edges: Edges,
+        cuts: MilledCuts,
         centres: MilledPaths,
         tool: Disc,
         reach: F64,
@@ -65,8 +73,10 @@ class MillingWork:
         self.context, self.centres, self.tool = context, centres, tool
         self.reach, self.slack, self.tolerance = reach, slack, context.tolerance
         # One part of an edge may be the outline, and another part a slit between two flaps.
-        self.edges, owner, self.begin = split_at_junctions(edges)
-        self.size_of_edge = edges.curve[owner, 5]
+        self.edges, owner, self.begin = split_at_junctions(cuts.edges)
+        self.size_of_edge = cuts.edges.curve[owner, 5]
+        #: mask of the edges that the cutter must make
+        self.owned: Bool = cuts.owned[owner]
         self.bounds: CutOutlines = find_outlines(self.edges)
         self.size = self.edges.curve[:, 5]
         self.rounds = np.where(np.isfinite(centres.blend), centres.blend, 0.0)
