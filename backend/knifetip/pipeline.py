@@ -60,6 +60,7 @@ from knifetip.planning.chosen_depths import check_crease_depths, check_depths
 from knifetip.planning.chosen_starts import ChosenStart, apply_starts, place_starts
 from knifetip.planning.chosen_tools import all_cuts_chosen, check_tools
 from knifetip.planning.cutters import with_best_cutter
+from knifetip.planning.edge_corners import check_edge_corners
 from knifetip.planning.nothing_to_make import check_has_work
 from knifetip.planning.placement import placement
 from knifetip.planning.plan import check_corners, plan
@@ -291,6 +292,7 @@ def compile(
         work = chosen_work(options, dieline)
         dieline = with_depths(dieline, work, board.caliper)
         check_tools(work, dieline, machine)
+        check_edge_corners(work, dieline, machine)
         check_depths(work, dieline, machine, board)
         check_crease_depths(work, dieline, machine, board)
     checked = clean_checked(dieline)

@@ -16,7 +16,7 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.compensation.contour_starts import SHORTEST_START, segments_before
+from knifetip.compensation.contour_starts import SHORTEST_START
 from knifetip.compensation.corner import (
     list_places,
     replaced_corner_notes,
@@ -29,7 +29,13 @@ from knifetip.errors import CompensationError, GeometryError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import unit_vectors
 from knifetip.geometry.columns import F64, I32, U8, Bool
-from knifetip.geometry.path import Paths, longest_segments, start_at, start_in_middle
+from knifetip.geometry.path import (
+    Paths,
+    longest_segments,
+    segments_before,
+    start_at,
+    start_in_middle,
+)
 from knifetip.geometry.tolerance import BULGE
 from knifetip.messages import Message
 from knifetip.model.operation import Operation

@@ -16,7 +16,7 @@ from knifetip.compensation.tracks import end_azimuths
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import azimuth, left_normal, turn_angle, unit_vectors
 from knifetip.geometry.columns import F64, I32, Bool
-from knifetip.geometry.path import Paths, longest_segments
+from knifetip.geometry.path import Paths, longest_segments, segments_before
 from knifetip.geometry.tolerance import ANGLE, BULGE
 from knifetip.model.contour_starts import ContourStarts
 from knifetip.model.operation import End, Operation
@@ -50,15 +50,6 @@ def lifting_corners(operation: Operation, blade: Knife) -> Bool:
     closed = (operation.finish == End.CLOSED)[paths.path_of]
     result: Bool = closed & (np.abs(turn) > blade.lift_angle)
     return result
-
-
-def segments_before(paths: Paths) -> I32:
-    """Return the segment before each of n segments, (n,); before the first of a path is the last
-    one.
-    """
-    before: I32 = np.arange(-1, len(paths.bulge) - 1, dtype=np.int32)
-    before[paths.first[:-1]] = paths.first[1:] - 1
-    return before
 
 
 def _knife_starts(operation: Operation, closed: Bool) -> ContourStarts:

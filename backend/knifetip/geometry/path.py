@@ -294,6 +294,15 @@ def start_at(paths: Paths, row: I32) -> tuple[Paths, I32]:
     return Paths(paths.start[rows], paths.end[rows], paths.bulge[rows], paths.first), rows
 
 
+def segments_before(paths: Paths) -> I32:
+    """Return the segment before each of n segments, (n,); before the first of a path is the last
+    one.
+    """
+    before: I32 = np.arange(-1, len(paths.bulge) - 1, dtype=np.int32)
+    before[paths.first[:-1]] = paths.first[1:] - 1
+    return before
+
+
 def longest_segments(paths: Paths, *preferred: Bool) -> I32:
     """Return the longest line of each path, or its longest arc if the path has no line, (p,).
 

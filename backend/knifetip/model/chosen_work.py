@@ -80,7 +80,7 @@ def chosen_work(options: VerifiedOptions, dieline: Dieline) -> ChosenWork:
         The drawing has no such edge.
     """
     result = {}
-    for name, field in VerifiedOptions.model_fields.items():
+    for name, field in type(options).model_fields.items():
         for kind in get_args(field.annotation):
             if isinstance(kind, type) and issubclass(kind, LineTypeChoice):
                 choices: tuple[LineTypeChoice, ...] = getattr(options, name)

@@ -95,6 +95,29 @@ class EdgeTool(LineTypeChoice):
     )
 
 
+class EdgeCorner(LineTypeChoice):
+    """How a cutter or laser goes round the corners at the ends of some edges."""
+
+    types = ("cut",)
+
+    type: Annotated[Literal["usual", "auto", "B", "C", "D"], LISTED] = Field(
+        default="usual",
+        title="Corner type",
+        description="Type of the outer corners at which the tool arrives along the edges. B: an "
+        "arc. C: straight lines with a stop at each bend. D: a line, an arc and a line. auto: the "
+        "fastest type. usual: the type of the job",
+        json_schema_extra={"unit": "corner"},
+    )
+    k: float | None = Field(
+        default=None,
+        ge=0.01,
+        le=0.99,
+        title="Parameter k of type D",
+        description="Parameter k of these corners where they have type D, without a unit: near 0 "
+        "is like type B, near 1 like type C; null for the `k` of the job",
+    )
+
+
 class EdgeFeed(LineTypeChoice):
     """The feed with which some edges are cut."""
 
@@ -240,6 +263,22 @@ class JobOptions(VerifiedOptions):
     corners: Corners | None = Field(
         default=None,
         description="Corner types, for routers and lasers only; null for the fastest types",
+    )
+    edge_corners: tuple[EdgeCorner, ...] = Field(
+        default=(),
+        strict=False,  # JSON has lists
+        max_length=1000,
+        title="Corners of edges",
+        description="Corner types by edge, for routers and lasers only; empty for those of "
+        "`corners`. A corner has the type of the edge along which the tool arrives; the tool has "
+        "the waste on its left, so it runs clockwise round a part. Corners in `corners.at` have "
+        "the types there. Of several choices for one edge the last counts, and one for the edge "
+        "before one for its line type",
+        json_schema_extra={
+            "help": "A corner has the type of the edge along which the tool arrives: it runs "
+            "clockwise round parts and anticlockwise in holes. A type for a single corner counts "
+            "more."
+        },
     )
     lift: Annotated[Literal["clearance", "least"], LISTED] = Field(
         default="clearance",

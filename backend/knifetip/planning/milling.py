@@ -23,7 +23,7 @@ from knifetip.geometry.columns import F64, I8, I32, I64, Bool
 from knifetip.geometry.path import Paths, reverse_paths, select_paths
 from knifetip.geometry.spatial_index.box_pairs import box_pairs
 from knifetip.geometry.tolerance import JOIN
-from knifetip.model.corners import Corners
+from knifetip.model.corners import AS_OTHERS, Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.job_options import CutDepth
 from knifetip.model.operation import End, Operation
@@ -36,6 +36,7 @@ from knifetip.planning.corners import distances_to_corners, find_bends, match_ch
 from knifetip.planning.cut_sides import cut_sides
 from knifetip.planning.divided_contours import join_contours
 from knifetip.planning.drawn_twice import explain_copies
+from knifetip.planning.edge_corners import with_edge_corners
 from knifetip.planning.facing_contours import merge_facing_layers, slit_layers
 from knifetip.planning.last_cuts import releasing_cuts, track_levels
 from knifetip.planning.layers import cut_layers
@@ -153,24 +154,23 @@ def plan_milling(
             LineType.CUT, subset, own_source, depths[subset.path_of], (end, end)
         )
         x, y = setup.machine.carriage_of(own_setup.station).axes[:2]
-        operations.append(
-            replace(
-                operation,
-                clearance=cutter.clearance(setup.machine.clearance),
-                side=int(rank // len(layer) % 2),
-                bridges=bridges,
-                endable=endable[segment_rows],
-                obstacles=obstacles,
-                corner=corners.type,
-                k=corners.k,
-                interference=corners.interference,
-                acceleration=min(x.acceleration, y.acceleration),
-                deflection=next(
-                    ((d.x, d.y) for d in board.deflection if d.tool == own_setup.station.name),
-                    (0.0, 0.0),
-                ),
-            )
+        operation = replace(
+            operation,
+            clearance=cutter.clearance(setup.machine.clearance),
+            side=int(rank // len(layer) % 2),
+            bridges=bridges,
+            endable=endable[segment_rows],
+            obstacles=obstacles,
+            corner=corners.type,
+            k=corners.k,
+            interference=corners.interference,
+            acceleration=min(x.acceleration, y.acceleration),
+            deflection=next(
+                ((d.x, d.y) for d in board.deflection if d.tool == own_setup.station.name),
+                (0.0, 0.0),
+            ),
         )
+        operations.append(with_edge_corners(operation, setup.chosen))
     return operations
 
 
@@ -291,7 +291,12 @@ def apply_choices(
     for operation, is_milling in zip(operations, milling, strict=True):
         if is_milling:
             kind, k = match_choices_to_bends(corners, placement, nearest, next(bend))
-            operation = replace(operation, corner_at=kind, k_at=k)
+            of_edges = kind == AS_OTHERS
+            operation = replace(
+                operation,
+                corner_at=np.where(of_edges, operation.corner_at, kind),
+                k_at=np.where(of_edges, operation.k_at, k),
+            )
         result.append(operation)
     return result
 

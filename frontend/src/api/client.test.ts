@@ -61,6 +61,7 @@ describe("an error", () => {
         cut_depths: [],
         crease_depths: [],
         edge_tools: [],
+        edge_corners: [],
         edge_feeds: [],
         program_note: "",
         external_id: "PO-1",

@@ -127,5 +127,34 @@ export const EDGE_OPTIONS = {
         "unit": ""
       }
     }
+  },
+  "edge_corners": {
+    "types": [
+      "cut"
+    ],
+    "byType": true,
+    "help": true,
+    "fields": {
+      "type": {
+        "kind": "choice",
+        "choices": [
+          "usual",
+          "auto",
+          "B",
+          "C",
+          "D"
+        ],
+        "default": "usual",
+        "unit": "corner"
+      },
+      "k": {
+        "kind": "number",
+        "min": 0.01,
+        "max": 0.99,
+        "default": null,
+        "whole": false,
+        "unit": ""
+      }
+    }
   }
 } as const;

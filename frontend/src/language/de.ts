@@ -982,6 +982,16 @@ export const de = {
   "edgeOption.edge_tools.help":
     "Rillungen, die einander fortsetzen, brauchen dasselbe Rillrad. Ein Fräser oder Laser bearbeitet die ganze Kontur einer Kante.",
   "edgeOption.edge_tools.station": "Werkzeug",
+  "edgeOption.edge_corners": "Ecken der Kanten",
+  "edgeOption.edge_corners.help":
+    "Eine Ecke hat die Art der Kante, auf der das Werkzeug ankommt: Es läuft im Uhrzeigersinn um Teile und gegen ihn in Löchern. Eine Art für eine einzelne Ecke geht vor.",
+  "edgeOption.edge_corners.type": "Eckenart",
+  "edgeOption.edge_corners.type.usual": "Wie im Auftrag",
+  "edgeOption.edge_corners.type.auto": "Automatisch",
+  "edgeOption.edge_corners.type.B": "Bogen (B)",
+  "edgeOption.edge_corners.type.C": "Gerade (C)",
+  "edgeOption.edge_corners.type.D": "Übergang (D)",
+  "edgeOption.edge_corners.k": "Parameter k der Art D",
   "edgeOption.edge_feeds": "Vorschub der Kanten",
   "edgeOption.edge_feeds.factor": "Vorschubfaktor",
   // panels/order/SheetForm.tsx

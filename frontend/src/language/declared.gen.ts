@@ -21,5 +21,14 @@ export const DECLARED_TEXTS = {
   "edgeOption.edge_tools.station": "Tool",
   "edgeOption.edge_feeds": "Feed of edges",
   "edgeOption.edge_feeds.factor": "Feed factor",
+  "edgeOption.edge_corners": "Corners of edges",
+  "edgeOption.edge_corners.help": "A corner has the type of the edge along which the tool arrives: it runs clockwise round parts and anticlockwise in holes. A type for a single corner counts more.",
+  "edgeOption.edge_corners.type": "Corner type",
+  "edgeOption.edge_corners.type.usual": "Usual",
+  "edgeOption.edge_corners.type.auto": "Auto",
+  "edgeOption.edge_corners.type.B": "B",
+  "edgeOption.edge_corners.type.C": "C",
+  "edgeOption.edge_corners.type.D": "D",
+  "edgeOption.edge_corners.k": "Parameter k of type D",
   "fact.program_bytes": "Size of the program"
 } as const;

@@ -30,6 +30,19 @@ MESSAGES: Final[Entries] = {
         distance="number",
         least="number",
     ),
+    "corner-choice.no-cutter": entry(
+        "A corner type was chosen for edge {edge}, but {machine} cuts with no router or laser.",
+        "Remove the choice, or choose another machine.",
+        edge="edge",
+        machine="text",
+    ),
+    "corner-choice.other-type": entry(
+        "A corner type was chosen for edge {edge}, which has the line type {type}, but only "
+        "cuts have corner types.",
+        "Remove the choice.",
+        edge="edge",
+        type="text",
+    ),
     "crease-depth.not-set": entry(
         "A depth was chosen for crease {edge}, but programs of {machine} do not set the depth of "
         "the wheel.",

@@ -22,6 +22,16 @@ TEXTS: Final[Texts] = {
         "entfernt, aber das Werkzeug braucht {least:.2f} mm von Mitte zu Mitte.",
         "Einen der Stege verschieben oder entfernen.",
     ),
+    "corner-choice.no-cutter": Text(
+        "Für Kante {edge} wurde eine Eckenart gewählt, aber {machine} schneidet nicht mit Fräser "
+        "oder Laser.",
+        "Die Angabe entfernen oder eine andere Maschine wählen.",
+    ),
+    "corner-choice.other-type": Text(
+        "Für Kante {edge} wurde eine Eckenart gewählt. Sie hat die Linienart {type}, aber "
+        "Eckenarten gibt es nur für Schnitte.",
+        "Die Angabe entfernen.",
+    ),
     "crease-depth.not-set": Text(
         "Für Rillung {edge} wurde eine Tiefe gewählt, aber Programme für {machine} stellen die "
         "Tiefe des Rillrads nicht ein.",

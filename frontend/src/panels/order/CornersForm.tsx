@@ -26,6 +26,7 @@ import {
 import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
 import { Note } from "../shared/parts";
+import { CornerPicture } from "./CornerPicture";
 import cornerCss from "./corners.module.css";
 
 const TITLES: Readonly<Record<CornerType, string>> = {
@@ -44,13 +45,6 @@ const DESCRIPTIONS: Readonly<Record<CornerType, string>> = {
 
 /** Label of the slider for the parameter k. */
 const K_LABEL = translate("cornersForm.parameterKOfTheTool");
-
-/** Path of the tool centre past a corner at (34, 26), with a tool radius of 14. */
-const PATHS: Readonly<Record<Exclude<CornerType, "auto">, string>> = {
-  B: "M2 12H34A14 14 0 0 1 48 26V42",
-  C: "M2 12H48V42",
-  D: "M2 12H41A7 7 0 0 1 48 19V42",
-};
 
 export function CornersForm() {
   const corners = useUiStore((ui) => ui.corners);
@@ -200,18 +194,5 @@ function SizeSlider({ label, value, onChange }: SizeSliderProps) {
         {formatFixed(value, 2)}
       </Group>
     </Box>
-  );
-}
-
-function CornerPicture({ type }: { type: CornerType }) {
-  const all = type === "auto";
-  return (
-    <svg viewBox="0 0 56 44" width="56" height="44" aria-hidden="true">
-      <path d="M2 26H34V44H2Z" className={cornerCss.cornerPart} />
-      <circle cx="20" cy="12" r="10" className={cornerCss.cornerDisc} />
-      {(all ? (["B", "C", "D"] as const) : [type]).map((shown) => (
-        <path key={shown} d={PATHS[shown]} className={cornerCss.cornerPath} data-faint={all} />
-      ))}
-    </svg>
   );
 }

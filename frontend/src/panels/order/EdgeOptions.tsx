@@ -9,6 +9,7 @@ import {
   Paper,
   SegmentedControl,
   Select,
+  SimpleGrid,
   Slider,
   Stack,
   Text,
@@ -19,6 +20,7 @@ import type { Edges } from "../../geometry/records";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { LINE_STYLES } from "../../state/drawing/palette";
+import { CORNER_TYPES } from "../../state/order/corners";
 import {
   arrowAlong,
   type ChoiceField,
@@ -43,6 +45,8 @@ import { useMachines } from "../../state/queries";
 import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
 import { Note } from "../shared/parts";
+import { CornerPicture } from "./CornerPicture";
+import cornerCss from "./corners.module.css";
 import {
   choiceSummary,
   choiceText,
@@ -73,23 +77,21 @@ export function EdgeOptions({ edges, rows }: SelectionProps) {
   );
 }
 
-/** The options that can be chosen for some edges: a tool only where a machine has several. */
+/** The options that can be chosen for some edges on the machine, and those that are chosen. */
 function useOptionNames(edges: Edges, rows: readonly number[]): EdgeOptionName[] {
-  const stations = useStations(edges, rows);
+  const machine = useMachine();
   const options = useUiStore((ui) => ui.options);
-  return optionsForEdges(edges, rows).filter(
-    (name) => name !== "edge_tools" || stations.length > 1 || options.edge_tools.length > 0,
-  );
+  const offered = (name: EdgeOptionName): boolean => {
+    if (name === "edge_tools") return stationsForEdges(machine, edges, rows).length > 1;
+    return name !== "edge_corners" || machine?.offset_cuts === true;
+  };
+  return optionsForEdges(edges, rows).filter((name) => offered(name) || options[name].length > 0);
 }
 
-function useStations(edges: Edges, rows: readonly number[]): Machine["stations"] {
+function useMachine(): Machine | undefined {
   const { data: machines } = useMachines();
   const machine = useUiStore((ui) => ui.machine);
-  return stationsForEdges(
-    machines?.find(({ name }) => name === machine),
-    edges,
-    rows,
-  );
+  return machines?.find(({ name }) => name === machine);
 }
 
 function OptionForm({ name, edges, rows }: SelectionProps & { name: EdgeOptionName }) {
@@ -164,6 +166,8 @@ interface FieldProps<Kind extends EdgeField> {
 }
 
 function Field({ field, ...rest }: FieldProps<EdgeField>) {
+  if (field.unit === "corner" && field.kind === "choice")
+    return <CornerControl field={field} {...rest} />;
   if (field.kind === "choice") return <ChoiceControl field={field} {...rest} />;
   if (field.unit === "fraction") return <PlaceControl field={field} {...rest} />;
   if (field.unit === "station") return <StationControl field={field} {...rest} />;
@@ -190,6 +194,32 @@ function ChoiceControl({ name, id, field, value, edge, onChange }: FieldProps<Ch
         onChange={onChange}
         data-testid={`edge-${name}-${id}`}
       />
+    </Stack>
+  );
+}
+
+/** A corner type with its picture, or that of the job. */
+function CornerControl({ name, id, field, value, onChange }: FieldProps<ChoiceField>) {
+  return (
+    <Stack gap={6} fz={12} c="ink.2">
+      <span>{fieldText(name, id)}</span>
+      <SimpleGrid cols={3} spacing={4}>
+        {field.choices.map((choice) => (
+          <button
+            key={choice}
+            type="button"
+            className={`${css.choice} ${cornerCss.cornerType}`}
+            aria-pressed={(value ?? field.default) === choice}
+            onClick={() => onChange(choice)}
+            data-testid={`edge-${name}-${id}-${choice}`}
+          >
+            {CORNER_TYPES.filter((type) => type === choice).map((type) => (
+              <CornerPicture key={type} type={type} />
+            ))}
+            {choiceText(name, id, choice)}
+          </button>
+        ))}
+      </SimpleGrid>
     </Stack>
   );
 }
@@ -236,7 +266,7 @@ function PlaceControl({ name, id, field, value, edge, onChange }: FieldProps<Num
 
 /** One of the stations whose tools make the selected edges. */
 function StationControl({ name, id, value, usual, selection, onChange }: FieldProps<NumberField>) {
-  const stations = useStations(selection.edges, selection.rows);
+  const stations = stationsForEdges(useMachine(), selection.edges, selection.rows);
   const known = stations.map(({ number, name: title }) => ({
     value: String(number),
     label: `${number} ${title}`,

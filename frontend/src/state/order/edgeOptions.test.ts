@@ -57,6 +57,7 @@ describe("the choices for edges", () => {
           cut_depths: [],
           crease_depths: [],
           edge_tools: [],
+          edge_corners: [],
           edge_feeds: [],
         },
         EDGES,
