@@ -59,6 +59,7 @@ from knifetip.planning.chosen_bridges import ChosenBridge, locate_bridges
 from knifetip.planning.chosen_depths import check_crease_depths, check_depths
 from knifetip.planning.chosen_starts import ChosenStart, apply_starts, place_starts
 from knifetip.planning.chosen_tools import all_cuts_chosen, check_tools
+from knifetip.planning.contour_leads import check_contour_leads
 from knifetip.planning.cutters import with_best_cutter
 from knifetip.planning.edge_corners import check_edge_corners
 from knifetip.planning.nothing_to_make import check_has_work
@@ -293,6 +294,7 @@ def compile(
         dieline = with_depths(dieline, work, board.caliper)
         check_tools(work, dieline, machine)
         check_edge_corners(work, dieline, machine)
+        check_contour_leads(work, dieline, machine)
         check_depths(work, dieline, machine, board)
         check_crease_depths(work, dieline, machine, board)
     checked = clean_checked(dieline)

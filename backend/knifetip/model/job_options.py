@@ -118,6 +118,32 @@ class EdgeCorner(LineTypeChoice):
     )
 
 
+class ContourLead(LineTypeChoice):
+    """How a cutter or laser comes to the contours of some edges, and leaves them."""
+
+    types = ("cut",)
+
+    length: float | None = Field(
+        default=None,
+        gt=0.0,
+        le=50.0,
+        title="Length of the lead-in",
+        description="Length of the straight lead-in (mm), greater than the radius of the tool; "
+        "null for that of the tool",
+        json_schema_extra={"unit": "mm"},
+    )
+    approach: float | None = Field(
+        default=None,
+        ge=-90.0,
+        le=90.0,
+        title="Angle to the contour",
+        description="Angle of the lead-in to the contour (degrees). 90: perpendicular to it, from "
+        "the waste. 0: along its line. Negative: round a corner on an arc, such as -90; where no "
+        "corner has room for it, perpendicular. Null for that of the tool",
+        json_schema_extra={"unit": "°"},
+    )
+
+
 class EdgeFeed(LineTypeChoice):
     """The feed with which some edges are cut."""
 
@@ -215,6 +241,20 @@ class VerifiedOptions(Table):
         json_schema_extra={
             "help": "Creases that continue each other need the same wheel. A cutter or laser makes "
             "the whole contour of an edge."
+        },
+    )
+    contour_leads: tuple[ContourLead, ...] = Field(
+        default=(),
+        strict=False,  # JSON has lists
+        max_length=1000,
+        title="Lead-in of contours",
+        description="Lead-ins of contours that a cutter or laser makes; empty for those of the "
+        "tool. The lead-out is alike. A choice for one edge is for its whole contour. A lead-in "
+        "without room is halved or left out, as that of the tool is. Of several choices for one "
+        "edge the last counts, and one for the edge before one for its line type",
+        json_schema_extra={
+            "help": "For cutters and lasers, for the whole contour of an edge. Without room for "
+            "it, the lead-in is halved or left out."
         },
     )
     edge_feeds: tuple[EdgeFeed, ...] = Field(

@@ -40,11 +40,7 @@ from knifetip.planning.edge_corners import with_edge_corners
 from knifetip.planning.facing_contours import merge_facing_layers, slit_layers
 from knifetip.planning.last_cuts import releasing_cuts, track_levels
 from knifetip.planning.layers import cut_layers
-from knifetip.planning.milling_tools import (
-    check_facing_tools,
-    milling_tools,
-    tools_of_contours,
-)
+from knifetip.planning.milling_tools import check_facing_tools, cutter_radii, milling_tools
 from knifetip.planning.path_ends import close_joints
 from knifetip.planning.reachable import reachable_by_disc
 from knifetip.planning.setup import Setup
@@ -85,19 +81,21 @@ def plan_milling(
         A contour has no room for the bridges that the board requires, or a part of a blank that
         cuts divide would have too few of them.
     """
-    board, tools = setup.board, milling_tools(setup, rows)
+    board, radii = setup.board, cutter_radii(setup, rows)
+    widest = float(radii.max())
     pieces = _divide_by_sides(dieline.ends[rows], dieline.bulge[rows])
     cuts = dieline.ends[rows], dieline.bulge[rows], rows
     try:
-        _check_shared(pieces, rows, tools.radii[tools.of_cut[pieces.row]])
+        _check_shared(pieces, rows, radii[pieces.row])
         check_contour_crossings(pieces.ends, pieces.bulge, pieces.removed, rows[pieces.row])
     except PlanError as error:
         raise explain_copies(error, *cuts, board.caliper) from None
     ends, bulge = pieces.ends, pieces.bulge
     layers = cut_layers(ends, bulge, pieces.face, contours_whole=True)
     sides = pieces.waste, pieces.removed
-    face, layer = join_contours(ends, bulge, *sides, pieces.face, layers.number, tools.widest)
-    tool = tools_of_contours(tools, pieces.row, face, rows[pieces.row])
+    face, layer = join_contours(ends, bulge, *sides, pieces.face, layers.number, widest)
+    tools = milling_tools(setup, rows[pieces.row], face)
+    tool = tools.of_piece
     group = layer * (int(face.max()) + 2) + face
     chains = chain(ends, bulge, group=group * len(tools.setups) + tool)
     paths = close_joints(chains.paths(ends, bulge))
@@ -112,7 +110,7 @@ def plan_milling(
     inside = paths.closed & (waste == 0) & bounds
     ring = paths.closed & (waste == 0) & ~bounds
     if ring.any():
-        shared = _shared_error(source[ring[paths.path_of]], tools.widest)
+        shared = _shared_error(source[ring[paths.path_of]], widest)
         raise explain_copies(shared, *cuts, board.caliper)
     side = np.where(inside, np.where(paths.areas > 0.0, 1, -1), waste)
     # All contours have the cutter on the left of travel.
@@ -120,8 +118,8 @@ def plan_milling(
     source, part = source[order], part[order]
     milled = paths.closed & (side != 0)
     check_facing_tools(tools, paths, path_tool, milled, source)
-    number = merge_facing_layers(paths, number, milled, 2.0 * tools.widest)
-    number = slit_layers(paths, number, milled, side == 0, tools.widest)
+    number = merge_facing_layers(paths, number, milled, 2.0 * widest)
+    number = slit_layers(paths, number, milled, side == 0, widest)
     operations = []
     track = np.empty(len(layer), np.int64)
     track[chains.order] = np.repeat(np.arange(len(paths)), np.diff(paths.first))

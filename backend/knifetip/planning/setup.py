@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from knifetip.geometry.path import Paths
 from knifetip.model.board import Board
 from knifetip.model.chosen_work import ChosenWork
 from knifetip.model.dieline import LineType
-from knifetip.model.job_options import CutDepth, EdgeTool
+from knifetip.model.job_options import ContourLead, CutDepth, EdgeTool
 from knifetip.model.machine import Machine, Station
 from knifetip.model.operation import Operation
 from knifetip.planning.chosen_bridges import ChosenBridge
@@ -89,6 +90,28 @@ class Setup:
     def with_station(self, number: int) -> Setup:
         """Return the setup of another station of the machine."""
         return replace(self, station=self.machine.station(number))
+
+    def chosen_leads(self, rows: I32) -> I64:
+        """Return the number of the lead-in that is chosen for each of m edges, (m,), from 1; 0 for
+        none.
+
+        ``rows`` (m,): indices of the edges in the dieline.
+        """
+        if ContourLead not in self.chosen:
+            return np.zeros(len(rows), np.int64)
+        return self.chosen[ContourLead].index[rows].astype(np.int64) + 1
+
+    def with_lead(self, number: int) -> Setup:
+        """Return the setup with the lead-in of a number of ``chosen_leads``."""
+        if number == 0:
+            return self
+        choice = self.chosen[ContourLead].choices[number - 1]
+        assert isinstance(choice, ContourLead)
+        tool: Any = self.station.tool
+        lead = tool.lead if choice.length is None else choice.length
+        approach = tool.approach if choice.approach is None else choice.approach
+        tool = replace(tool, lead=lead, approach=approach)
+        return replace(self, station=replace(self.station, tool=tool))
 
     @property
     def through_depth(self) -> float:

@@ -40,6 +40,7 @@ from knifetip.verification.checks.edge_checks import check_edges
 from knifetip.verification.checks.knife.passes import check_knife_passes, last_passes
 from knifetip.verification.checks.lines.groove_flanks import check_groove_flanks
 from knifetip.verification.checks.lines.near_lines import check_near_lines
+from knifetip.verification.checks.milling.chosen_leads import check_chosen_leads
 from knifetip.verification.checks.milling.unreached_areas import merge_unreached
 from knifetip.verification.checks.motion import moves as motion_checks
 from knifetip.verification.checks.motion.board_moves import check_board_moves
@@ -191,6 +192,7 @@ def verify(
     check_repeated_work(context, work)
     check_chosen_passes(context, work.paths)
     check_chosen_tools(context, work.paths)
+    check_chosen_leads(context, work.paths)
     check_chosen_starts(context, job.starts, work.paths)
     check_chosen_order(context, job.order, work.paths)
     check_edge_feeds(context, paths, moves, parts)

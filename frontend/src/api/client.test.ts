@@ -62,6 +62,7 @@ describe("an error", () => {
         crease_depths: [],
         edge_tools: [],
         edge_corners: [],
+        contour_leads: [],
         edge_feeds: [],
         program_note: "",
         external_id: "PO-1",

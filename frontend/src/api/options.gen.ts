@@ -109,6 +109,31 @@ export const EDGE_OPTIONS = {
       }
     }
   },
+  "contour_leads": {
+    "types": [
+      "cut"
+    ],
+    "byType": true,
+    "help": true,
+    "fields": {
+      "length": {
+        "kind": "number",
+        "min": 0.0,
+        "max": 50.0,
+        "default": null,
+        "whole": false,
+        "unit": "mm"
+      },
+      "approach": {
+        "kind": "number",
+        "min": -90.0,
+        "max": 90.0,
+        "default": null,
+        "whole": false,
+        "unit": "\u00b0"
+      }
+    }
+  },
   "edge_feeds": {
     "types": [
       "cut",

@@ -992,6 +992,11 @@ export const de = {
   "edgeOption.edge_corners.type.C": "Gerade (C)",
   "edgeOption.edge_corners.type.D": "Übergang (D)",
   "edgeOption.edge_corners.k": "Parameter k der Art D",
+  "edgeOption.contour_leads": "Anlauf von Konturen",
+  "edgeOption.contour_leads.help":
+    "Für Fräser und Laser, für die ganze Kontur einer Kante. Wo kein Platz ist, wird der Anlauf halbiert oder weggelassen.",
+  "edgeOption.contour_leads.length": "Länge des Anlaufs",
+  "edgeOption.contour_leads.approach": "Winkel zur Kontur",
   "edgeOption.edge_feeds": "Vorschub der Kanten",
   "edgeOption.edge_feeds.factor": "Vorschubfaktor",
   // panels/order/SheetForm.tsx

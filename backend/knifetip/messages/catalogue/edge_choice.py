@@ -137,6 +137,40 @@ MESSAGES: Final[Entries] = {
         row="count",
         count="count",
     ),
+    "lead-choice.bad": entry(
+        "The tool cannot make the lead-in that was chosen for edge {edge}: {reason}.",
+        "Choose a longer lead-in, or another angle.",
+        edge="edge",
+        reason="message",
+    ),
+    "lead-choice.facing": entry(
+        "Edge {edge} and edge {other} face each other at {distance:.2f} mm, nearer than the tool "
+        "is wide ({diameter:g} mm), but different lead-ins were chosen for their contours.",
+        "Choose the same lead-in for both contours.",
+        edge="edge",
+        other="edge",
+        distance="number",
+        diameter="number",
+    ),
+    "lead-choice.no-cutter": entry(
+        "A lead-in was chosen for edge {edge}, but {machine} cuts with no router or laser.",
+        "Remove the choice. The lead-in of a knife is in the machine file.",
+        edge="edge",
+        machine="text",
+    ),
+    "lead-choice.other-type": entry(
+        "A lead-in was chosen for edge {edge}, which has the line type {type}, but only cuts have "
+        "lead-ins.",
+        "Remove the choice.",
+        edge="edge",
+        type="text",
+    ),
+    "lead-choice.several": entry(
+        "Different lead-ins were chosen for edge {edge} and edge {other} of one contour.",
+        "Choose the same lead-in for all edges of the contour.",
+        edge="edge",
+        other="edge",
+    ),
     "order.bad-syntax": entry(
         "{text!r} is not an order of edges.",
         "Write the numbers of the edges with commas between them, for example 12,3,4.",
@@ -291,6 +325,14 @@ MESSAGES: Final[Entries] = {
         "The program cuts edge {edge} against the chosen direction.",
         "Compile the job again.",
         edge="edge",
+    ),
+    "verify.other-lead": entry(
+        "The contour of edge {edge} must have a lead-in of {length:.3f} mm, half of it or none, "
+        "but the program enters it on a lead-in of {found:.3f} mm.",
+        "Compile the job again.",
+        edge="edge",
+        length="number",
+        found="number",
     ),
     "verify.other-order": entry(
         "Edge {edge} must be made after edge {other}, but the program begins it before, in line "

@@ -95,6 +95,30 @@ TEXTS: Final[Texts] = {
         "{count:# Kante|# Kanten}, von 0 an gezählt.",
         "Eine Kante dieser Zeichnung wählen.",
     ),
+    "lead-choice.bad": Text(
+        "Den für Kante {edge} gewählten Anlauf kann das Werkzeug nicht ausführen: {reason}.",
+        "Einen längeren Anlauf oder einen anderen Winkel wählen.",
+    ),
+    "lead-choice.facing": Text(
+        "Kante {edge} und Kante {other} liegen sich mit {distance:.2f} mm Abstand gegenüber, näher "
+        "als das Werkzeug breit ist ({diameter:g} mm), aber für ihre Konturen wurden verschiedene "
+        "Anläufe gewählt.",
+        "Für beide Konturen denselben Anlauf wählen.",
+    ),
+    "lead-choice.no-cutter": Text(
+        "Für Kante {edge} wurde ein Anlauf gewählt, aber {machine} schneidet nicht mit Fräser oder "
+        "Laser.",
+        "Die Angabe entfernen. Der Anlauf eines Messers steht in der Maschinendatei.",
+    ),
+    "lead-choice.other-type": Text(
+        "Für Kante {edge} wurde ein Anlauf gewählt. Sie hat die Linienart {type}, aber nur "
+        "Schnitte haben Anläufe.",
+        "Die Angabe entfernen.",
+    ),
+    "lead-choice.several": Text(
+        "Für Kante {edge} und Kante {other} derselben Kontur wurden verschiedene Anläufe gewählt.",
+        "Für alle Kanten der Kontur denselben Anlauf wählen.",
+    ),
     "order.bad-syntax": Text(
         "„{text}“ ist keine Reihenfolge von Kanten.",
         "Die Nummern der Kanten mit Kommas dazwischen schreiben, zum Beispiel 12,3,4.",
@@ -207,6 +231,11 @@ TEXTS: Final[Texts] = {
     ),
     "verify.other-direction": Text(
         "Das Programm schneidet Kante {edge} gegen die gewählte Richtung.",
+        "Den Auftrag neu berechnen.",
+    ),
+    "verify.other-lead": Text(
+        "Die Kontur von Kante {edge} muss einen Anlauf von {length:.3f} mm haben, die Hälfte davon "
+        "oder keinen, aber das Programm kommt auf einem Anlauf von {found:.3f} mm zu ihr.",
         "Den Auftrag neu berechnen.",
     ),
     "verify.other-order": Text(

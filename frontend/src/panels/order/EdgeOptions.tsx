@@ -63,6 +63,9 @@ interface SelectionProps {
   rows: readonly number[];
 }
 
+/** Options that only cutters and lasers have. */
+const OF_CUTTERS: readonly EdgeOptionName[] = ["edge_corners", "contour_leads"];
+
 /** The fields of all options for the selected edges. */
 export function EdgeOptions({ edges, rows }: SelectionProps) {
   const names = useOptionNames(edges, rows);
@@ -83,7 +86,7 @@ function useOptionNames(edges: Edges, rows: readonly number[]): EdgeOptionName[]
   const options = useUiStore((ui) => ui.options);
   const offered = (name: EdgeOptionName): boolean => {
     if (name === "edge_tools") return stationsForEdges(machine, edges, rows).length > 1;
-    return name !== "edge_corners" || machine?.offset_cuts === true;
+    return !OF_CUTTERS.includes(name) || machine?.offset_cuts === true;
   };
   return optionsForEdges(edges, rows).filter((name) => offered(name) || options[name].length > 0);
 }
@@ -304,7 +307,9 @@ function NumberControl({ name, id, field, value, usual, onChange }: FieldProps<N
       allowDecimal={!field.whole}
       value={value ?? ""}
       onChange={(typed) =>
-        onChange(typed === "" || !(Number(typed) > 0) ? field.default : Number(typed))
+        onChange(
+          typed === "" || !(field.min < 0 || Number(typed) > 0) ? field.default : Number(typed),
+        )
       }
       data-testid={`edge-${name}-${id}`}
     />

@@ -58,6 +58,7 @@ describe("the choices for edges", () => {
           crease_depths: [],
           edge_tools: [],
           edge_corners: [],
+          contour_leads: [],
           edge_feeds: [],
         },
         EDGES,

@@ -16,6 +16,7 @@ from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.job_options import (
     BridgeAt,
+    ContourLead,
     ContourStart,
     CreaseDepth,
     CutDepth,
@@ -47,6 +48,7 @@ CHOICES = JobOptions(
     cut_depths=(CutDepth(edges=(5,), passes=2, depth=1.5), CutDepth(line_type="cut", passes=3)),
     crease_depths=(CreaseDepth(edges=(7,), depth=0.3),),
     edge_corners=(EdgeCorner(edges=(3,), type="D", k=0.25),),
+    contour_leads=(ContourLead(edges=(2,), length=2.0, approach=45.0),),
     edge_tools=(EdgeTool(edges=(4,), station=2),),
     edge_feeds=(EdgeFeed(edges=(6,), factor=0.5),),
     bridges=(BridgeAt(edges=(9,), at=0.5, width=1.0),),

@@ -77,23 +77,33 @@ def test_tools_are_kept_with_the_job_and_refuse_it_if_the_machine_lacks_them(
     assert (error["code"], error["arguments"]["edge"]) == ("tool-choice.other-kind", 2)
 
 
-def test_corners_of_edges_are_kept_with_the_job_and_change_its_program(
-    client: httpx.Client,
+@pytest.mark.parametrize(
+    ("name", "choice", "code"),
+    [
+        ("edge_corners", {"line_type": "cut", "type": "D", "k": 0.3}, "corner-choice.no-cutter"),
+        (
+            "contour_leads",
+            {"line_type": "cut", "length": 2.0, "approach": 45.0},
+            "lead-choice.no-cutter",
+        ),
+    ],
+)
+def test_choices_for_cutters_are_kept_with_the_job_and_change_its_program(
+    client: httpx.Client, name: str, choice: dict[str, Any], code: str
 ) -> None:
-    chosen = [{"edges": [], "line_type": "cut", "type": "D", "k": 0.3}]
+    chosen = [{"edges": [], **choice}]
     drawing = upload_drawing(client, square())["id"]
     programs = []
-    for corners in ([], chosen):
-        ordered = order_job(
-            client, drawing, machine="laser-table", board="e-flute", edge_corners=corners
-        )
+    for choices in ([], chosen):
+        options: dict[str, Any] = {name: choices}
+        ordered = order_job(client, drawing, machine="laser-table", board="e-flute", **options)
         job = wait_for_state(client, ordered["id"], "ready", "refused")
-        assert (job["state"], job["edge_corners"]) == ("ready", corners)
+        assert (job["state"], job[name]) == ("ready", choices)
         programs.append(job["program_sha256"])
     assert programs[0] != programs[1]
-    job, _ = made(client, edge_corners=chosen)
+    job, _ = made(client, **{name: chosen})
     assert job["state"] == "refused"
-    assert job["message"]["arguments"]["error"]["code"] == "corner-choice.no-cutter"
+    assert job["message"]["arguments"]["error"]["code"] == code
 
 
 def test_bridges_are_kept_with_the_job_and_stay_in_the_board(client: httpx.Client) -> None:
@@ -143,6 +153,8 @@ def test_the_newest_order_of_a_customer_on_a_board_and_a_machine_is_found(
         ({"edge_tools": [{"edges": [0], "station": 256}]}, "edge_tools"),
         ({"edge_corners": [{"edges": [0], "type": "A"}]}, "edge_corners"),
         ({"edge_corners": [{"edges": [0], "type": "D", "k": 1.0}]}, "edge_corners"),
+        ({"contour_leads": [{"edges": [0], "length": 0.0}]}, "contour_leads"),
+        ({"contour_leads": [{"edges": [0], "approach": 91.0}]}, "contour_leads"),
         ({"work_order": [-1]}, "work_order"),
         ({"bridges": [{"edges": [0], "at": 0.5, "width": 0.0}]}, "bridges"),
         ({"bridges": [{"edges": [0], "at": 1.5}]}, "bridges"),

@@ -14,6 +14,7 @@ Source: "Tool radius compensation", equations 1-9.  The reach into corners was d
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import chain
 from typing import Final
 
@@ -26,6 +27,7 @@ from knifetip.verification.checks.common.bridges import check_bridges, order_bri
 from knifetip.verification.checks.common.context import CheckContext
 from knifetip.verification.checks.common.hand_bridges import check_hand_bridges, find_hand_bridges
 from knifetip.verification.checks.common.pass_depth import too_deep_spans, unfinished_spans
+from knifetip.verification.checks.milling.chosen_leads import longest_chosen_lead
 from knifetip.verification.checks.milling.geometry import spans_near_points
 from knifetip.verification.checks.milling.paths import check_centre_paths, open_cut_mask
 from knifetip.verification.checks.milling.shortfalls import (
@@ -88,7 +90,9 @@ def check_milling(
     assert tool.disc is not None
     planned = tool.through_depth(context.board.caliper, context.machine.into_mat)
     reach = disc_reach(context.board, station)
-    _MillingCheck(context, cuts, centres, tool.disc, reach, slack).run(planned)
+    entry = max(tool.disc.entry_length, longest_chosen_lead(context))
+    disc = replace(tool.disc, entry_length=entry)
+    _MillingCheck(context, cuts, centres, disc, reach, slack).run(planned)
 
 
 class _MillingCheck(MillingWork):
