@@ -99,6 +99,7 @@ def test_the_tool_of_a_chain_is_chosen_and_sent(page: Page, screenshots: Path) -
     )
     page.get_by_role("option", name="6 Router 1.5 mm").click()
     expect(page.get_by_test_id("edge-choices")).to_contain_text("Tool: Station 6")
+    page.get_by_test_id("edge-option-edge_corners").scroll_into_view_if_needed()
     page.screenshot(path=screenshots / "edge-tools.png")
     choose_board(page, "Greyboard 3")
     page.get_by_test_id("compile").click()
