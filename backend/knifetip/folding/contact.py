@@ -17,8 +17,11 @@ from shapely import Polygon
 
 from knifetip.geometry.columns import F64
 
-#: Cosine of the largest angle between panels that count as parallel (5°).
-_PARALLEL: Final = math.cos(math.radians(5.0))
+#: Largest angle between panels that lie on each other (°), and its cosine.
+FLAT: Final = 5.0
+_PARALLEL: Final = math.cos(math.radians(FLAT))
+#: Sine of the least angle at which panels cross (0.5°).
+_CROSSING: Final = math.sin(math.radians(0.5))
 #: Cosine of the angle between the directions of two flaps that point to each other (120°).
 _FACING: Final = -0.5
 
@@ -52,14 +55,22 @@ class Crossing(NamedTuple):
     reach: tuple[tuple[float, float], tuple[float, float]]  #: s of each panel, lowest and highest
     hinge: tuple[float | None, float | None]  #: s of the fold of each panel that is a flap
     places: tuple[tuple[float, float], tuple[float, float]]  #: on each panel, in the drawing (mm)
+    angle: float  #: between the planes of the panels, 0 … 90°
+
+    @property
+    def through(self) -> tuple[float, float]:
+        """How far each panel reaches to both sides of the other, the lesser of both (mm)."""
+        (low, high), (other_low, other_high) = self.reach
+        return min(-low, high), min(-other_low, other_high)
 
 
 def crossings(one: Plate, other: Plate, margin: float) -> list[Crossing]:
     """Return where two panels touch or cross over more than a margin (mm); none if parallel."""
     across = np.cross(one.normal, other.normal)
     sine = float(np.linalg.norm(across))
-    if abs(float(one.normal @ other.normal)) > _PARALLEL:
+    if sine < _CROSSING:
         return []
+    angle = math.degrees(math.atan2(sine, abs(float(one.normal @ other.normal))))
     frames = [
         _frame(mine, theirs, across / sine, sine) for mine, theirs in ((one, other), (other, one))
     ]
@@ -76,7 +87,9 @@ def crossings(one: Plate, other: Plate, margin: float) -> list[Crossing]:
         ]
         middle = np.array([(low + high) / 2.0, 0.0])
         places = [tuple((frame[:2].T @ (middle - frame[2])).tolist()) for frame in frames]
-        found.append(Crossing((reach[0], reach[1]), (hinge[0], hinge[1]), (places[0], places[1])))
+        found.append(
+            Crossing((reach[0], reach[1]), (hinge[0], hinge[1]), (places[0], places[1]), angle)
+        )
     return found
 
 

@@ -6,6 +6,7 @@ thin board 1 mm is permitted, since drawings have allowances of this size.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from itertools import islice
 from typing import Final
@@ -13,7 +14,7 @@ from typing import Final
 import numpy as np
 import shapely
 
-from knifetip.folding.contact import Crossing, Plate, crossings, facing_overlap
+from knifetip.folding.contact import FLAT, Crossing, Plate, crossings, facing_overlap
 from knifetip.folding.motion import panel_transforms
 from knifetip.folding.records import FoldFinding, FoldTree
 from knifetip.geometry.columns import F64
@@ -21,6 +22,8 @@ from knifetip.messages import Message
 
 #: Least overlap that is a fault (mm).
 _LEAST: Final = 1.0
+#: Depth by which solids may lie deeper in each other, for rounding (mm).
+_ROUNDING: Final = 0.05
 #: Angle by which a fold may exceed the opening of its groove (°).
 _ANGLE: Final = 0.5
 #: Most findings of a drawing.
@@ -80,7 +83,7 @@ def _panel_faults(tree: FoldTree, placed: F64, margin: float) -> Iterator[FoldFi
         if tree.panels[one].blank != tree.panels[other].blank:
             continue
         faults = [
-            _crossing_fault((one, other), crossing, margin)
+            _crossing_fault((one, other), crossing, margin, tree.caliper)
             for crossing in crossings(plates[one], plates[other], margin)
         ]
         worst = max((fault for fault in faults if fault), key=lambda f: f.measure, default=None)
@@ -96,29 +99,54 @@ def _panel_faults(tree: FoldTree, placed: F64, margin: float) -> Iterator[FoldFi
             yield FoldFinding((one, other), -1, (place.x, place.y), overlap, message)
 
 
-def _crossing_fault(pair: tuple[int, int], crossing: Crossing, margin: float) -> FoldFinding | None:
+def _crossing_fault(
+    pair: tuple[int, int], crossing: Crossing, margin: float, caliper: float
+) -> FoldFinding | None:
     """Return what is wrong where two panels meet; None if they overlap within the margin."""
-    through = [min(-low, high) for low, high in crossing.reach]
+    through = crossing.through
     shorter = int(through[1] < through[0])
+    depth, permitted = _solid_depth(crossing, margin, caliper)
     # The part of each flap behind the other panel, seen from its fold.
     behind = [
         None if hinge is None or abs(hinge) <= margin else (high if hinge < 0.0 else -low)
         for hinge, (low, high) in zip(crossing.hinge, crossing.reach, strict=True)
     ]
-    if min(through) > margin:
+    is_flat = crossing.angle <= FLAT
+    hanging = [k for k in range(2) if (behind[k] or 0.0) > margin and not is_flat]
+    if min(through) > margin and not is_flat:
         far = behind[shorter]
         long = far is not None and far <= through[shorter] + margin
         code = "folding.flap-too-long" if long else "folding.collision"
         distance = through[shorter]
-    else:
-        hanging = [k for k in range(2) if (behind[k] or 0.0) > margin]
-        if not hanging:
-            return None
+    elif hanging:
         shorter = hanging[0]
         code, distance = "folding.flap-too-long", behind[shorter] or 0.0
+    elif depth > permitted:
+        code, distance = "folding.solids-collide", depth
+    else:
+        return None
     panels = (pair[shorter], pair[1 - shorter])
-    message = Message(code, panel=panels[0] + 1, other=panels[1] + 1, distance=distance)
+    named = {"panel": panels[0] + 1, "other": panels[1] + 1, "distance": distance}
+    if code == "folding.solids-collide":
+        named["caliper"] = caliper
+    message = Message(code, **named)
     return FoldFinding(panels, -1, crossing.places[shorter], distance, message)
+
+
+def _solid_depth(crossing: Crossing, margin: float, caliper: float) -> tuple[float, float]:
+    """Return how far the solids of two panels lie in each other, and how far they may (mm).
+
+    Solids of thickness T whose middle faces cross at the angle α can be separated along the normal
+    of either panel; r is how far the other one reaches through its middle face::
+
+        depth = r sin α + T / 2 (1 + cos α)
+
+    Panels that lie on each other share T cos α of it, because their folds lie on common lines.
+    """
+    angle = math.radians(crossing.angle)
+    reach = min(crossing.through) * math.sin(angle)
+    depth = reach + caliper / 2.0 * (1.0 + math.cos(angle))
+    return depth, margin + caliper * math.cos(angle) + _ROUNDING
 
 
 def _plates(tree: FoldTree, placed: F64, margin: float) -> list[Plate]:

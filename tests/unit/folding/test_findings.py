@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+import shapely
 
 from knifetip.folding.findings import find_faults
+from knifetip.folding.motion import panel_transforms
 from knifetip.folding.records import FoldTree
+from knifetip.geometry.columns import F64
 from tests.support.shapes import BOARD, closed, dieline, edges
 from tests.unit.folding.blanks import CREASE, CUT, GROOVE, cross, folded
 
@@ -160,3 +165,67 @@ def test_each_number_of_findings_is_limited() -> None:
         for kind, ends in cross(A, GROOVE)
     ]
     assert len(codes(folded(*cubes, opening=45.0))) == 100
+
+
+def slab(tree: FoldTree, panel: int) -> F64:
+    """Return the corners of a folded panel as a board with thickness, (k, 3)."""
+    corners = shapely.get_coordinates(tree.panels[panel].polygon.exterior)
+    placed = panel_transforms(tree, np.ones(1))[0, panel]
+    faces = [np.column_stack([corners, np.full(len(corners), z)]) for z in (0.0, tree.caliper)]
+    points: F64 = np.concatenate(faces) @ placed[:3, :3].T + placed[:3, 3]
+    return points
+
+
+def least_shift(one: F64, other: F64) -> float:
+    """Return the shortest shift that separates two convex solids, of many directions (mm)."""
+    turns = np.radians(np.arange(0.0, 360.0, 0.25))
+    # The walls of these tests are prisms along X.
+    directions = np.column_stack([np.zeros(len(turns)), np.cos(turns), np.sin(turns)])
+    directions = np.concatenate([directions, np.eye(3), -np.eye(3)])
+    return float(((one @ directions.T).max(0) - (other @ directions.T).min(0)).min())
+
+
+@pytest.mark.parametrize("caliper", [2.0, 4.0])
+@pytest.mark.parametrize("share", [0.4, 0.6, 0.9])
+def test_a_flap_whose_board_lies_too_deep_in_a_wall_collides(caliper: float, share: float) -> None:
+    # The wall at y = 0 goes on in a flat panel, and is higher than the flap, whose end lies in it.
+    top = 2.0 * A + 40.0 + share * caliper
+    outline = closed((0.0, -80.0), (100.0, -80.0), (100.0, top), (0.0, top))
+    folds = edges(*(((0.0, y), (100.0, y)) for y in (-60.0, 0.0, A, A + 40.0)))
+    rows = ((CUT, outline), (CREASE, folds))
+    board = replace(BOARD, caliper=caliper)
+    flat = [f.axis[0, 1] < -30.0 for f in folded(*rows, board=board).folds].index(True)
+    tree = folded(*rows, board=board, angles={flat: 0.0})
+    faults = find_faults(tree)
+    if share < 0.5:
+        assert faults == []
+        return
+    (fault,) = faults
+    assert fault.message.code == "folding.solids-collide"
+    assert fault.message.arguments["caliper"] == caliper
+    # Half of the board lies before the middle of the wall.
+    assert fault.measure == pytest.approx((0.5 + share) * caliper)
+    assert fault.measure == pytest.approx(least_shift(*(slab(tree, k) for k in fault.panels)))
+
+
+@pytest.mark.parametrize(("angle", "collide"), [(90.0, False), (90.5, False), (91.5, True)])
+def test_walls_that_cross_at_an_acute_angle_collide(angle: float, collide: bool) -> None:
+    # The bottom is 4 mm wide; the walls of 200 mm lean inwards and cross.
+    outline = closed((0.0, -200.0), (100.0, -200.0), (100.0, 204.0), (0.0, 204.0))
+    folds = edges(((0.0, 0.0), (100.0, 0.0)), ((0.0, 4.0), (100.0, 4.0)))
+    tree = folded((CUT, outline), (CREASE, folds), angles={0: angle, 1: angle})
+    faults = find_faults(tree)
+    assert [one.message.code for one in faults] == ["folding.solids-collide"] * collide
+    if collide:
+        solids = [slab(tree, panel) for panel in faults[0].panels]
+        assert faults[0].measure == pytest.approx(least_shift(*solids), abs=0.05)
+
+
+@pytest.mark.parametrize("caliper", [0.5, 3.0])
+def test_flaps_on_one_crease_line_lie_on_each_other(caliper: float) -> None:
+    # Both walls have a flap that lies over the bottom; the boards of the flaps share one place.
+    outline = closed((0.0, -70.0), (100.0, -70.0), (100.0, A + 70.0), (0.0, A + 70.0))
+    folds = edges(*(((0.0, y), (100.0, y)) for y in (-40.0, 0.0, A, A + 40.0)))
+    assert (
+        codes(folded((CUT, outline), (CREASE, folds), board=replace(BOARD, caliper=caliper))) == []
+    )

@@ -60,6 +60,15 @@ MESSAGES: Final[Entries] = {
         panel="count",
         other="count",
     ),
+    "folding.solids-collide": entry(
+        "panels {panel} and {other} lie in each other by {distance:.4g} mm, more than the board of "
+        "{caliper:.4g} mm gives way",
+        "Shorten one panel by the difference, or move its fold.",
+        panel="count",
+        other="count",
+        distance="number",
+        caliper="number",
+    ),
     "folding.too-many-edges": entry(
         "the drawing has more than {limit} edges of cuts and folds, too many to fold it",
         "Fold a drawing of one blank.",

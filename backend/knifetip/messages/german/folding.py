@@ -41,6 +41,11 @@ TEXTS: Final[Texts] = {
         "die Faltung zwischen den Feldern {panel} und {other} ist nicht gerade und wird deshalb "
         "flach gezeigt",
     ),
+    "folding.solids-collide": Text(
+        "die Felder {panel} und {other} liegen um {distance:.4g} mm ineinander, mehr als der "
+        "{caliper:.4g} mm dicke Karton nachgibt",
+        "Ein Feld um die Differenz kürzen oder seine Faltung verschieben.",
+    ),
     "folding.too-many-edges": Text(
         "die Zeichnung hat mehr als {limit} Kanten von Schnitten und Faltungen, zu viele zum "
         "Falten",
