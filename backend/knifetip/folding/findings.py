@@ -105,7 +105,7 @@ def _crossing_fault(
     """Return what is wrong where two panels meet; None if they overlap within the margin."""
     through = crossing.through
     shorter = int(through[1] < through[0])
-    depth, permitted = _solid_depth(crossing, margin, caliper)
+    depth, permitted = _solid_depth(crossing, caliper)
     # The part of each flap behind the other panel, seen from its fold.
     behind = [
         None if hinge is None or abs(hinge) <= margin else (high if hinge < 0.0 else -low)
@@ -133,7 +133,7 @@ def _crossing_fault(
     return FoldFinding(panels, -1, crossing.places[shorter], distance, message)
 
 
-def _solid_depth(crossing: Crossing, margin: float, caliper: float) -> tuple[float, float]:
+def _solid_depth(crossing: Crossing, caliper: float) -> tuple[float, float]:
     """Return how far the solids of two panels lie in each other, and how far they may (mm).
 
     Solids of thickness T whose middle faces cross at the angle α can be separated along the normal
@@ -141,12 +141,13 @@ def _solid_depth(crossing: Crossing, margin: float, caliper: float) -> tuple[flo
 
         depth = r sin α + T / 2 (1 + cos α)
 
-    Panels that lie on each other share T cos α of it, because their folds lie on common lines.
+    A depth of T (1 + cos α) is permitted: the caliper, by which creases and edges give way, and
+    what panels that lie on each other share, because their folds lie on common lines.
     """
     angle = math.radians(crossing.angle)
-    reach = min(crossing.through) * math.sin(angle)
-    depth = reach + caliper / 2.0 * (1.0 + math.cos(angle))
-    return depth, margin + caliper * math.cos(angle) + _ROUNDING
+    half = caliper / 2.0 * (1.0 + math.cos(angle))
+    depth = min(crossing.through) * math.sin(angle) + half
+    return depth, half + max(half, _LEAST) + _ROUNDING
 
 
 def _plates(tree: FoldTree, placed: F64, margin: float) -> list[Plate]:
