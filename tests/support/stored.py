@@ -27,9 +27,11 @@ class Clock:
 def migrated_store(url: str, clock: Callable[[], float] | None = time.time) -> Iterator[Store]:
     """Return a context with a store whose database has all tables."""
     store = Store(url, clock)
-    store.migrate()
-    yield store
-    store.close()
+    try:
+        store.migrate()
+        yield store
+    finally:
+        store.close()
 
 
 def add_drawing(store: Store) -> Drawing:

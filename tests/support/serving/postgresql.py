@@ -189,9 +189,11 @@ class ReusedDatabase:
     @contextmanager
     def _connected(self) -> Iterator[sa.Connection]:
         engine = sa.create_engine(self.url)
-        with engine.begin() as connection:
-            yield connection
-        engine.dispose()
+        try:
+            with engine.begin() as connection:
+                yield connection
+        finally:
+            engine.dispose()
 
 
 def _structure(connection: sa.Connection) -> Sequence[Any]:
@@ -208,6 +210,8 @@ def _sequences(connection: sa.Connection) -> dict[str, int | None]:
 
 def _execute(server: str, statement: str) -> None:
     engine = sa.create_engine(server, isolation_level="AUTOCOMMIT")
-    with engine.connect() as connection:
-        connection.execute(sa.text(statement))
-    engine.dispose()
+    try:
+        with engine.connect() as connection:
+            connection.execute(sa.text(statement))
+    finally:
+        engine.dispose()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -53,6 +54,18 @@ def _sqlite(engine: sa.Engine, file: Path) -> None:
         connection.exec_driver_sql("BEGIN IMMEDIATE" if writes else "BEGIN")
 
 
+def _close_late(engine: sa.Engine, closed: threading.Event) -> None:
+    """Close connections that are returned after the engine was disposed of.
+
+    They would stay open in the old pool until the garbage collector finds it.
+    """
+
+    @on.listens_for(engine, "checkin")
+    def close(_connection: object, record: Any) -> None:
+        if closed.is_set():
+            record.close()
+
+
 def _check(url: str) -> Path | None:
     """Create the folder of an SQLite database; return its file, or None for PostgreSQL."""
     file = sqlite_file(url)
@@ -101,6 +114,8 @@ class Database:
         self.changes = ChangeNotifier()
         file = _check(self.url)
         self._engine = sa.create_engine(add_options(self.url), pool_size=10, max_overflow=40)
+        self._closed = threading.Event()
+        _close_late(self._engine, self._closed)
         self._write_lock: PriorityLock | NoLock = NoLock()
         if file is not None:
             _sqlite(self._engine, file)
@@ -191,7 +206,8 @@ class Database:
         return "" if file is None or not file.is_file() else find_damage(file)
 
     def close(self) -> None:
-        """Close all connections."""
+        """Close all connections; those that another thread uses when it returns them."""
+        self._closed.set()
         self._engine.dispose()
 
     @contextmanager

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import sqlite3
 import stat
 from pathlib import Path
 
+import psycopg
 import pytest
 import sqlalchemy as sa
 from alembic.autogenerate import compare_metadata
@@ -125,6 +127,18 @@ def test_the_migrations_make_the_tables_that_the_code_expects(store: Store, tmp_
     with engine.connect() as connection:
         assert compare_metadata(MigrationContext.configure(connection), Base.metadata) == []
     engine.dispose()
+
+
+def test_a_connection_in_use_is_closed_when_it_is_returned_to_a_closed_database(
+    store: Store,
+) -> None:
+    with store.database.reading() as session:
+        connection = session.connection().connection.dbapi_connection
+        assert connection is not None
+        store.close()
+        connection.cursor().execute("SELECT 1")
+    with pytest.raises((psycopg.OperationalError, sqlite3.ProgrammingError), match="closed"):
+        connection.cursor().execute("SELECT 1")
 
 
 def test_to_migrate_twice_changes_nothing(store: Store) -> None:
