@@ -96,7 +96,14 @@ def test_a_tablet_is_paired_and_revoked(
     expect(tablet.get_by_label("Password")).to_be_visible()
 
 
-@pytest.mark.parametrize("role", ["viewer", "designer", "operator"])
+@pytest.mark.parametrize(
+    "role",
+    [
+        pytest.param("viewer", marks=pytest.mark.long),
+        pytest.param("designer", marks=pytest.mark.long),
+        "operator",
+    ],
+)
 def test_only_administrators_pair_devices(browser: Browser, shop: Shop, role: str) -> None:
     with signed_in(browser, shop, role) as page:
         page.evaluate("() => { location.hash = '#/machines' }")
