@@ -28,6 +28,8 @@ from playwright.sync_api import (
     sync_playwright,
 )
 
+from tests.browser.windows import open_window
+
 ROOT = Path(__file__).resolve().parents[2]
 SCREENSHOTS = ROOT / "build" / "screenshots"
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
@@ -48,23 +50,6 @@ FEATURES_OFF = "--disable-features=" + ",".join(
         *("NetworkTimeServiceQuerying", "PreconnectToSearch"),
     )
 )
-#: Continuous motion is drawn ten times a second: without a graphics card a frame takes 10 ms. The
-#: first frame after a pause is drawn at once.
-FEW_FRAMES = """(() => {
-  const request = window.requestAnimationFrame.bind(window), waiting = new Set();
-  let last = 0;
-  window.requestAnimationFrame = (draw) => {
-    const run = (now) => {
-      if (!waiting.delete(id)) return;
-      last = now;
-      draw(now);
-    };
-    const id = setTimeout(() => request(run), Math.max(0, last + 100 - performance.now()));
-    waiting.add(id);
-    return id;
-  };
-  window.cancelAnimationFrame = (id) => waiting.delete(id) && clearTimeout(id);
-})();"""
 SIZE = ViewportSize(width=1440, height=900)
 #: Speed of the simulated table as a multiple of a real one.
 SPEED = 4.0
@@ -159,8 +144,7 @@ def _wait(running: Running, process: subprocess.Popen[bytes]) -> None:
 def window(browser: Browser) -> Iterator[BrowserContext]:
     """Open the window of all tests that need none of their own."""
     # The colours that tests look for are those of the dark scheme.
-    context = browser.new_context(viewport=SIZE, color_scheme="dark")
-    context.add_init_script(FEW_FRAMES)
+    context = open_window(browser, viewport=SIZE, color_scheme="dark")
     yield context
     context.close()
 

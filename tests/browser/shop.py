@@ -12,6 +12,7 @@ from playwright.sync_api import Browser, Page, expect
 from knifetip.service.http.scopes import ROLES
 from knifetip.service.settings import Settings
 from knifetip.service.store import Store
+from tests.browser.windows import open_window
 from tests.support.serving.server import (
     LocalClient,
     order_job,
@@ -56,7 +57,7 @@ def add_users(shop: Shop) -> None:
 @contextmanager
 def signed_in(browser: Browser, shop: Shop, name: str, password: str = PASSWORD) -> Iterator[Page]:
     """Open the page in a window of its own as a user."""
-    context = browser.new_context(viewport={"width": 1440, "height": 900})
+    context = open_window(browser, viewport={"width": 1440, "height": 900})
     page = context.new_page()
     page.set_default_timeout(90_000)
     expect.set_options(timeout=90_000)

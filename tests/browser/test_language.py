@@ -9,6 +9,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.conftest import Running
 from tests.browser.steps import go_to
+from tests.browser.windows import open_window
 from tests.support.serving.server import square
 
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
@@ -17,7 +18,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.ma
 @pytest.fixture
 def german(browser: Browser, server: Running) -> Iterator[Page]:
     """Open the start page in a browser whose user reads German."""
-    context = browser.new_context(locale="de-AT", viewport={"width": 1440, "height": 900})
+    context = open_window(browser, locale="de-AT", viewport={"width": 1440, "height": 900})
     page = context.new_page()
     page.goto(server.url)
     yield page

@@ -12,6 +12,7 @@ from playwright.sync_api import Error as PlaywrightError
 
 from tests.browser.accessibility import assert_accessible
 from tests.browser.shop import Shop, add_users, open_shop, signed_in
+from tests.browser.windows import open_window
 
 pytestmark = [
     pytest.mark.browser,
@@ -31,7 +32,7 @@ def shop(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shop
 
 @pytest.fixture
 def tablet(browser: Browser, shop: Shop) -> Iterator[Page]:
-    context = browser.new_context(viewport={"width": 820, "height": 1180}, has_touch=True)
+    context = open_window(browser, viewport={"width": 820, "height": 1180}, has_touch=True)
     page = context.new_page()
     page.set_default_timeout(90_000)
     page.goto(str(shop.client.base_url))

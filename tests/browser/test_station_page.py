@@ -28,6 +28,7 @@ from knifetip.library import load
 from knifetip.simulators.grbl.simulator import Server, serve
 from knifetip.simulators.grbl.table import Table
 from tests.browser.accessibility import assert_accessible, record_view
+from tests.browser.windows import open_window
 from tests.support.serving.server import confirm_job
 
 pytestmark = [
@@ -183,8 +184,8 @@ def tablet(
 ) -> Iterator[tuple[Page, str]]:
     """Open the station page on a tablet; fail if it writes an error to the console."""
     width, height, scheme = request.param
-    context = browser.new_context(
-        viewport={"width": width, "height": height}, has_touch=True, color_scheme=scheme
+    context = open_window(
+        browser, viewport={"width": width, "height": height}, has_touch=True, color_scheme=scheme
     )
     page = context.new_page()
     page.set_default_timeout(90_000)
@@ -719,7 +720,7 @@ def test_a_corrected_offset_becomes_a_new_version_for_which_the_job_is_compiled_
     own_machine: SimulatedTable,
     screenshots: Path,
 ) -> None:
-    context = browser.new_context(viewport={"width": 1024, "height": 768}, has_touch=True)
+    context = open_window(browser, viewport={"width": 1024, "height": 768}, has_touch=True)
     page = context.new_page()
     expect.set_options(timeout=60_000)
     page.goto(f"{workshop.url}/#/station/mine")
