@@ -74,8 +74,7 @@ export function VerdictCard({ job }: { job: Job }) {
         </Box>
         <Text span c="ink.0" fz={14} fw={600} lh={1.4} data-testid="verdict-sentence">
           {title(verdict, findings, fullVerdict?.edge_deviation)}
-          {!isFaulty(verdict, findings) && <OvercutClause verdict={verdict} />}
-          {"."}
+          {isFaulty(verdict, findings) ? "." : <OvercutClause verdict={verdict} />}
           {job.actions.includes("accept") && (
             <>
               {" "}

@@ -12,7 +12,7 @@ import { useUiStore } from "../../state/store";
 import css from "../shared/panels.module.css";
 import { LinkButton } from "../shared/parts";
 
-/** The overcut in the sentence of the verdict, as its last clause; nothing without overcut. */
+/** The end of the sentence of the verdict: the overcut if there is any, and the full stop. */
 export function OvercutClause({ verdict }: { verdict: VerdictSummary }) {
   const { data: full } = useVerdict();
   const { data: job } = useJob();
@@ -20,7 +20,7 @@ export function OvercutClause({ verdict }: { verdict: VerdictSummary }) {
   const { data: edges } = useEdges();
   const over = placesOf(full?.edge_overcut ?? []);
   const zoomToNext = useNextPlace(over);
-  if (over.length === 0) return null;
+  if (over.length === 0) return ".";
   // The board limits the overcut of V-grooves; that of other lines ends in the waste.
   const isGroove = lineTypeOf(edges?.lineType[over[0] ?? -1]) === "v-groove";
   const limit = boards?.find(({ name }) => name === job?.board)?.groove_overcut ?? 0;
@@ -39,8 +39,10 @@ export function OvercutClause({ verdict }: { verdict: VerdictSummary }) {
           length: formatLength(verdict.overcut),
           places: over.length,
         })}
+        {allowed > 0 &&
+          `, ${translate("verdictPlaces.allowed", { length: formatLength(allowed) })}`}
+        .
       </LinkButton>
-      {allowed > 0 && `, ${translate("verdictPlaces.allowed", { length: formatLength(allowed) })}`}
     </>
   );
 }
