@@ -58,6 +58,12 @@ describe("a reported position", () => {
     expect(timeOf(LINE, 12, [110, 10, 0, 90])).toBeCloseTo(11 + Math.PI / 2, 9);
   });
 
+  test("a position on a sheet that lies turned is found on the drawing", () => {
+    // A quarter turn, then 300 to the right: (50, 0) comes to (300, 50).
+    const turned = buildTimeline({ ...PATH, similarity: [0, 1, 300, 0] });
+    expect(timeOf(turned, 11, [300, 50, 0, 90])).toBeCloseTo(6, 9);
+  });
+
   test("beside the path still becomes the nearest time", () => {
     expect(timeOf(LINE, 11, [50, 0.4, 0, 0])).toBeCloseTo(6, 9);
   });

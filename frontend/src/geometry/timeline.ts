@@ -7,6 +7,7 @@
 
 import { arcLength, nearestOnArc, pointAt } from "./arc";
 import type { Pose, Toolpath } from "./records";
+import { pointOnDrawing } from "./similarity";
 
 /** Assumed feed of air moves (mm/min). */
 const RAPID_FEED = 90_000;
@@ -106,21 +107,24 @@ export function timeOf(
   /** False if the head follows the path above the board. */
   atHeight = true,
 ): number {
-  const { pose, bulge, line: lines } = line.toolpath;
+  const { pose, bulge, line: lines, similarity } = line.toolpath;
+  // Poses of a measured sheet are those on the drawing.
+  const at = position === null ? null : { x: position[0], y: position[1] };
+  const drawn = at === null || similarity == null ? at : pointOnDrawing(at, similarity);
   let first = 0;
   while (first < bulge.length && (lines[first] as number) < programLine - LINES_BEFORE) first++;
   let best = line.clock[Math.min(first, bulge.length)] ?? 0;
   let least = Number.POSITIVE_INFINITY;
   for (let row = first; row < bulge.length; row++) {
     if ((lines[row] as number) > programLine + LINES_AFTER) break;
-    if (position === null) {
+    if (position === null || drawn === null) {
       if ((lines[row] as number) <= programLine) best = line.clock[row + 1] as number;
       continue;
     }
     const a = row * 4;
     const { distance, fraction } = nearestOnArc(
-      position[0],
-      position[1],
+      drawn.x,
+      drawn.y,
       pose[a] as number,
       pose[a + 1] as number,
       pose[a + 4] as number,
