@@ -12,6 +12,7 @@ from playwright.sync_api import Locator, Page, Route, expect
 
 from tests.browser.conftest import Running
 from tests.browser.own_machine import OwnMachine
+from tests.support.serving.server import confirm_job
 
 pytestmark = [
     pytest.mark.browser,
@@ -215,6 +216,37 @@ def test_a_job_is_moved_to_another_machine(queue: Queue) -> None:
     moved = queue.machine.job(queue.jobs[1])
     assert (moved["machine"], moved["state"]) == (queue.other.name, "queued")
     assert queue.other.queue() == [queue.jobs[1]]
+
+
+def test_a_machine_shows_its_head_and_what_is_made_of_its_job(
+    page: Page, server: Running, machines: tuple[OwnMachine, OwnMachine, list[str]]
+) -> None:
+    machine, _, _ = machines
+    job = machine.order()
+    claim = machine.claim()
+    confirm_job(machine.api, job).raise_for_status()
+    page.goto(f"{server.url}/#/machines/{machine.name}")
+    picture = page.get_by_test_id("table-picture")
+    left, done = picture.get_by_test_id("work-left"), picture.get_by_test_id("work-done")
+    expect(left).to_have_attribute("d", re.compile("^M"))
+    program = machine.api.get(f"/api/jobs/{job}/program").text.split("\n")
+    shares = []
+    moves = [at for at, line in enumerate(program, 1) if re.match(r"G1 X[-\d.]+ Y", line)]
+    for line in (moves[len(moves) // 3], moves[2 * len(moves) // 3]):
+        found = re.search(r"X([-\d.]+) ?Y([-\d.]+)", program[line - 1])
+        assert found is not None
+        x, y = (float(part) for part in found.groups())
+        # The height holds until a line has another one.
+        heights = re.findall(r"Z([-\d.]+)", "\n".join(program[:line]))
+        machine.report(claim, line, position=[x, y, float(heights[-1]), 0.0])
+        head = picture.get_by_test_id("table-head")
+        expect(head).to_have_attribute("data-x", f"{x:.2f}", timeout=20_000)
+        expect(head).to_have_attribute("data-y", f"{y:.2f}", timeout=20_000)
+        expect(done).to_have_attribute("d", re.compile("^M"))
+        made, rest = (len(str(one.get_attribute("d"))) for one in (done, left))
+        shares.append(made / (made + rest))
+    assert 0.0 < shares[0] < shares[1] < 1.0
+    machine.clear()
 
 
 def expect_in_work(page: Page, machine: OwnMachine) -> None:

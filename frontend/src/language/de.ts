@@ -1842,6 +1842,7 @@ export const de = {
   "checkStep.thereIsNoProgramYet":
     "Es gibt noch kein Programm. Erstellen Sie es: Dann zeigt dieser Schritt, ob es Ihre Zeichnung fertigt.",
   "jobsOfDrawing.otherJobsOfThisDrawing": "Andere Aufträge dieser Zeichnung",
+  "tablePicture.table": "Tisch von {title} mit dem Kopf und der Arbeit des laufenden Auftrags",
   "machinesPage.allMachines": "Alle Maschinen",
   "machinesPage.machines": "Maschinen",
   "machineCard.openStation": "Station öffnen",

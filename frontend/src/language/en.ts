@@ -1754,6 +1754,7 @@ export const en = {
   "checkStep.thereIsNoProgramYet":
     "There is no program yet. Prepare it: then this step shows whether it makes your drawing.",
   "jobsOfDrawing.otherJobsOfThisDrawing": "Other jobs of this drawing",
+  "tablePicture.table": "Table of {title}, with the head and the work of the running job",
   "machinesPage.allMachines": "All machines",
   "machinesPage.machines": "Machines",
   "machineCard.openStation": "Open station",

@@ -12,6 +12,7 @@ import { MachineQueue } from "../job/MachineQueue";
 import { MachineTools } from "../job/MachineTools";
 import { Note } from "../shared/parts";
 import { Section } from "../shared/Section";
+import { TablePicture } from "./TablePicture";
 
 export function MachineCard({ machine }: { machine: Machine }) {
   const word = useMachineWord(machine.name);
@@ -54,6 +55,9 @@ export function MachineCard({ machine }: { machine: Machine }) {
         </Button>
       </Flex>
       <OnTable machine={machine.name} />
+      <Box px={16} pb={12}>
+        <TablePicture machine={machine} title={title} />
+      </Box>
       <MachineQueue machine={machine.name} title={title} />
       <PairedDevices machine={machine.name} />
       <Section title={translate("machineCard.toolsAndConnection")} open={false} flush>
