@@ -392,7 +392,7 @@ class _MillingCheck(MillingWork):
             before |= left_begin[k] < EPSILON and beyond[2 * own]
             after |= left_end[k] > self.size[own] - EPSILON and beyond[2 * own + 1]
             bare[k] = before == after and not (before and missed[k] <= _NARROW_LENGTH)
-            if bare[k] and before:
+            if bare[k]:
                 bare[k] = self._is_far(own, left_begin[k], left_end[k], through)
         reached = ~np.isin(edge, left_edge[bare])
         self.context.unreached.append(
@@ -428,8 +428,8 @@ class _MillingCheck(MillingWork):
         """Return whether part of a stretch of an edge is farther than the tolerance from the board
         that the disc removes.
 
-        Between two stretches that the disc cannot reach, in a curve that was drawn with few
-        decimals, it comes near the edge without a path of its own there.
+        In a curve that was drawn with few decimals, the disc cannot reach every stretch, and it
+        comes near others without a path of its own there.
 
         ``begin`` and ``end`` are positions along the edge (mm); ``through`` are the paths of the
         disc's centre through the board, (m, 6).
