@@ -295,10 +295,11 @@ def test_a_path_at_the_corner_of_fitted_curves_on_a_flat_cutter_follows_one_of_t
 
 
 @pytest.mark.parametrize(
-    ("seed", "number"), [(71200, 2063), (71200, 2725), (70155, 538), (92004, 683)]
+    ("seed", "number"), [(71200, 2063), (71200, 2725), (70155, 538), (92004, 683), (93002, 338)]
 )
-def test_fine_curves_and_circles_drawn_twice_are_accepted(seed: int, number: int) -> None:
+def test_drawings_of_campaigns_that_were_refused_are_accepted(seed: int, number: int) -> None:
     # A line between two arcs that is shorter than the chip takes to be given the next one; a
-    # circle of 0.6 mm over its polygon of hundredths; and curves in rounded chords under a cutter.
+    # circle of 0.6 mm over its polygon of hundredths; curves in rounded chords under
+    # a cutter; and creases that end beside short ones at a slot.
     outcome = attempt_job(random_job(seed, number, bodies=True))
     assert outcome.fate in ("accepted", "excepted")

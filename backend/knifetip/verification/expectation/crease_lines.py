@@ -226,10 +226,10 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float, stop
 
     Each gap gets the row in the dieline of one of the two dashes beside it.  Collinear dashes count
     as one crease if the wheel has rolled or pressed a gap between them.  They also do if the wheel
-    has touched only one of the dashes: a short crease is pressed at a single point.  A gap that the
-    wheel has left out separates two creases if the wheel has worked on the dashes on both sides,
-    unless it is as wide as the other gaps and the wheel must stop before it in any case, because a
-    cut crosses the dash beyond it.
+    has touched only one of the dashes, since a short crease is pressed at a single point, and the
+    gap is as wide as the other gaps.  A gap that the wheel has left out separates two creases if
+    the wheel has worked on the dashes on both sides, unless it is as wide as the other gaps and the
+    wheel must stop before it in any case, because a cut crosses the dash beyond it.
 
     Parameters
     ----------
@@ -265,7 +265,7 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float, stop
     near, far, curve = near[joins], far[joins], curve[joins]
     made, hidden = made[joins], hidden[joins]
     name = _group_dashes(len(dash), near // 2, far // 2)
-    joins = ~hidden | _are_alike(curve[:, 5], name[near // 2], made)
+    joins = made | _are_alike(curve[:, 5], name[near // 2], made)
     near, far, curve = near[joins], far[joins], curve[joins]
     made, hidden = made[joins], hidden[joins]
     name = _group_dashes(len(dash), near // 2, far // 2)
