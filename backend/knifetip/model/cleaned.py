@@ -79,6 +79,10 @@ class Stretches:
     def __len__(self) -> int:
         return len(self.row)
 
+    def makers(self, row: int) -> I32:
+        """Return the rows of the cleaned edges that cover a drawn edge, ascending."""
+        return np.unique(self.cleaned[(self.row == row) & (self.cleaned >= 0)])
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Cleaned:

@@ -75,12 +75,11 @@ def locate_bridges(
         The drawing has no such edge, or the edge is not made.
     """
     result = []
-    parts = cleaned.stretches
     for bridge in bridges:
         for row in bridge.edges:
             if row >= len(drawn):
                 raise PlanError("edge-choice.no-edge", row=row, count=len(drawn))
-            rows = np.unique(parts.cleaned[(parts.row == row) & (parts.cleaned >= 0)])
+            rows = cleaned.stretches.makers(row)
             if len(rows) == 0:
                 raise PlanError("bridge.no-outline", edge=row, at_edges=[row])
             line = drawn.ends[[row], 0], drawn.ends[[row], 1], drawn.bulge[[row]]

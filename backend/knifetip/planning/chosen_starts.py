@@ -63,11 +63,10 @@ def place_starts(
         The drawing has no such edge, or the edge is not made.
     """
     result = []
-    parts = cleaned.stretches
     for row, start in choices_by_edge(starts, drawn.line_type):
         if start.at is None and start.direction == "free":
             continue
-        rows = np.unique(parts.cleaned[(parts.row == row) & (parts.cleaned >= 0)])
+        rows = cleaned.stretches.makers(row)
         if len(rows) == 0:
             raise PlanError("start.open", edge=row, at_edges=[row])
         line = drawn.ends[row : row + 1, 0], drawn.ends[row : row + 1, 1], drawn.bulge[[row]]
