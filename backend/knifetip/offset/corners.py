@@ -8,6 +8,7 @@ before and after it, and ``signed`` is the radius of the tool (mm), positive lef
 from __future__ import annotations
 
 import math
+from typing import Final
 
 from knifetip.geometry.intersect import TOUCH
 from knifetip.geometry.tolerance import POINT
@@ -31,6 +32,10 @@ from knifetip.offset.raw_segments import (
 )
 from knifetip.offset.records import Contours, CornerTypes, MovedCorner
 from knifetip.offset.transition import ContourVertex, write_transition
+
+#: Of two intersections, the one nearer to the corner is that of the corner if it is so many times
+#: nearer.
+_AT_CORNER: Final = 0.01
 
 
 @inline_kernel
@@ -229,7 +234,8 @@ def concave_crossing(
     Returns
     -------
     hits
-        Number of intersections; the other results are valid only if it is 1.
+        Number of intersections; the other results are valid only if it is 1.  Of two, one that is
+        far nearer to the corner counts alone: two arcs that are a circle meet at both ends.
     x, y : mm
         The intersection, which is the centre of the tool's disc when it touches both contour
         segments.
@@ -284,8 +290,12 @@ def concave_crossing(
     if _contains_point(table, row_before, sx, sy, ax, ay, ox, oy) and _contains_point(
         table, row_after, bx, by, ex, ey, ox, oy
     ):
-        hits += 1
-        gx, gy = ox, oy
+        # Coordinates are relative to the corner.
+        first, second = math.hypot(gx - ax, gy - ay), math.hypot(ox - ax, oy - ay)
+        if hits == 1 and min(first, second) > _AT_CORNER * max(first, second):
+            hits = 2
+        elif hits == 0 or second < first:
+            hits, gx, gy = 1, ox, oy
     # Contact points of the disc around g with both segments.
     f1x, f1y = _contact_point(gx, gy, table, row_before, u1x, u1y)
     f2x, f2y = _contact_point(gx, gy, table, row_after, u2x, u2y)

@@ -267,3 +267,18 @@ def test_arcs_that_cross_twice_beside_a_flat_corner(turn: float, around: float) 
     xy = xy @ np.array([[cosine, sine], [-sine, cosine]])
     contour = paths_of(xy, np.roll(xy, -1, axis=0), np.append(bulge, np.zeros(6)), [0, len(xy)])
     assert len(offset_paths(contour, 3.0, 1).paths) == 1
+
+
+@pytest.mark.parametrize(("radius", "distance"), [(0.3, 0.1), (2.0, 0.1), (2.0, 1.0), (5.0, 3.0)])
+def test_a_circle_of_two_arcs_with_a_slight_kink_keeps_its_offset(
+    radius: float, distance: float
+) -> None:
+    ends = np.array([[[radius, 0.0], [-radius, 0.0]], [[-radius, 0.0], [radius, 0.0]]])
+    for less in np.geomspace(1e-6, 0.1, 60):
+        ring = Paths(ends[:, 0], ends[:, 1], np.full(2, 1.0 - less), np.array([0, 2], np.int32))
+        made = offset_paths(ring, distance, 1).paths
+        assert len(made) == 1, less
+        middle = arc.point_at(ends[:, 0], ends[:, 1], ring.bulge, np.full(2, 0.5))
+        moved = arc.point_at(made.start, made.end, made.bulge, np.full(len(made.bulge), 0.5))
+        apart = np.hypot(*(middle[:, None] - moved).transpose(2, 0, 1)).min(axis=1)
+        assert np.abs(apart - distance).max() < 1e-4
