@@ -295,11 +295,21 @@ def test_a_path_at_the_corner_of_fitted_curves_on_a_flat_cutter_follows_one_of_t
 
 
 @pytest.mark.parametrize(
-    ("seed", "number"), [(71200, 2063), (71200, 2725), (70155, 538), (92004, 683), (93002, 338)]
+    ("seed", "number"),
+    [
+        (71200, 2063),
+        (71200, 2725),
+        (70155, 538),
+        (92004, 683),
+        (93002, 338),
+        (93002, 1064),
+        (93001, 1871),
+    ],
 )
 def test_drawings_of_campaigns_that_were_refused_are_accepted(seed: int, number: int) -> None:
     # A line between two arcs that is shorter than the chip takes to be given the next one; a
     # circle of 0.6 mm over its polygon of hundredths; curves in rounded chords under
-    # a cutter; and creases that end beside short ones at a slot.
+    # a cutter; creases that end beside short ones at a slot; a lead-in beside a slit; and a hole of
+    # two arcs that meet at a slight angle.
     outcome = attempt_job(random_job(seed, number, bodies=True))
     assert outcome.fate in ("accepted", "excepted")

@@ -209,13 +209,18 @@ class _MillingCheck(MillingWork):
         beside = np.flatnonzero(runs & (figure > self.tolerance))
         beside = beside[self._runs_past_ends(centres.curve, pieces, overlaps, beside)]
         passes[beside], runs[beside] = True, False
+        low, high = pieces.edge_intervals(overlaps.edge, overlaps.place)
+        # A lead-in may lie beside a slit that another path makes.
+        again = np.flatnonzero(runs & (figure > self.tolerance))
+        exact = np.flatnonzero(runs & (figure <= self.tolerance))
+        again = again[_are_covered(edge, low, high, again, exact)]
+        passes[again], runs[again] = True, False
         self.context.figures.record_deviation(
             self.edges.row[edge[runs]],
             overlaps.distance[runs],
             rounds[overlaps.curve[runs]],
             fit_error[runs],
         )
-        low, high = pieces.edge_intervals(overlaps.edge, overlaps.place)
         first, last = (
             pieces.edge_intervals(overlaps.edge, overlaps.place[:, [0, 0]])[0],
             overlaps.place[:, [1, 1]],
@@ -527,3 +532,21 @@ class _MillingCheck(MillingWork):
         lows.append(np.zeros(len(missing)))
         highs.append(self.size[missing])
         return np.concatenate(edge), np.concatenate(lows), np.concatenate(highs)
+
+
+def _are_covered(edge: I64, low: F64, high: F64, rows: I64, exact: I64) -> Bool:
+    """Return the mask of those of some stretches of edges that lie in one other stretch, (k,).
+
+    Parameters
+    ----------
+    edge, low, high : (n,), (n,) mm and (n,) mm
+        The edge of each stretch, and its start and end along the edge.
+    rows, exact : (k,) and (m,)
+        Indices of the stretches in question, and of those in which they may lie.
+    """
+    result = np.zeros(len(rows), np.bool_)
+    for k, row in enumerate(rows):
+        same = exact[edge[exact] == edge[row]]
+        inside = (low[same] <= low[row] + EPSILON) & (high[same] >= high[row] - EPSILON)
+        result[k] = inside.any()
+    return result
