@@ -148,13 +148,14 @@ def test_a_definition_goes_through_a_file(
     assert text == api.get("/api/tools/file-tool/toml").text
     changed = tmp_path / "file-tool-2.toml"
     changed.write_text(text.replace("tilt = 45", "tilt = 30"), "utf-8")
-    inputs = page.locator("input[type=file]")
-    inputs.nth(2).set_input_files(changed)
+    # The shelf of an open tool is that of tools.
+    chosen = page.locator("input[type=file]")
+    chosen.set_input_files(changed)
     expect(page.get_by_text("file-tool-2 · version 1")).to_be_visible()
     assert definition(api, "tools/file-tool-2")["fields"]["tool"]["tilt"] == 30.0
     broken = tmp_path / "broken.toml"
     broken.write_text('title = "x"\n[tool]\nkind = "saw"\n', "utf-8")
-    inputs.nth(2).set_input_files(broken)
+    chosen.set_input_files(broken)
     expect(page.get_by_role("alert")).to_contain_text("saw")
 
 

@@ -193,8 +193,7 @@ VIEWS: Final = (
         {
             "copy-definition": "PUT /boards/{name}",
             "button Delete": "DELETE /boards/{name}",
-            "button Import machine from a TOML file": "PUT /machines/{name}",
-            "button Import tool from a TOML file": "PUT /tools/{name}",
+            "button Import board from a TOML file": "PUT /boards/{name}",
         },
     ),
     View("webhooks", open_webhooks, {"button Add": "POST /webhooks"}),

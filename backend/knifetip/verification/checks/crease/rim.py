@@ -7,8 +7,8 @@ standard; it amounts to a third of T.
 
 A wide rim makes a wide bead in thin board, and the fold has no definite line.  Shreiner, a maker of
 creasing matrices, states rules of 2 pt for board of 0.008 to 0.020 in (0.2 to 0.5 mm), and of 3 or
-4 pt for thicker board ("What score rule heights should I use").  Tables of rules end at about
-1.5 mm (CITO Abacus, "Cardboard calculation aid"); wider rims are in use on corrugated board.
+4 pt for thicker board ("What score rule heights should I use").  Above about 1.2 mm (3 pt rules of
+1.05 mm) wider rims are in use, on greyboard as on corrugated board.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from knifetip.verification.tools import OperationKind
 #: Greatest thickness of a board, in widths of the rim.
 _MOST_RIMS: Final = 3.0
 #: Widest rims (mm) for boards up to some thicknesses (mm), ascending: 2 pt and 4 pt, rounded up.
-_WIDEST: Final = ((0.51, 0.75), (1.5, 1.5))
+_WIDEST: Final = ((0.51, 0.75), (1.2, 1.5))
 
 
 def check_rims(context: CheckContext, work: TipPaths) -> None:

@@ -397,7 +397,7 @@ class _MillingCheck(MillingWork):
             before |= left_begin[k] < EPSILON and beyond[2 * own]
             after |= left_end[k] > self.size[own] - EPSILON and beyond[2 * own + 1]
             bare[k] = before == after and not (before and missed[k] <= _NARROW_LENGTH)
-            if bare[k]:
+            if bare[k] and self.bounds.closing[own]:
                 bare[k] = self._is_far(own, left_begin[k], left_end[k], through)
         reached = ~np.isin(edge, left_edge[bare])
         self.context.unreached.append(
