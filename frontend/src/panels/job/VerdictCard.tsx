@@ -97,17 +97,17 @@ export function VerdictCard({ job }: { job: Job }) {
           <AcceptForm job={job} findings={findings} />
         </Permitted>
       )}
+      <dl className={css.pairs}>
+        <div>
+          <dt>{translate("verdictCard.machineTime")}</dt>
+          <dd>{formatDuration(verdict.seconds)}</dd>
+        </div>
+      </dl>
       <details data-testid="verdict-details">
         <summary className={css.summary}>{translate("verdictCard.details")}</summary>
         <Saved verdict={verdict} />
         <Deviation verdict={verdict} />
         <dl className={css.pairs}>
-          {isFaulty(verdict, findings) && (
-            <div>
-              <dt>{translate("verdictCard.machineTime")}</dt>
-              <dd>{formatDuration(verdict.seconds)}</dd>
-            </div>
-          )}
           <div>
             <dt>{translate("verdictCard.longestOvercut")}</dt>
             <dd>{formatLength(verdict.overcut)}</dd>
