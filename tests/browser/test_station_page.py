@@ -616,10 +616,15 @@ def test_a_printed_sheet_is_measured_by_touch(
         text = f"X {x:.2f} · Y {y:.2f}"
         expect(page.get_by_test_id("marks-position")).to_have_text(text)
 
-    expect_position()
-    page.get_by_test_id("take-mark-1").tap()
-    expect(compile).to_be_disabled()
-    hold_arrow(page, "jog-x1", workshop, 100.0)
+    for _ in range(4):
+        expect_position()
+        page.get_by_test_id("take-mark-1").tap()
+        expect(compile).to_be_disabled()
+        first = workshop.table.table.position[0]
+        hold_arrow(page, "jog-x1", workshop, 100.0)
+        # A second hold, as on a busy computer, moves farther: the first mark is taken again there.
+        if workshop.table.table.position[0] == pytest.approx(first + 100.0, abs=0.01):
+            break
     expect_position()
     page.get_by_test_id("take-mark-2").tap()
     expect(page.get_by_test_id("marks-fit")).to_contain_text("turn 0.000° · scale 1.00000")
