@@ -1,9 +1,9 @@
 """holes: place parts in the holes of larger ones, before the engine places the rest.
 
-The engine knows outlines only.  So copies of small parts are placed in the holes of large ones
-first, and each large part with what lies in its holes is one part for the engine (ADR 169).  Such
-parts have the turns of the large part; a part lies in a hole only if all these turns give it one of
-its own.
+The nesting engine takes outlines without holes.  Copies of small parts are therefore placed in the
+holes of large parts before it begins; it then places each large part together with the parts in its
+holes (ADR 169).  These turn with the large part, so a part is placed in a hole only if its own
+permitted turns include all turns of the large part.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class _Guest(NamedTuple):
 
 
 class _Filled(NamedTuple):
-    """A part with copies in its holes."""
+    """A part, and the copies of other parts that lie in its holes."""
 
     part: int  #: index into the parts
     guests: tuple[_Guest, ...]
@@ -65,7 +65,7 @@ class FilledHoles:
     filled: tuple[_Filled, ...]  #: what each part of ``problem`` consists of
 
     def expand(self, arrangement: Arrangement) -> Arrangement:
-        """Return an arrangement of the problem with all copies of the original parts."""
+        """Return the arrangement with the copies in holes as copies of their own parts."""
         return Arrangement(
             tuple(
                 FilledSheet(
@@ -106,8 +106,8 @@ class FilledHoles:
 def fill_holes(problem: Problem, stopped: Callable[[], bool] = lambda: False) -> FilledHoles:
     """Return a problem in which many copies lie in holes of others, if the problem permits it.
 
-    The largest parts come first, and in each hole the largest copies that fit.  Holes of copies in
-    holes are filled, too.
+    Parts with holes are filled in descending order of their size, and each hole with the largest
+    copies that fit.  Copies that lie in holes may have holes of their own, which are filled, too.
 
     Parameters
     ----------

@@ -15,6 +15,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.job_options import CreaseDepth, CutDepth
 from knifetip.model.machine import Machine
 from knifetip.model.tool import Cutter, DiscTool, Knife
+from knifetip.planning.chosen_rows import chosen_rows
 from knifetip.planning.setup import Setup
 
 
@@ -90,17 +91,13 @@ def check_crease_depths(work: ChosenWork, dieline: Dieline, machine: Machine, bo
     dieline
         The edges with their line types.
     """
-    if CreaseDepth not in work:
+    pressed = LineType.CREASE, LineType.COMBI
+    rows = chosen_rows(work, CreaseDepth, dieline, pressed, "crease-depth.other-type")
+    if len(rows) == 0:
         return
-    chosen = work[CreaseDepth]
-    rows = np.flatnonzero(chosen.chosen)
-    others = rows[~np.isin(dieline.line_type[rows], (LineType.CREASE, LineType.COMBI))]
-    for edge in others[:1]:
-        word = LineType(dieline.line_type[edge]).word
-        raise PlanError("crease-depth.other-type", edge=edge, type=word, at_edges=others)
-    if len(rows) and not find_language(machine.dialect).sets_pose:
+    if not find_language(machine.dialect).sets_pose:
         raise PlanError("crease-depth.not-set", edge=rows[0], machine=machine.title, at_edges=rows)
-    depth = chosen.numbers("depth", 0.0)
+    depth = work[CreaseDepth].numbers("depth", 0.0)
     deep = np.flatnonzero(depth >= board.caliper)
     for edge in deep[:1]:
         raise PlanError(

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from knifetip.errors import PlanError
 from knifetip.model.chosen_work import ChosenWork
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.job_options import ContourLead
 from knifetip.model.machine import Machine
+from knifetip.planning.chosen_rows import chosen_rows
 
 
 def check_contour_leads(work: ChosenWork, dieline: Dieline, machine: Machine) -> None:
@@ -21,12 +20,7 @@ def check_contour_leads(work: ChosenWork, dieline: Dieline, machine: Machine) ->
     dieline
         The edges with their line types.
     """
-    if ContourLead not in work:
-        return
-    rows = np.flatnonzero(work[ContourLead].chosen)
-    others = rows[dieline.line_type[rows] != LineType.CUT]
-    for edge in others[:1]:
-        word = LineType(dieline.line_type[edge]).word
-        raise PlanError("lead-choice.other-type", edge=edge, type=word, at_edges=others)
+    cuts = (LineType.CUT,)
+    rows = chosen_rows(work, ContourLead, dieline, cuts, "lead-choice.other-type")
     if len(rows) and not machine.offset_cuts:
         raise PlanError("lead-choice.no-cutter", edge=rows[0], machine=machine.title, at_edges=rows)

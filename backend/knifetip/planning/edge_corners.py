@@ -19,6 +19,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.job_options import EdgeCorner
 from knifetip.model.machine import Machine
 from knifetip.model.operation import Operation
+from knifetip.planning.chosen_rows import chosen_rows
 
 #: Code of each word of a choice.
 _CODES: Final = {"usual": AS_OTHERS, **{word: code for code, word in enumerate(TYPES)}}
@@ -34,13 +35,8 @@ def check_edge_corners(work: ChosenWork, dieline: Dieline, machine: Machine) -> 
     dieline
         The edges with their line types.
     """
-    if EdgeCorner not in work:
-        return
-    rows = np.flatnonzero(work[EdgeCorner].chosen)
-    others = rows[dieline.line_type[rows] != LineType.CUT]
-    for edge in others[:1]:
-        word = LineType(dieline.line_type[edge]).word
-        raise PlanError("corner-choice.other-type", edge=edge, type=word, at_edges=others)
+    cuts = (LineType.CUT,)
+    rows = chosen_rows(work, EdgeCorner, dieline, cuts, "corner-choice.other-type")
     if len(rows) and not machine.offset_cuts:
         raise PlanError(
             "corner-choice.no-cutter", edge=rows[0], machine=machine.title, at_edges=rows

@@ -39,7 +39,7 @@ export function gridLines(
   return lines.build();
 }
 
-/** The outline of a rectangle, given by its corners. */
+/** Outline of a rectangle between two corners. */
 export function frameLines(corners: readonly Point[], origin: Point, colour: Rgba): Lines {
   const lines = new LineBuilder(origin);
   addOutline(lines, corners, colour);

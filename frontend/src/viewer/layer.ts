@@ -252,7 +252,7 @@ function wideGeometry(lines: Lines): BufferGeometry {
   return lines.count <= MOST_REPEATED ? repeatedGeometry(lines) : instancedGeometry(lines);
 }
 
-/** Attributes of a segment: values, numbers a segment, and whether bytes stand for 0 to 1. */
+/** Vertex attributes: values, count per segment, and whether bytes are normalised to 0 … 1. */
 const attributesOf = ({ ends, colour, along, dash, time }: Lines) =>
   [
     ["ends", ends, 4, false],

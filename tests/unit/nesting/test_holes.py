@@ -80,7 +80,7 @@ def test_holes_of_parts_in_holes_are_filled() -> None:
 
 
 def test_a_part_lies_in_a_hole_only_where_all_turns_of_the_host_permit_it() -> None:
-    # The grain of the small part permits half turns; the frame may stand across.
+    # The grain of the small part permits half turns; the frame may be turned by 90°.
     parts = [part(FRAME, QUARTERS), part(SMALL, HALF, 2)]
     assert nested(Problem(parts, [SHEET], 2.0, 60.0)).in_holes == 0
     mirrored = [

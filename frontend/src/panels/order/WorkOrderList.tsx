@@ -16,7 +16,7 @@ import { WorkTree } from "./WorkTree";
 
 /** Most tracks in one list. A longer list would be slow and too long to sort by hand. */
 const MOST = 400;
-/** Most tracks whose order the server takes. */
+/** Greatest length of an order that the server accepts (tracks). */
 const MOST_ORDERED = 5000;
 
 type View = "parts" | "tracks";

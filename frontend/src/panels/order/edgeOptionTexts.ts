@@ -39,7 +39,7 @@ const text = (...parts: readonly string[]): string =>
 
 export const optionTitle = (name: EdgeOptionName): string => text(name);
 
-/** What to know about an option; null for nothing. */
+/** Help text of an option; null if it has none. */
 export const optionHelp = (name: EdgeOptionName): string | null =>
   hasHelp(name) ? text(name, "help") : null;
 

@@ -22,7 +22,7 @@ from knifetip.verification.tools import OperationKind, expected_tool
 
 
 def check_chosen_tools(context: CheckContext, paths: TipPaths) -> None:
-    """Add a finding for each edge that another tool makes than the chosen one.
+    """Add a finding for each edge that is not made with the chosen tool.
 
     ``paths`` are the tip paths of all programs of the sheet, with all passes.
     """

@@ -1,4 +1,4 @@
-"""Check that contours are entered on the lead-ins that the user has chosen for them.
+"""Check that the cutter enters contours along the chosen lead-ins.
 
 A cutter of radius r with a lead-in of length L at the angle φ to the contour moves straight from
 the waste to its path beside the contour: by √(L² + r² − 2 L r sin φ) for φ ≥ 0.  For φ < 0 it moves
