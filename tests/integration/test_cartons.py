@@ -19,6 +19,7 @@ from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.job_options import JobOptions
 from knifetip.model.sheet import Sheet
+from knifetip.model.toolpath import Motion
 from knifetip.model.verdict import Severity
 from knifetip.pipeline import Compiled
 from tests.cartons.campaign import Tally, run
@@ -255,6 +256,21 @@ def test_edges_without_a_line_type_may_be_creased(corpus: Path, name: str, board
     assert faults(made) == []
 
 
+def test_the_gap_between_creases_that_reach_into_a_slot_is_not_pressed() -> None:
+    # The row of three creases has equal gaps.
+    slot = edges(((98, 20), (98, 80)), ((106, 80), (106, 20)))
+    folds = edges(((5, 50), (45, 50)), ((51, 50), (99, 50)), ((105, 50), (145, 50)))
+    line = dieline(
+        (CUT, closed((0, 0), (150, 0), (150, 100), (0, 100))), (CUT, slot), (CREASE, folds)
+    )
+    made = compiled(line, "v-groove-table", "greyboard-2.0")
+    assert faults(made) == []
+    path = made.toolpath
+    x = path.pose[1:, 0] - made.placement[0]
+    creased = (path.motion != Motion.RAPID) & (path.source >= 6)
+    assert not (creased & (x > 99.0) & (x < 105.0)).any()
+
+
 # The ends are 0.054 mm apart, or two creases overlap by 0.3 mm in slightly different directions.
 @pytest.mark.parametrize("number", [579, 636])
 def test_creases_that_nearly_meet_at_a_corner_are_set_back_alike(number: int) -> None:
@@ -304,12 +320,13 @@ def test_a_path_at_the_corner_of_fitted_curves_on_a_flat_cutter_follows_one_of_t
         (93002, 338),
         (93002, 1064),
         (93001, 1871),
+        (95001, 3054),
     ],
 )
 def test_drawings_of_campaigns_that_were_refused_are_accepted(seed: int, number: int) -> None:
     # A line between two arcs that is shorter than the chip takes to be given the next one; a
     # circle of 0.6 mm over its polygon of hundredths; curves in rounded chords under
-    # a cutter; creases that end beside short ones at a slot; a lead-in beside a slit; and a hole of
-    # two arcs that meet at a slight angle.
+    # a cutter; creases that end beside short ones at a slot; a lead-in beside a slit; a hole of
+    # two arcs that meet at a slight angle; and a cut that ends 0.06 mm beside a groove.
     outcome = attempt_job(random_job(seed, number, bodies=True))
     assert outcome.fate in ("accepted", "excepted")

@@ -5,8 +5,9 @@
 
 Three or more edges on one line are dashes if the gaps between them are regular, no gap is longer
 than 12 mm, no gap is longer than 1.5 times the mean length of the edges, no cut touches an end of
-an edge at a gap, and no cut passes through a gap.  A cut that ends in a gap from one side, such as
-a slit, does not matter, as on a crease without gaps.
+an edge at a gap, and no cut passes through a gap.  Cuts that cross the edges on both sides of a gap
+are the sides of a slot if less than half of the line between them is drawn.  A cut that ends in a
+gap from one side, such as a slit, does not matter, as on a crease without gaps.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from knifetip.geometry.azimuth import unit_vectors
-from knifetip.geometry.columns import F64, I32, I64
+from knifetip.geometry.columns import F64, I32, I64, Bool
 from knifetip.geometry.path import Paths
 from knifetip.geometry.points_on_segments import find_points_on_segments
 from knifetip.geometry.tolerance import BULGE, COLLINEAR, GAP, JOIN
@@ -73,11 +74,11 @@ def merge_dashes(
             GAP,
         ).reshape(2, -1)
         # A gap before an edge that begins on a cut stays open in any case.
-        is_gap = (line[1:] == line[:-1]) & (low[1:] > high[:-1] + JOIN) & ~barred[0, 1:]
-        between = np.flatnonzero(is_gap)
-        each = np.arange(len(between) + 1, dtype=np.int32)
-        gaps = Paths(far[between], near[between + 1], np.zeros(len(between)), each)
-        barred[0, between[find_cut_crossings(gaps, cut_ends, cut_bulge)[0]] + 1] = True
+        width = low[1:] - high[:-1]
+        is_gap = (line[1:] == line[:-1]) & (width > JOIN) & (width <= _GREATEST_GAP)
+        after = np.flatnonzero(is_gap & ~barred[0, 1:]) + 1
+        ends_of = np.stack([near, far], axis=1)
+        barred[0, after] = _are_cut(ends_of[after - 1], ends_of[after], cut_ends, cut_bulge)
     begin, kept, first, last = _merge_along_lines(line, low, high, barred[0], barred[1])
 
     def on_line(piece: I64, along: F64) -> F64:
@@ -112,6 +113,27 @@ def merge_dashes(
         bends[order],
         row[order].astype(np.int32),
     )
+
+
+def _are_cut(before: F64, after: F64, cut_ends: F64, cut_bulge: F64) -> Bool:
+    """Return the mask of the g gaps between two edges that cuts keep open, (g,).
+
+    ``before``, ``after`` (g, 2, 2) mm: start and end points of the edges before and after the gaps.
+    ``cut_ends``, ``cut_bulge``: those of ``merge_dashes``.
+    """
+    count = len(before)
+    gaps = np.stack([before[:, 1], after[:, 0]], axis=1)
+    # Both edges are followed away from the gap.
+    lines = np.concatenate([gaps, before[:, ::-1], after])
+    each = np.arange(len(lines) + 1, dtype=np.int32)
+    paths = Paths(lines[:, 0], lines[:, 1], np.zeros(len(lines)), each)
+    crossed, fraction = find_cut_crossings(paths, cut_ends, cut_bulge)
+    size = np.hypot(*(lines[:, 1] - lines[:, 0]).T)
+    drawn = np.full(len(lines), np.inf)
+    np.minimum.at(drawn, crossed, fraction * size[crossed])
+    through, one, other = drawn.reshape(3, count)
+    result: Bool = np.isfinite(through) | (one + other < size[:count])
+    return result
 
 
 def _upward_directions(ends: F64) -> F64:

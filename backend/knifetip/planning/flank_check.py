@@ -165,8 +165,8 @@ def _find_damage(paths: Paths, reach: float, run_out: F64, dieline: Dieline) -> 
 
     A groove that ends on a cut, or runs out over a cut, crosses that cut with its flanks.  At such
     an end, a stretch of the groove is not checked.  The stretch is twice ``reach`` long, or as long
-    as the run-out if the run-out is longer.  A cut that crosses the groove and ends between the
-    flanks of the groove is permitted.  The parameters are those of ``check_flanks``.
+    as the run-out if the run-out is longer.  A cut that crosses the groove, or comes from outside
+    and ends between its flanks, is permitted.  The parameters are those of ``check_flanks``.
     """
     begin, finish = paths.start[paths.first[:-1]], paths.end[paths.first[1:] - 1]
     length = np.hypot(*(finish - begin).T)
@@ -178,7 +178,7 @@ def _find_damage(paths: Paths, reach: float, run_out: F64, dieline: Dieline) -> 
     strip = nearby.clip(nearby.offset, POINT - reach, reach - POINT)
     path = strip.path
     strip = strip.clip(strip.along, inset[path, 0], (length - inset[:, 1])[path])
-    return strip.select(~_crosses_groove(strip))
+    return strip.select(~_crosses_flank(strip, reach))
 
 
 def _find_nearby_chords(begin: F64, finish: F64, reach: float, dieline: Dieline) -> _NearbyChords:
@@ -243,13 +243,14 @@ def _ends_on_cuts(nearby: _NearbyChords, length: F64, reach: float, run_out: F64
     return result
 
 
-def _crosses_groove(strip: _NearbyChords) -> Bool:
-    """Return the mask of the chords whose cut crosses the groove, or ends on its line, (k,).
+def _crosses_flank(strip: _NearbyChords, reach: float) -> Bool:
+    """Return the mask of the chords whose cut crosses a flank of the groove, (k,).
 
-    ``strip`` contains the parts of the cuts near the grooves.  Such a part crosses the groove if it
-    has points on both sides of the groove's line, or ends within ``GAP`` of it, and if it extends
-    across the groove at least as far as along the groove.  The panels beside such a cut lose no
-    more of their top corner than at a groove that ends on the cut.
+    ``strip`` contains the parts of the cuts between the flanks, which lie at ``reach`` mm on both
+    sides of the groove's line.  Such a part crosses a flank if it begins at the flank, or has
+    points on both sides of the groove's line or within ``GAP`` of it, and if it extends across the
+    groove at least as far as along the groove.  The panels beside such a cut lose no more of their
+    top corner than at a groove that ends on the cut.
     """
     if len(strip.path) == 0:
         return np.zeros(0, np.bool_)
@@ -260,7 +261,9 @@ def _crosses_groove(strip: _NearbyChords) -> Bool:
         ends = strip.at_ends(values)
         np.minimum.at(low[:, column], group, ends.min(axis=1))
         np.maximum.at(high[:, column], group, ends.max(axis=1))
-    crosses = (low[:, 1] <= GAP) & (high[:, 1] >= -GAP)
+    meets_line = (low[:, 1] <= GAP) & (high[:, 1] >= -GAP)
+    flank = reach - 2.0 * POINT
+    begins_outside = (low[:, 1] <= -flank) | (high[:, 1] >= flank)
     steep = high[:, 0] - low[:, 0] <= high[:, 1] - low[:, 1]
-    result: Bool = (crosses & steep)[group]
+    result: Bool = ((meets_line | begins_outside) & steep)[group]
     return result

@@ -70,6 +70,15 @@ def test_dashes_on_either_side_of_a_cut_are_two_creases() -> None:
     assert (24.0 in filled, 42.0 in filled) == (True, True)
 
 
+@pytest.mark.parametrize(("into", "filled"), [(0.9, False), (1.6, True)])
+def test_creases_that_reach_into_a_slot_are_no_dashes(into: float, filled: bool) -> None:
+    # The creases reach into the slot from both sides, and 3 mm between them are not drawn.
+    drawn = edges(((0, 0), (50, 0)), ((53, 0), (100, 0)), ((103, 0), (150, 0)))
+    sides = edges(((100 - into, -9), (100 - into, 9)), ((103 + into, 9), (103 + into, -9)))
+    new, _ = stretches(drawn, (sides, np.zeros(2)))
+    assert (100.0 in new[:, 0, 0]) == filled
+
+
 def test_a_piece_beside_the_line_is_no_dash() -> None:
     drawn = dashes(4, 4.0, 3.0)
     drawn[1, :, 1] += 0.01

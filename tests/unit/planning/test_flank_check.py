@@ -100,6 +100,7 @@ def test_a_slit_between_the_flanks_along_the_groove_is_refused() -> None:
         ((100, 30), (100, 70)),  # across the groove
         ((90, 40), (109, 60)),  # at 46°
         ((100, 50.04), (100, 70)),  # it ends on the groove
+        ((100, 50.06), (100, 70)),  # it ends between the line of the groove and its flank
         ((60, 51.01), (90, 51.01)),
         ((181, 50.5), (190, 50.5)),
     ],
@@ -110,8 +111,15 @@ def test_a_groove_may_end_on_a_cut_cross_it_or_run_far_beside_it(
     assert planned(edges(((20, 50), (180, 50))), (LineType.CUT, edges(slit)))
 
 
-@pytest.mark.parametrize("slit", [((90, 40), (111, 60)), ((100, 50.06), (100, 70))])
-def test_a_cut_across_a_groove_is_refused_if_it_slants_or_ends_between_line_and_flank(
+@pytest.mark.parametrize(
+    "slit",
+    [
+        ((90, 40), (111, 60)),
+        ((100, 50.06), (121, 70)),  # it ends between the line of the groove and its flank
+        ((100, 50.06), (100, 50.9)),  # between line and flank, it comes from neither
+    ],
+)
+def test_a_cut_across_a_groove_is_refused_if_it_slants_or_crosses_no_flank(
     slit: tuple[tuple[float, float], tuple[float, float]],
 ) -> None:
     with pytest.raises(FlankOutside):

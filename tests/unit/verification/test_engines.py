@@ -230,6 +230,13 @@ def test_dashes_may_be_rolled_as_one_crease() -> None:
     slot = dieline(*((CREASE, 20 * k, 0, 20 * k + 12, 0, 0.0) for k in range(4)),
                    (CUT, 12, -5, 12, 5, 0.0))  # fmt: skip
     assert ("stray", -1) in kinds(verdict_of(rolled_creases((BACK, 72 - BACK, 0)), slot))
+    # So is a gap into which the dashes on both sides reach, if cuts cross both near it.
+    for into, stray in ((2, True), (5, False)):
+        sides = [(CUT, x, -5, x, 5, 0.0) for x in (12 - into, 20 + into)]
+        reached = dieline(*((CREASE, 20 * k, 0, 20 * k + 12, 0, 0.0) for k in range(4)), *sides)
+        between = (12 - into + BACK, 20 + into - BACK, 0)
+        found = kinds(verdict_of(rolled_creases(between), reached))
+        assert (("stray", -1) in found) == stray
     # And gaps of 19 between pieces of 12 are more than one and a half.
     wide = dieline(*((CREASE, 31 * k, 0, 31 * k + 12, 0, 0.0) for k in range(4)))
     assert not verdict_of(rolled_creases((BACK, 105 - BACK, 0)), wide).accepted

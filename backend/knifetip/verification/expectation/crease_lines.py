@@ -236,8 +236,9 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float, stop
     edges
         The creases, some of which may be dashes.
     cuts
-        The cuts.  A dash that touches a cut bounds a slot, not a gap.  A cut through a gap
-        separates the dashes on its two sides.
+        The cuts.  A dash that touches a cut bounds a slot, not a gap.  So do two dashes that reach
+        into a slot by less than its other part in total.  A cut through a gap separates the dashes
+        on its two sides.
     wheel_paths : (n, 6)
         Paths of the wheel: lines and arcs as rows of six numbers (see ``curves.curve``).
     limit : mm
@@ -254,12 +255,16 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float, stop
     unparted = np.ones(len(near), np.bool_)
     gaps = edges_from_curves(line_curves(dash.ends[near], dash.ends[far]))
     unparted[_cut_crossings(gaps, cuts).edge] = False
+    to_cut = _distances_to_crossings(dash, cuts)
+    unparted &= to_cut[near] + to_cut[far] >= gaps.curve[:, 5] - LIMIT_SLACK
     near, far = near[unparted], far[unparted]
     if len(near) == 0:
         return edges.select(np.zeros(0, np.int64))
     curve = line_curves(dash.ends[near], dash.ends[far])
     made, met = _gaps_made(dash, curve, wheel_paths, limit)
-    hidden = ~made & _before_crossings(dash, near, far, curve[:, 5], cuts, stop[plain])
+    # The wheel stops before a gap because of a cut beyond it.
+    beyond = np.minimum(to_cut[near], to_cut[far])
+    hidden = ~made & (beyond + curve[:, 5] <= stop[plain][near // 2] + LIMIT_SLACK)
     # A gap between two dashes that the wheel makes is made too, or separates two creases.
     joins = made | hidden | ~(met[near // 2] & met[far // 2])
     near, far, curve = near[joins], far[joins], curve[joins]
@@ -293,22 +298,16 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float, stop
     )
 
 
-def _before_crossings(dash: Edges, near: I64, far: I64, width: F64, cuts: Edges, stop: F64) -> Bool:
-    """Return the mask of the k gaps before which the wheel stops because of a cut beyond, (k,).
+def _distances_to_crossings(dash: Edges, cuts: Edges) -> F64:
+    """Return the distance of each end of n dashes from the nearest cut across the dash, (2n,) mm.
 
-    ``dash``: the n dashes.
-    ``near``, ``far``, ``width`` (k,), (k,) and (k,) mm: the two ends of dashes between which each
-    gap lies, and the distance between them.
-    ``cuts``: the cuts, some of which cross dashes.
-    ``stop`` (n,) mm: distance from a cut at which the wheel stops on each dash.
+    The distance is inf where no cut crosses the dash.
     """
     crossing = _cut_crossings(dash, cuts)
-    # The crossing that is nearest to each end of a dash.
     nearest = np.full(2 * len(dash), np.inf)
     np.minimum.at(nearest, 2 * crossing.edge, crossing.position)
     np.minimum.at(nearest, 2 * crossing.edge + 1, dash.curve[crossing.edge, 5] - crossing.position)
-    beyond = np.minimum(nearest[near], nearest[far])
-    return np.asarray(beyond + width <= stop[near // 2] + LIMIT_SLACK)
+    return nearest
 
 
 def _are_alike(width: F64, run: I64, made: Bool) -> Bool:

@@ -2,7 +2,7 @@
 
 In the top face a groove is a strip on both sides of its line, bounded by its flanks.  A cut inside
 the strip loses its sharp edge.  Two kinds of cuts are permitted inside the strip: a cut on which
-the groove ends or over which it runs out, and a cut that crosses the groove or ends on its line
+the groove ends or over which it runs out, and a cut that crosses the groove or one flank of it
 (see ``_nearest_points``).
 """
 
@@ -75,24 +75,26 @@ def damaged_cuts(grooves: Edges, cuts: Edges, reach: float, run_out: F64) -> Dam
     if len(overlaps.curve) == 0:
         none = np.zeros(0, np.int64)
         return DamagedCuts(none, none, np.zeros(0), np.zeros(0), np.zeros(0, np.bool_))
-    return _nearest_points(overlaps, pieces, strip, owner, before)
+    return _nearest_points(overlaps, pieces, strip, owner, before, reach)
 
 
 def _nearest_points(
-    overlaps: Overlaps, pieces: F64, strip: F64, owner: I64, before: F64
+    overlaps: Overlaps, pieces: F64, strip: F64, owner: I64, before: F64, reach: float
 ) -> DamagedCuts:
     """Return the pairs of a groove and a cut inside its strip, with the nearest point of the cut.
 
     The strip is the part of the top face that the groove removes.  The returned point is the one
-    nearest to the groove's line.  Pairs in which the cut crosses the groove, or ends within
-    ``TOUCH_DISTANCE`` of its line, are left out if the cut extends across the groove at least as
-    far as along it.  Lines and arcs are rows of six numbers (see ``curves.curve``).
+    nearest to the groove's line.  Pairs in which the cut crosses the groove, ends within
+    ``TOUCH_DISTANCE`` of its line, or enters the strip through a flank, are left out if the cut
+    extends across the groove at least as far as along it.  Lines and arcs are rows of six numbers
+    (see ``curves.curve``).
 
     ``overlaps``: stretches of the chords ``pieces`` inside the strips; ``overlaps.edge`` are rows
     of ``strip``.
     ``pieces``, ``owner`` (p, 6), (p,): p chords of cuts, and the index of the cut of each chord.
     ``strip``, ``before`` (n, 6), (n,): the lines or arcs of n grooves, lengthened at both ends, and
     the length that was added at the start of each (mm).
+    ``reach`` mm: distance of the flanks from the groove's line.
     """
     fraction = np.linspace(0.0, 1.0, SAMPLE_COUNT)
     offset = np.stack(
@@ -114,6 +116,7 @@ def _nearest_points(
     left, right = _group_extremes(offset, group, len(pair))
     first, last = _group_extremes(place, group, len(pair))
     crosses = (left <= TOUCH_DISTANCE) & (right >= -TOUCH_DISTANCE)
+    crosses |= np.maximum(-left, right) >= reach - CHORD_ERROR
     across: Bool = crosses & (last - first <= right - left)
     # A cut with points on both sides of the line touches the line.
     least = np.abs(offset).min(axis=1)
