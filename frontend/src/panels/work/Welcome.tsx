@@ -37,7 +37,7 @@ export function Welcome() {
         {translate("welcome.dxfSvgCf2PdfHpgl")}
       </Text>
       <Permitted request="POST /api/v1/drawings">
-        <Group gap={10}>
+        <Group gap={10} justify="center">
           <ChooseFile />
           <ToCartons />
         </Group>
