@@ -89,8 +89,8 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
 def faces_between(cuts: Edges, links: F64) -> CutFaces:
     """Return the faces into which cuts and links divide the sheet.
 
-    ``links`` are the straight lines that close gaps, as rows of six numbers (see
-    ``curves.curve``), (k, 6).
+    ``cuts`` are edges of one line type in the order of their rows.  ``links`` are the straight
+    lines that close gaps, as rows of six numbers (see ``curves.curve``), (k, 6).
     """
     drawn = cuts if len(links) == 0 else edges_from_curves(np.concatenate([cuts.curve, links]))
     piece, edge, begin = split_edges(drawn)
