@@ -32,8 +32,9 @@ def freeze(values: ArrayLike, dtype: DTypeLike, *shape: int) -> NDArray[Any]:
     array = np.ascontiguousarray(values, dtype=dtype)
     if array.size == 0:
         array = array.reshape([max(side, 0) for side in shape])
-    if array.ndim != len(shape) or any(
-        expected not in (-1, actual) for expected, actual in zip(shape, array.shape, strict=True)
+    if array.shape != shape and (
+        array.ndim != len(shape)
+        or any(one not in (-1, actual) for one, actual in zip(shape, array.shape, strict=True))
     ):
         raise ValueError(f"shape {array.shape} instead of {shape}")
     if array.flags.writeable:

@@ -5,16 +5,13 @@ Drawings have few distinct rows, so hashing is much faster than sorting.
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from knifetip.geometry.columns import I64
 from knifetip.kernels import I32_1, I64_2, kernel
-
-#: Initial size of the hash table.
-_SLOTS: Final = 1024
 
 
 def unique_rows(*columns: ArrayLike) -> tuple[I64, I64]:
@@ -50,7 +47,10 @@ def _distinct_rows(table: I64_2) -> Any:
     rows = len(table)
     first = np.empty(rows, np.int64)
     kind = np.empty(rows, np.int64)
-    slots = np.full(_SLOTS, -1, np.int32)
+    size = 2
+    while size < 2 * rows:
+        size *= 2
+    slots = np.full(size, -1, np.int32)
     count = 0
     for row in range(rows):
         if row > 0 and _equal_rows(table, row, row - 1):
@@ -64,13 +64,6 @@ def _distinct_rows(table: I64_2) -> Any:
             first[count] = row
             count += 1
         kind[row] = slots[slot]
-        if 2 * count > len(slots):
-            slots = np.full(4 * len(slots), -1, np.int32)
-            for number in range(count):
-                slot = _slot(table, first[number], slots)
-                while slots[slot] >= 0:
-                    slot = (slot + 1) & (len(slots) - 1)
-                slots[slot] = number
     return first[:count].copy(), kind
 
 

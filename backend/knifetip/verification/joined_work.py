@@ -60,6 +60,8 @@ def join_work(
     with_repeated
         Whether earlier work that is made again is included.
     """
+    if not earlier:
+        return JoinedWork(paths, 0, 0)
     parts, lines_before, tracks = [], 0, 0
     for work, traced in zip(earlier, earlier_paths, strict=True):
         ranges = work.lines + work.repeated if with_repeated else work.lines

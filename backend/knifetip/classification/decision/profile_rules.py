@@ -140,6 +140,8 @@ def match_rules(styles: StyleTable, rules: LineRules) -> RuleMatches:
         entity = first_match(rule.entity, styles.entity)
         block = first_match(rule.block, styles.block)
         hit = undecided & (layer >= 0) & (linetype >= 0) & (entity >= 0) & (block >= 0)
+        if not hit.any():
+            continue
         index = np.isin(styles.colour, rule.colour)
         true = np.isin(styles.true_colour, rule.true_colour)
         if rule.colour or rule.true_colour:
@@ -201,13 +203,7 @@ def first_match(patterns: Sequence[str], names: Sequence[str]) -> I32:
     """
     if not patterns:
         return np.zeros(len(names), np.int32)
-    literal: dict[str, int] = {}
-    globs: list[tuple[int, re.Pattern[str]]] = []
-    for index, pattern in enumerate(map(fold_name, patterns)):
-        if any(sign in pattern for sign in "*?["):
-            globs.append((index, re.compile(translate(pattern))))
-        else:
-            literal.setdefault(pattern, index)
+    literal, globs = _compile_patterns(tuple(patterns))
 
     def first(name: str) -> int:
         found = literal.get(name, len(patterns))
@@ -219,6 +215,23 @@ def first_match(patterns: Sequence[str], names: Sequence[str]) -> I32:
 
     by_name = {name: first(fold_name(name)) for name in set(names)}
     return np.array([by_name[name] for name in names], np.int32)
+
+
+@lru_cache(maxsize=1 << 12)
+def _compile_patterns(
+    patterns: tuple[str, ...],
+) -> tuple[dict[str, int], list[tuple[int, re.Pattern[str]]]]:
+    """Return the indices of the patterns without wildcards by name, and the index and the compiled
+    form of each other one; callers must not change them.
+    """
+    literal: dict[str, int] = {}
+    globs: list[tuple[int, re.Pattern[str]]] = []
+    for index, pattern in enumerate(map(fold_name, patterns)):
+        if any(sign in pattern for sign in "*?["):
+            globs.append((index, re.compile(translate(pattern))))
+        else:
+            literal.setdefault(pattern, index)
+    return literal, globs
 
 
 def rule_confidence(rule: LineRule) -> float:

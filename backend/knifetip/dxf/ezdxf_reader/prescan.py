@@ -253,11 +253,11 @@ def header_of(section: bytes) -> dict[str, str]:
 
     If a variable is repeated, its first value is returned.
     """
-    lines = section.split(b"\n")
+    lines, texts = section.split(b"\n"), section.decode("ascii", "replace").upper().split("\n")
     variables: dict[str, str] = {}
     for row in range(0, len(lines) - 3, 2):
         if lines[row].strip().lstrip(b"0") == b"9":
-            variables.setdefault(_upper_text(lines[row + 1]), _upper_text(lines[row + 3]))
+            variables.setdefault(texts[row + 1].strip(), texts[row + 3].strip())
     return variables
 
 

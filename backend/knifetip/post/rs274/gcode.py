@@ -38,6 +38,7 @@ MIN_RADIUS: Final = 0.002
 CHORD_DEVIATION: Final = 0.001
 #: Greatest number of decimals of a feed; zeros at the end are left out.
 FEED_DECIMALS: Final = 9
+_TENS: Final = 10 ** np.arange(FEED_DECIMALS + 1)
 #: End of a line after which the machine must come to rest; the dwell of zero seconds waits for it.
 EXACT_STOP: Final = b"\nG4 P0\n"
 #: Greatest length of a comment; with parentheses it is below the 70 bytes of every buffer.
@@ -264,9 +265,9 @@ def _feed_units(feed: F64) -> I64:
     new = np.ones(len(feed), np.bool_)
     new[1:] = feed[1:] != feed[:-1]
     safe = np.maximum(feed[new], 1e-3)
-    decimals = np.clip(5.0 - np.floor(np.log10(safe)), 0.0, FEED_DECIMALS)
-    digits = np.rint(safe * 10.0**decimals).astype(np.int64)
-    units = digits * 10 ** (FEED_DECIMALS - decimals).astype(np.int64)
+    decimals = np.clip(5.0 - np.floor(np.log10(safe)), 0.0, FEED_DECIMALS).astype(np.int64)
+    digits = np.rint(safe * _TENS[decimals]).astype(np.int64)
+    units = digits * _TENS[FEED_DECIMALS - decimals]
     result: I64 = units[np.cumsum(new) - 1]
     return result
 

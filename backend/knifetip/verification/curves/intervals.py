@@ -38,6 +38,15 @@ class Overlaps:
     distance: F64  #: (k,) mm, greatest distance within the overlap
     best: Bool  #: (k,) a part of the overlap is on no nearer edge, so it counts
 
+    def __len__(self) -> int:
+        return len(self.curve)
+
+    @property
+    def is_forward(self) -> Bool:
+        """Mask of the overlaps in which curve and edge run in the same direction, (k,)."""
+        result: Bool = self.place[:, 1] > self.place[:, 0]
+        return result
+
     def place_range(self) -> tuple[F64, F64]:
         """Return the lowest and the highest position of each overlap on its edge, (k,) mm each."""
         # By column, since operations on rows of two numbers are slow.

@@ -35,9 +35,9 @@ def expected_order(edges: Sequence[int], cleaned: Cleaned) -> ExpectedOrder:
     """
     parts = cleaned.stretches
     making: dict[int, set[int]] = {row: set() for row in edges}
-    for row, made in zip(parts.row.tolist(), parts.cleaned.tolist(), strict=True):
-        if row in making and made >= 0:
-            making[row].add(made)
+    named = np.flatnonzero(np.isin(parts.row, list(making)) & (parts.cleaned >= 0))
+    for row, made in zip(parts.row[named].tolist(), parts.cleaned[named].tolist(), strict=True):
+        making[row].add(made)
     return [
         ExpectedPlace(int(cleaned.cleaned_row[row]), np.array(sorted(made), np.int64))
         for row, made in making.items()

@@ -107,6 +107,11 @@ def face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
     component : (n,)
         Index of the connected component of each edge.
     """
+    return edges.compute_once("face cycles", lambda: _find_face_cycles(edges))
+
+
+def _find_face_cycles(edges: Edges) -> tuple[I64, F64, I64]:
+    """Return the result of ``face_cycles``."""
     count = len(edges)
     a, b = edges.near_ends(JOIN_DISTANCE)
     node = lowest_connected(a, b, 2 * count)

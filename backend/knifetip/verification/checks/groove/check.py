@@ -68,10 +68,8 @@ class GrooveCheck(StationCheck):
         self.low, self.high = self.low + self.spare[:, 0], self.high - self.spare[:, 1]
         left_out = self._report_short_grooves(overlaps, drawn, blade)
         for forward in (True, False):
-            direction = overlaps.place[:, 1] > overlaps.place[:, 0]
-            self.check_uncut(
-                overlaps, np.flatnonzero(~left_out), (direction == forward) & final, forward
-            )
+            counted = (overlaps.is_forward == forward) & final
+            self.check_uncut(overlaps, np.flatnonzero(~left_out), counted, forward)
         if blade is None:
             return
         self.check_heading(overlaps, np.full(len(self.z), 2.0 * blade.half_width), 360.0, curved)
@@ -189,9 +187,7 @@ class GrooveCheck(StationCheck):
         pass before it on the same edge in the same direction.
         """
         deep = (self.context.board.caliper - self.z)[overlaps.curve]
-        pass_key = 2 * overlaps.edge.astype(np.int64) + (
-            overlaps.place[:, 1] > overlaps.place[:, 0]
-        )
+        pass_key = 2 * overlaps.edge.astype(np.int64) + overlaps.is_forward
         deepest = np.zeros(2 * len(self.edges))
         np.maximum.at(deepest, pass_key[overlaps.best], deep[overlaps.best])
         final: Bool = deep >= deepest[pass_key] - DEPTH_TOLERANCE

@@ -173,19 +173,22 @@ class KnifeCheck(StationCheck):
         blade = self.tool(Knife)
         if blade and blade.free and blade.blade_angle == 0.0:
             return
-        low, high = overlaps.place_range()
-        edges, track = overlaps.edge.astype(np.int64), self.track[overlaps.curve]
+        met = _in_both_directions(overlaps.select(overlaps.best))
+        low, high = met.place_range()
+        edges, track = met.edge.astype(np.int64), self.track[met.curve]
         # Edges that meet at a flat angle lie side by side for a short length.  A track that only
         # passes an edge there does not cut it.
         pair = np.unique(edges * (1 + self.track.max(initial=0)) + track, return_inverse=True)[1]
-        passed = np.bincount(pair, np.where(overlaps.best, high - low, 0.0))[pair]
+        passed = np.bincount(pair, high - low)[pair]
         track_length = np.bincount(self.track, self.curve[:, 5])
-        follows = overlaps.best & (
-            passed >= 0.5 * np.minimum(self.size[edges], track_length[track])
-        )
-        forward = overlaps.place[:, 1] > overlaps.place[:, 0]
+        follows = passed >= 0.5 * np.minimum(self.size[edges], track_length[track])
+        met = _in_both_directions(met.select(follows))
+        if len(met) == 0:
+            return
+        low, high = met.place_range()
+        edges, forward = met.edge.astype(np.int64), met.is_forward
         cut_length = np.zeros((3, len(self.edges)))
-        for row, counted in enumerate((follows & forward, follows & ~forward, follows)):
+        for row, counted in enumerate((forward, ~forward, np.ones_like(forward))):
             edge, begin, end = uncovered_edges(
                 edges[counted], low[counted], high[counted], self.size
             )
@@ -261,7 +264,7 @@ class KnifeCheck(StationCheck):
         last[np.searchsorted(self.track, np.arange(len(over)), side="right") - 1] = True
         work, edge = overlaps.curve, overlaps.edge
         low, high = overlaps.place_range()
-        forward = overlaps.place[:, 1] > overlaps.place[:, 0]
+        forward = overlaps.is_forward
         overrun_start = self.curve[work, 5] - over[self.track[work]]
         ends = overlaps.best & last[work] & (np.abs(overlaps.along[:, 1] - overrun_start) <= SHORT)
         ends &= np.diff(overlaps.along)[:, 0] > SHORT
@@ -444,3 +447,10 @@ class KnifeCheck(StationCheck):
         self.check_swing(
             error, reach, np.zeros(len(path_rows)), path_rows, np.full(len(path_rows), -1)
         )
+
+
+def _in_both_directions(overlaps: Overlaps) -> Overlaps:
+    """Return those overlaps of tip paths with edges whose edge has overlaps in both directions."""
+    ways = np.zeros((2, int(overlaps.edge.max(initial=-1)) + 1), np.bool_)
+    ways[overlaps.is_forward.astype(np.int64), overlaps.edge] = True
+    return overlaps.select(ways.all(axis=0)[overlaps.edge])

@@ -93,11 +93,14 @@ def closes_at_corner(
     run, track = pairs_within(tracks.stop[last], tracks.start, check.slack)
     closes = (track >= first[run]) & (track <= last[run]) & tracks.corner[track]
     run, track = run[closes], track[closes]
-    arrival = _drawn_direction(edges, tracks.stop[last[run]], tracks.ahead[last[run]])
-    outset = _drawn_direction(edges, tracks.start[track], tracks.outset[track] + 180.0) - 180.0
+    stop = tracks.stop[last[run]]
+    at_stop = edges.ends_touched_by(stop)
+    arrival = _drawn_direction(edges, at_stop, tracks.ahead[last[run]])
+    at_start = edges.ends_touched_by(tracks.start[track])
+    outset = _drawn_direction(edges, at_start, tracks.outset[track] + 180.0) - 180.0
     turn = np.maximum(
         angle_between(arrival, outset),
-        _drawn_turn(edges, tracks.stop[last[run]], check.context.resolution),
+        _drawn_turn(edges, stop, at_stop, check.context.resolution),
     )
     # A run that only returns along its own tracks closes nothing, although it ends where one began.
     encloses = (track == first[run]) | (turn < 180.0 - _ANGLE_ERROR)
@@ -105,7 +108,7 @@ def closes_at_corner(
     return result
 
 
-def _drawn_turn(edges: Edges, point: F64, shift: float) -> F64:
+def _drawn_turn(edges: Edges, point: F64, touched: tuple[I64, I64], shift: float) -> F64:
     """Return the greatest turn of two edges at a vertex within ``shift`` mm of each of k points,
     (k,) degrees; 0 for none.
 
@@ -113,26 +116,28 @@ def _drawn_turn(edges: Edges, point: F64, shift: float) -> F64:
     directions of the tip paths do not show every corner.
 
     ``point`` (k, 2) mm: ends of tip paths.
+    ``touched``: the pairs of one of these points and an end that it touches.
     ``shift`` mm: greatest shift of a printed point by rounding.
     """
-    row, end = edges.ends_touched_by(point)
+    row, end = touched
     near = pair_distances(point, row, edges.ends, end) <= shift
     result = np.zeros(len(point))
     np.maximum.at(result, row[near], turns_at_ends(edges)[end[near]])
     return result
 
 
-def _drawn_direction(edges: Edges, point: F64, outward: F64) -> F64:
-    """Return the direction out of the edge that ends at each of k points, (k,) degrees.
+def _drawn_direction(edges: Edges, touched: tuple[I64, I64], outward: F64) -> F64:
+    """Return the direction out of the edge that ends at the end of each of k tip paths, (k,)
+    degrees.
 
     A tip path that is a chord of an arc has another direction than the arc.  If several edges end
-    at a point, the direction nearest to that of the tip path counts; if there is none within
+    there, the direction nearest to that of the tip path counts; if there is none within
     ``ALONG_EDGE``, the direction of the tip path.
 
-    ``point`` (k, 2) mm: ends of tip paths.
-    ``outward`` (k,) degrees: directions out of the tip paths at these ends.
+    ``touched``: the pairs of the end of a tip path and an end of an edge that it touches.
+    ``outward`` (k,) degrees: directions out of the tip paths at their ends.
     """
-    row, end = edges.ends_touched_by(point)
+    row, end = touched
     error = angle_between(edges.outward[end], outward[row])
     order = np.lexsort((error, row))
     order = order[error[order] <= ALONG_EDGE]

@@ -72,7 +72,7 @@ def last_passes(context: CheckContext, work: JoinedWork) -> TipPaths:
         if isinstance(station.tool, Knife) and (station.tool.step > 0.0 or context.has_passes):
             rows = np.flatnonzero(paths.station == index)
             kept[rows] = ~_are_repeated(paths.select(paths.station == index), context.tolerance)
-    return paths.select(kept)
+    return paths if kept.all() else paths.select(kept)
 
 
 def _are_repeated(paths: TipPaths, near: float) -> Bool:

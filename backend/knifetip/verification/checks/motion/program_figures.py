@@ -27,8 +27,9 @@ def _lowest_travel(moves: Moves, tip: TipPoses, machine: Machine, board: Board) 
     A beam works at any height, so its travel does not count.
     """
     is_beam = np.array([*(station.is_beam for station in machine.stations), True])
-    distance = np.hypot(*(tip.end - tip.start)[:, :2].T)
-    travels = ~tip.inside & ~is_beam[moves.station] & (distance > _LEAST_TRAVEL)
-    height = np.minimum(tip.start[:, 2], tip.end[:, 2])[travels] - board.caliper
+    above = np.flatnonzero(~tip.inside & ~is_beam[moves.station])
+    start, end = tip.start[above], tip.end[above]
+    travels = np.hypot(*(end - start)[:, :2].T) > _LEAST_TRAVEL
+    height = np.minimum(start[:, 2], end[:, 2])[travels] - board.caliper
     height = height[np.isfinite(height)]
     return float(height.min()) if len(height) else 0.0

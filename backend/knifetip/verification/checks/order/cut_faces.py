@@ -64,21 +64,17 @@ class CutFaces:
     begin: F64  #: (p,) mm from the start of the cut
     face: I64  #: (p, 2) left and right face; of duplicates in any order
     count: int  #: number of faces, f
-    pieces: Edges  #: the q pieces without duplicates; their rows are indices of pieces
-
-    @property
-    def unique(self) -> I64:
-        """Indices of the pieces without duplicates, (q,)."""
-        return self.pieces.row.astype(np.int64)
+    pieces: Edges  #: the q pieces without duplicates
+    unique: I64  #: (q,) index of each piece without duplicates among all pieces
 
     def locate(self, points: F64) -> I64:
         """Return the index of the face that contains each of m points, shape (m,).
 
         ``points`` is (m, 2) mm; the index is 0 for a point outside all cuts.
         """
-        unique = self.unique
-        met, rising = _first_piece_left(points, np.full(len(points), -1), self.pieces, unique)
-        side = self.face[unique[met], np.where(rising, 1, 0)]
+        none = np.full(len(points), -1)
+        met, rising = _first_piece_left(points, none, self.pieces, self.unique)
+        side = self.face[self.unique[met], np.where(rising, 1, 0)]
         result: I64 = np.where(met < 0, 0, side)
         return result
 
@@ -93,20 +89,22 @@ def find_cut_faces(cuts: Edges) -> CutFaces:
 def faces_between(cuts: Edges, links: F64) -> CutFaces:
     """Return the faces into which cuts and links divide the sheet.
 
-    ``links`` are the straight lines that close gaps, as rows of six numbers (see
-    ``curves.curve``), (k, 6).
+    ``cuts`` are edges of one line type in the order of their rows.  ``links`` are the straight
+    lines that close gaps, as rows of six numbers (see ``curves.curve``), (k, 6).
     """
     drawn = cuts if len(links) == 0 else edges_from_curves(np.concatenate([cuts.curve, links]))
     piece, edge, begin = split_edges(drawn)
     edge = np.where(edge < len(cuts), edge, len(cuts) - 1 - edge)
-    unique, twin, first = without_duplicates(edges_from_curves(piece))
-    cycle, swept, component = face_cycles(unique)
+    # Other checks have compared the ends of cuts that are not split, and found their outlines.
+    is_split = not np.array_equal(piece, drawn.curve)
+    pieces = edges_from_curves(piece) if is_split else drawn
+    left, *duplicates = without_duplicates(pieces)
+    unique, twin, first = (np.searchsorted(pieces.row, row) for row in (left.row, *duplicates))
+    cycle, swept, component = face_cycles(left)
     face = np.empty((len(piece), 2), np.int64)
-    face[unique.row], count = _assign_faces(
-        unique, cycle.reshape(-1, 2), swept < _MIN_AREA, component
-    )
+    face[unique], count = _assign_faces(left, cycle.reshape(-1, 2), swept < _MIN_AREA, component)
     face[twin] = face[first]
-    return CutFaces(piece, edge, begin, face, count, unique)
+    return CutFaces(piece, edge, begin, face, count, left, unique)
 
 
 def find_dangling_ends(cuts: Edges) -> I64:

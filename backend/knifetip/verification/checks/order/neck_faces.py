@@ -71,11 +71,11 @@ def _borders_large_face(faces: CutFaces, count: int) -> Bool:
     width, 2 area / perimeter, is at most the area of the box over the diagonal.
     """
     curve = faces.curve
-    extreme = _curve_ends(curve).reshape(-1, 2, 2)
+    start, end = point_at(curve, np.zeros(len(curve))), point_at(curve, curve[:, 5])
     reach = np.where(curve[:, 0] == 0.0, 0.0, curve[:, 3])[:, None]
-    middle = np.where(reach > 0.0, curve[:, 1:3], extreme[:, 0])
-    low = np.minimum(extreme.min(axis=1), middle - reach)
-    high = np.maximum(extreme.max(axis=1), middle + reach)
+    middle = np.where(reach > 0.0, curve[:, 1:3], start)
+    low = np.minimum(np.minimum(start, end), middle - reach)
+    high = np.maximum(np.maximum(start, end), middle + reach)
     size = np.zeros((faces.count, 2))
     for axis in range(2):
         least, greatest = np.full(faces.count, np.inf), np.full(faces.count, -np.inf)
@@ -87,7 +87,8 @@ def _borders_large_face(faces: CutFaces, count: int) -> Bool:
     large[0] = True
     result = np.zeros(count, np.bool_)
     own = faces.edge >= 0
-    result[faces.edge[own & large[faces.face].any(axis=1)]] = True
+    left, right = faces.face.T
+    result[faces.edge[own & (large[left] | large[right])]] = True
     return result
 
 

@@ -139,7 +139,7 @@ def _check_cuts(context: CheckContext, cuts: Edges, loose: _Rule, spans: WorkedS
     faces = loose.faces
     pieces = np.flatnonzero(faces.edge >= 0)
     first = np.searchsorted(faces.edge[pieces], np.arange(len(cuts) + 1))
-    face_lines = loose.line[faces.face[pieces]].max(axis=1)
+    face_lines = np.maximum(*loose.line[faces.face[pieces].T])
     begin = faces.begin[pieces]
     release_line = _held_until(
         spans.edge, spans.low, spans.high, first, begin, begin + faces.curve[pieces, 5], face_lines
@@ -186,7 +186,7 @@ def _check_contours(
     np.maximum.at(
         held_until,
         component[faces.edge[pieces]],
-        hanging.line[faces.face[pieces]].max(axis=1),
+        np.maximum(*hanging.line[faces.face[pieces].T]),
     )
     limit = held_until[component]
     limit[reported] = math.inf

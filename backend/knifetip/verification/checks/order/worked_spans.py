@@ -227,8 +227,9 @@ def first_lines(faces: CutFaces, spans: WorkedSpans, count: int) -> F64:
     pieces = _CutPieces(faces.edge, faces.begin, faces.begin + faces.curve[:, 5])
     cut = _CutSpans(spans.edge, spans.low, spans.high, spans.line)
     begun: F64 = _first_lines(pieces, cut, count)
-    face = np.sort(faces.face, axis=1)
-    border = np.unique(face[:, 0] * faces.count + face[:, 1], return_inverse=True)[1].ravel()
+    left, right = faces.face.T
+    name = np.minimum(left, right) * faces.count + np.maximum(left, right)
+    border = np.unique(name, return_inverse=True)[1].ravel()
     first = np.full(len(border), math.inf)
     cuts = faces.edge >= 0
     np.minimum.at(first, border[cuts], begun[cuts])
