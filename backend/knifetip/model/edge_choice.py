@@ -62,6 +62,11 @@ class LineTypeChoice(EdgeChoice):
 
 
 Choice = TypeVar("Choice", bound=EdgeChoice)
+#: Value of an option of edges.
+Choices = Annotated[
+    tuple[Choice, ...],
+    Field(strict=False, max_length=1000),  # JSON has lists
+]
 
 
 def choices_by_edge(choices: Sequence[Choice], line_type: U8) -> Iterator[tuple[int, Choice]]:
