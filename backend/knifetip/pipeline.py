@@ -55,13 +55,11 @@ from knifetip.model.stage import Progress, Stage, no_progress
 from knifetip.model.toolpath import Toolpath
 from knifetip.model.verdict import Verdict
 from knifetip.planning.boundary import BoardOutline
+from knifetip.planning.choice_checks import check_choices
 from knifetip.planning.chosen_bridges import ChosenBridge, locate_bridges
-from knifetip.planning.chosen_depths import check_crease_depths, check_depths
 from knifetip.planning.chosen_starts import ChosenStart, apply_starts, place_starts
-from knifetip.planning.chosen_tools import all_cuts_chosen, check_tools
-from knifetip.planning.contour_leads import check_contour_leads
+from knifetip.planning.chosen_tools import all_cuts_chosen
 from knifetip.planning.cutters import with_best_cutter
-from knifetip.planning.edge_corners import check_edge_corners
 from knifetip.planning.nothing_to_make import check_has_work
 from knifetip.planning.placement import placement
 from knifetip.planning.plan import check_corners, plan
@@ -292,11 +290,7 @@ def compile(
     with located_errors(drawing):
         work = chosen_work(options, dieline)
         dieline = with_depths(dieline, work, board.caliper)
-        check_tools(work, dieline, machine)
-        check_edge_corners(work, dieline, machine)
-        check_contour_leads(work, dieline, machine)
-        check_depths(work, dieline, machine, board)
-        check_crease_depths(work, dieline, machine, board)
+        check_choices(work, dieline, machine, board)
     checked = clean_checked(dieline)
     cleaned = checked.cleaned
     offset = _place(cleaned.dieline, machine, options)
