@@ -26,6 +26,8 @@ class EdgeChoice(Table):
 
     #: line types of the edges for which the page offers the choice
     types: ClassVar[tuple[MadeType, ...]] = get_args(MadeType)
+    #: only cutters and lasers can make the choice
+    of_cutters: ClassVar[bool] = False
     #: the page has a form of its own for the choice
     own_form: ClassVar[bool] = False
 

@@ -98,6 +98,7 @@ class EdgeTool(LineTypeChoice):
 class EdgeCorner(LineTypeChoice):
     """How a cutter or laser goes round the corners at the ends of some edges."""
 
+    of_cutters = True
     types = ("cut",)
 
     type: Annotated[Literal["usual", "auto", "B", "C", "D"], LISTED] = Field(
@@ -121,6 +122,7 @@ class EdgeCorner(LineTypeChoice):
 class ContourLead(LineTypeChoice):
     """How a cutter or laser comes to the contours of some edges, and leaves them."""
 
+    of_cutters = True
     types = ("cut",)
 
     length: float | None = Field(
