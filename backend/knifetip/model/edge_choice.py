@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from knifetip.errors import PlanError
-from knifetip.fields import LISTED, Table, field_error
+from knifetip.fields import LISTED, PartTable, field_error
 from knifetip.geometry.columns import U8
 from knifetip.model.dieline import LineType
 
@@ -18,7 +18,7 @@ MadeType: TypeAlias = Literal["cut", "crease", "v-groove", "perforation", "half-
 EdgeRow = Annotated[int, Field(ge=0, le=2**31 - 1)]
 
 
-class EdgeChoice(Table):
+class EdgeChoice(PartTable):
     """A choice for some edges of the drawing.
 
     A subclass adds the fields that are chosen.  An option of a job is a tuple of such choices.
