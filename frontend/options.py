@@ -70,6 +70,7 @@ def _of_edges() -> dict[str, Any]:
         result[name] = {
             "types": kind.types,
             "byType": issubclass(kind, LineTypeChoice),
+            "ofCutters": kind.of_cutters,
             "help": "help" in _schema_of(name),
             "fields": {
                 key: _field_of_edges(properties[key]) for key in _fields_of(kind)

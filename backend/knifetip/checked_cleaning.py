@@ -31,7 +31,7 @@ class CheckedCleaning:
 
     @classmethod
     def check(cls, drawn: Dieline, cleaned: Cleaned) -> Self:
-        """Compare cleaned edges with the drawn ones from which they were made."""
+        """Return drawn and cleaned edges with the faults that the verifier finds between them."""
         return cls(drawn, cleaned, tuple(check_cleaning(drawn, cleaned)))
 
 

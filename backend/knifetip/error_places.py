@@ -44,7 +44,9 @@ def located_errors(
         if cleaned is not None:
             drawn = DrawnRows(cleaned)
             message = message.located(drawn.first, (-offset[0], -offset[1]))
-            rows = tuple(dict.fromkeys(row for one in error.edges for row in drawn.of(one)))
+            rows = tuple(
+                dict.fromkeys(row for one in error.edges for row in drawn.replaced_by(one))
+            )
         error.message, error.edges = message, rows[:MOST_EDGES]
         if rows:
             handles, more = drawing.handles, len(rows) - _SHOWN

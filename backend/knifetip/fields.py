@@ -38,6 +38,15 @@ class Table(BaseModel):
     )
 
 
+class PartTable(Table):
+    """Base class of the pydantic models of tables that are parts of others.
+
+    The validator of such a model is built when it is first used by itself, which is rarely so.
+    """
+
+    model_config = ConfigDict(defer_build=True)
+
+
 #: Fields with names in drawings, as they were read: of layers, blocks and the like.
 QUOTED_FIELDS: Final[Mapping[str, TextKind]] = dict.fromkeys(
     ("block", "entity", "handles", "layer", "linetype"), TextKind.QUOTED

@@ -7,9 +7,11 @@
 
 The upper line has the data, and the lower line the stages between them.  Each stage is a function
 of this module, for library users (``from knifetip import read``), the command line and jobs alike;
-``compile`` runs all of them from ``clean`` on.  Callers refer to edges by their rows in the
-drawing.  Planning and verification use the rows of the cleaned dieline; ``compile`` and ``verify``
-map their results back to the drawing's rows.
+``compile`` runs all of them from ``clean`` on.  ``line_types`` has the first two, and ``toolpaths``
+those from ``plan`` to ``sequence``.
+
+Callers refer to edges by their rows in the drawing.  Planning and verification use the rows of the
+cleaned dieline; ``compile`` and ``verify`` map their results back to the drawing's rows.
 """
 
 from __future__ import annotations
@@ -18,73 +20,52 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
-import numpy as np
-
 from knifetip.checked_cleaning import clean_checked
-from knifetip.classification import classify as classification
-from knifetip.classification.answers import follow_answers
-from knifetip.classification.customer_answers import answer_from_drawings
-from knifetip.classification.questions import list_questions
 from knifetip.compensation.compensate import compensate
-from knifetip.compensation.contour_starts import contour_starts
-from knifetip.compensation.edge_feeds import with_edge_feeds
 from knifetip.error_places import located_errors
-from knifetip.errors import OpenQuestions, PlanError
-from knifetip.formats import open_file
-from knifetip.geometry.columns import F64, I32, U8
+from knifetip.errors import OpenQuestions
+from knifetip.geometry.columns import F64, I32
 from knifetip.geometry.similarity import Similarity
 from knifetip.languages.registry import with_language
-from knifetip.library import custom_profiles, load
+from knifetip.library import load
+from knifetip.line_types import apply_answers, classify, interpret, questions, read, rules_of
 from knifetip.model.board import Board
-from knifetip.model.chosen_work import ChosenWork, chosen_work, work_on_cleaned
+from knifetip.model.chosen_work import chosen_work, work_on_cleaned
 from knifetip.model.cleaned import Cleaned
-from knifetip.model.customer_answers import learned_from_text
 from knifetip.model.cut_depths import with_depths
-from knifetip.model.dieline import Dieline, LineType
+from knifetip.model.dieline import Dieline
 from knifetip.model.drawing import Drawing
 from knifetip.model.earlier_work import EarlierWork
-from knifetip.model.interpretation import Interpretation
 from knifetip.model.job_options import JobOptions, VerifiedOptions
 from knifetip.model.machine import Machine
-from knifetip.model.operation import Operation
-from knifetip.model.profile import LineRules
 from knifetip.model.program import Program
-from knifetip.model.question import Question
 from knifetip.model.rest import Rest
 from knifetip.model.stage import Progress, Stage, no_progress
 from knifetip.model.toolpath import Toolpath
 from knifetip.model.verdict import Verdict
-from knifetip.planning.boundary import BoardOutline
-from knifetip.planning.chosen_bridges import ChosenBridge, locate_bridges
-from knifetip.planning.chosen_depths import check_crease_depths, check_depths
-from knifetip.planning.chosen_starts import ChosenStart, apply_starts, place_starts
-from knifetip.planning.chosen_tools import all_cuts_chosen, check_tools
-from knifetip.planning.contour_leads import check_contour_leads
+from knifetip.planning.choice_checks import check_choices
+from knifetip.planning.chosen_bridges import locate_bridges
+from knifetip.planning.chosen_starts import place_starts
+from knifetip.planning.chosen_tools import all_cuts_chosen
 from knifetip.planning.cutters import with_best_cutter
-from knifetip.planning.edge_corners import check_edge_corners
 from knifetip.planning.nothing_to_make import check_has_work
 from knifetip.planning.placement import placement
-from knifetip.planning.plan import check_corners, plan
-from knifetip.planning.questions import tool_questions
+from knifetip.planning.plan import plan
 from knifetip.planning.registration import (
     check_on_table,
     lay_edges,
     lay_options,
     measured_similarity,
 )
-from knifetip.planning.sheet_outline import sheet_outline
 from knifetip.post.emit import process
 from knifetip.proof import PlacedJob, planned_notes, prove
 from knifetip.sequencing.air_moves import with_full_retracts
-from knifetip.sequencing.chosen_order import ChosenOrder, place_order
-from knifetip.sequencing.contour_starts import choose_starts
+from knifetip.sequencing.chosen_order import place_order
 from knifetip.sequencing.duration import duration, durations
 from knifetip.sequencing.rest_path import keep_tracks
 from knifetip.sequencing.sequence import sequence
 from knifetip.sequencing.tracks import RestChoice, find_tracks, row_lines, select_rest
-from knifetip.units.evidence import find_unit
-from knifetip.units.likeliest_unit import choose_unit
-from knifetip.units.question import unit_question
+from knifetip.toolpaths import CleanedChoices, check_options, find_toolpath
 
 __all__ = [
     "TOLERANCE",
@@ -130,106 +111,6 @@ class Compiled:
     made_as: I32
     #: the map from the drawing to the table, if marks were measured
     similarity: Similarity | None = None
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class _CleanedChoices:
-    """A user's choices for cleaned edges, at their position on the table."""
-
-    starts: Sequence[ChosenStart]
-    work: ChosenWork
-    order: ChosenOrder | None
-    bridges: Sequence[ChosenBridge]
-
-
-def read(data: bytes, unit: str | None = None) -> Drawing:
-    """Return the drawing in the bytes of a file of any import format.
-
-    Parameters
-    ----------
-    data
-        The file; its format is detected from its content.
-    unit
-        The unit of the drawing, whatever unit the file states: a key of ``model.unit.MILLIMETRES``.
-        If it is None, the unit in the file is compared with the geometry.  It is replaced if
-        another unit is far likelier.  If the evidence is not conclusive, ``Drawing.unit`` is empty.
-
-    Raises
-    ------
-    ReadError
-        The file is not a drawing, damaged, or too large.
-    """
-    # A file that another program must convert is converted once.
-    file = open_file(data)
-    drawing = file.read(unit or "")
-    return drawing if unit else choose_unit(drawing, file.read)
-
-
-def classify(drawing: Drawing, rules: LineRules, overrides: U8 | None = None) -> Dieline:
-    """Return the edges of a drawing with their line types.
-
-    Parameters
-    ----------
-    rules
-        The classification profile.
-    overrides : (n,)
-        For each of the n edges the LineType that the user has set, or ``NO_OVERRIDE`` to keep the
-        type from the classification.  None if the user has set no line type.  Open edges get the
-        line types that follow from them.
-    """
-    dieline = classification.classify(drawing, rules, load.conventions())
-    return _with_overrides(drawing, dieline, overrides)
-
-
-def interpret(drawing: Drawing, interpretation: Interpretation) -> Dieline:
-    """Return the edges of a drawing with the line types that a profile and the user give them.
-
-    ``interpretation`` contains the name or content of the classification profile, what earlier
-    drawings of the customer taught, and the line types that the user has set for single edges.
-    """
-    return apply_answers(drawing, classify(drawing, rules_of(interpretation)), interpretation)
-
-
-def apply_answers(drawing: Drawing, dieline: Dieline, interpretation: Interpretation) -> Dieline:
-    """Return a classified dieline with the answers of earlier drawings and those of the user.
-
-    ``dieline`` contains the edges of ``drawing`` as ``classify`` returns them without overrides.
-    """
-    learned = learned_from_text(interpretation.learned)
-    known = answer_from_drawings(drawing, dieline, learned)
-    return _with_overrides(drawing, known, interpretation.override_column)
-
-
-def _with_overrides(drawing: Drawing, dieline: Dieline, overrides: U8 | None) -> Dieline:
-    """Return a dieline with the line types that the user gives, (n,), and what follows from them.
-
-    ``overrides`` is None if the user has set no line type.
-    """
-    if overrides is None:
-        return dieline
-    answered = classification.apply_overrides(dieline, overrides)
-    return follow_answers(drawing, dieline, answered, overrides)
-
-
-def rules_of(interpretation: Interpretation) -> LineRules:
-    """Return the rules of the classification profile that a user has chosen for a drawing.
-
-    ``interpretation`` contains the TOML text of a customer's profile, or the name of a profile of
-    the library.
-    """
-    if interpretation.rules:
-        return custom_profiles.parse_text(interpretation.profile, interpretation.rules)
-    return load.profile(interpretation.profile, files=False)
-
-
-def questions(drawing: Drawing, dieline: Dieline, machine: Machine | None = None) -> list[Question]:
-    """Return the questions about a drawing that the user must still answer.
-
-    If a machine is given, these include questions about line types for which it has no tool.
-    """
-    unit = None if drawing.unit else unit_question(drawing, find_unit(drawing))
-    open_questions = ([unit] if unit else []) + list_questions(drawing, dieline)
-    return open_questions if machine is None else open_questions + tool_questions(dieline, machine)
 
 
 def clean(dieline: Dieline) -> Cleaned:
@@ -292,11 +173,7 @@ def compile(
     with located_errors(drawing):
         work = chosen_work(options, dieline)
         dieline = with_depths(dieline, work, board.caliper)
-        check_tools(work, dieline, machine)
-        check_edge_corners(work, dieline, machine)
-        check_contour_leads(work, dieline, machine)
-        check_depths(work, dieline, machine, board)
-        check_crease_depths(work, dieline, machine, board)
+        check_choices(work, dieline, machine, board)
     checked = clean_checked(dieline)
     cleaned = checked.cleaned
     offset = _place(cleaned.dieline, machine, options)
@@ -304,13 +181,13 @@ def compile(
         starts = place_starts(options.contour_starts, dieline, cleaned, offset)
         order = place_order(options.work_order, dieline, cleaned)
         bridges = locate_bridges(options.bridges, dieline, cleaned, offset)
-        chosen = _CleanedChoices(starts, work_on_cleaned(work, cleaned), order, bridges)
+        chosen = CleanedChoices(starts, work_on_cleaned(work, cleaned), order, bridges)
 
     def attempt(machine: Machine) -> Compiled:
         # Cutters that the machine does not carry have no limits of the board yet.
         machine = machine.for_board(board).at_feed(options.feed_factor)
         with located_errors(drawing, cleaned, offset):
-            toolpath = _toolpath(cleaned, offset, machine, board, options, chosen, progress)
+            toolpath = find_toolpath(cleaned, offset, machine, board, options, chosen, progress)
         job = PlacedJob(checked, offset, machine, board, options, chosen=work, unlaid=unlaid)
         with located_errors(drawing):
             return _write_and_verify(job, toolpath, notes, progress)
@@ -445,13 +322,6 @@ def verify(
     return prove(job, text, tolerance)
 
 
-def check_options(options: JobOptions, machine: Machine) -> None:
-    """Raise ``PlanError`` if a machine cannot satisfy the user's options for a job."""
-    check_corners(options.corners, machine)
-    if options.lift == "least" and machine.turn_clearance == 0.0:
-        raise PlanError("lift.not-stated", machine=machine.title)
-
-
 def _lay(dieline: Dieline, options: Options) -> tuple[Dieline, Options]:
     """Return edges and options as they lie on the table by the measured marks of a sheet.
 
@@ -471,80 +341,6 @@ def _place(dieline: Dieline, machine: Machine, options: VerifiedOptions) -> tupl
         return placement(dieline, machine, options.sheet)
     check_on_table(dieline, machine)
     return 0.0, 0.0
-
-
-def _toolpath(
-    cleaned: Cleaned,
-    offset: tuple[float, float],
-    machine: Machine,
-    board: Board,
-    options: JobOptions,
-    chosen: _CleanedChoices,
-    progress: Progress,
-) -> Toolpath:
-    """Return the tool path for cleaned edges.
-
-    The column ``source`` of the tool path contains for each move the index in the drawing of the
-    edge that the move makes, or -1 if it makes none.
-
-    ``offset``: shift (x, y) in mm that moves the drawing to its position on the machine's table.
-    ``options``: the user's options for the job.
-    ``chosen``: the user's choices for cleaned edges.
-    ``progress``: called at the start of each stage with the completed fraction of the compile, 0 …
-    1.
-    Raises ``PlanError, CompensationError``: the drawing cannot be made on this machine, board and
-    sheet.
-    """
-    check_options(options, machine)
-    safety = machine.turn_clearance if options.lift == "least" else 0.0
-    shifted = replace(cleaned.dieline, ends=cleaned.dieline.ends + np.array(offset))
-    progress(Stage.PLAN, 0.05)
-    outlines: list[BoardOutline | None] = [None]
-    if options.sheet is not None:
-        similarity = measured_similarity(options)
-        turn = 0.0 if similarity is None else similarity.turn
-        sheet = sheet_outline(options.sheet, shifted, machine, turn)
-        # Only grooves run out past the edges of a sheet.
-        if (shifted.line_type == LineType.V_GROOVE).any():
-            outlines.append(sheet)
-    found = []
-    for outline in outlines:
-        operations = plan(
-            shifted,
-            machine,
-            board,
-            options.corners,
-            outline,
-            offset,
-            chosen.work,
-            chosen.bridges,
-        )
-        operations = apply_starts(operations, chosen.starts, together=chosen.order is not None)
-        progress(Stage.COMPENSATE, 0.2)
-        toolpaths = [
-            with_edge_feeds(compensate(_with_starts(operation, machine)), chosen.work)
-            for operation in operations
-        ]
-        progress(Stage.SEQUENCE, 0.4)
-        edges = None if outline is None else outline.edges
-        found.append(sequence(toolpaths, machine, edges, safety, chosen.order))
-    # Leaving the sheet takes time, too: it does not pay for each drawing.
-    toolpath = min(found, key=lambda one: duration(one, machine)) if len(found) > 1 else found[0]
-    source = cleaned.dieline.source[np.maximum(toolpath.source, 0)]
-    return replace(toolpath, source=np.where(toolpath.source < 0, -1, source))
-
-
-def _with_starts(operation: Operation, machine: Machine) -> Operation:
-    """Return an operation whose closed paths begin where the air moves between the paths are short.
-
-    If its tool has no choice, the operation is returned unchanged.
-    """
-    starts = contour_starts(operation)
-    if starts is None:
-        return operation
-    return replace(
-        operation, begin=choose_starts(starts, machine.station(operation.station), machine)
-    )
 
 
 def _write_and_verify(

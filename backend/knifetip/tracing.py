@@ -225,7 +225,8 @@ def span(
     name
         Name of the span; one of few.
     kind
-        What the span does for which side.
+        Whether the span is the server or the client of a request, a queued task, or work inside
+        the process.
     parent
         ``traceparent`` of the span to which it belongs; None for the current span.  Without
         either, and if it is malformed, a trace begins.

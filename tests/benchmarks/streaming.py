@@ -127,7 +127,7 @@ async def gateway_seconds(port: int, text: bytes) -> tuple[float, float]:
     """
     controller = await driver.dial(f"127.0.0.1:{port}")
     start, worked = time.perf_counter(), time.process_time()
-    course = stream(text, controller, limits=Limits.of(MACHINE), check=False)
+    course = stream(text, controller, limits=Limits.from_machine(MACHINE), check=False)
     async with aclosing(course) as steps:
         last = [progress async for progress in steps][-1]
     seconds, worked = time.perf_counter() - start, time.process_time() - worked

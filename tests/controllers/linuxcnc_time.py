@@ -26,7 +26,7 @@ async def moving_seconds(program: bytes, machine: Machine) -> float:
     LinuxCNC reads programs without real-time priority: on a busy computer it rests between moves.
     """
     with Supply(machine) as supply, supply.machine() as running:
-        controller = await dial(running.address, SafeState.of(machine))
+        controller = await dial(running.address, SafeState.from_machine(machine))
         mark = running.mark()
         await controller.run(program)
         await controller.close()

@@ -35,7 +35,7 @@ pytestmark = [
     pytest.mark.skipif(bool(SKIP_REASON), reason=SKIP_REASON),
 ]
 
-SAFE = SafeState.of(TABLE)
+SAFE = SafeState.from_machine(TABLE)
 HEIGHT = dry_height(TABLE)
 
 
@@ -126,7 +126,7 @@ async def test_a_tool_is_lowered_above_its_point_and_lifted(machine: Machine) ->
     check = Operation(
         OperationName.TOOL_CHECK, station=station.number, point=(150.0, 120.0), height=height
     )
-    run = ToolCheck("job", CheckedPoint.of(check, TABLE), TABLE, always)
+    run = ToolCheck("job", CheckedPoint.from_operation(check, TABLE), TABLE, always)
     await run.run(controller)
     assert (run.activity.state, run.activity.message) == (ActivityState.DONE, None)
     expected = [150.0 + station.x, 120.0 + station.y, height + station.z]

@@ -36,7 +36,7 @@ pytestmark = [
 ]
 
 
-SAFE = SafeState.of(TABLE)
+SAFE = SafeState.from_machine(TABLE)
 #: Columns of the samples with the valves: after joints, outputs 0 to 3 and spindle.
 VALVE = {output: 4 + 4 + 1 + output for output in TABLE.outputs}
 
@@ -86,7 +86,7 @@ def run(
 ) -> aclosing[AsyncGenerator[Progress, None]]:
     """Run a program with the tool table of the machine file; leaving the context aborts it."""
     offsets = tool_offsets(TABLE) if tools is None else tools
-    return aclosing(stream(text, controller, limits=Limits.of(TABLE), tools=offsets))
+    return aclosing(stream(text, controller, limits=Limits.from_machine(TABLE), tools=offsets))
 
 
 async def run_to_end(

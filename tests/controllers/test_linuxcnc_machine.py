@@ -23,7 +23,7 @@ pytestmark = [
 async def test_joints_are_programmed_plus_datum_and_the_knife_stays_on_its_line() -> None:
     with running(TABLE) as machine:
         machine.make_ready()
-        controller = await dial(machine.address, SafeState.of(TABLE))
+        controller = await dial(machine.address, SafeState.from_machine(TABLE))
         mark = machine.mark()
         await controller.run(add_creases(add_cuts(ToolpathBuilder())).program())
         await controller.close()

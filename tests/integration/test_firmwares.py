@@ -20,7 +20,7 @@ from knifetip.simulators.grbl.simulator import Server
 from knifetip.simulators.grbl.table import Table
 
 MACHINE = load.machine("demo-table")
-SAFE = SafeState.of(MACHINE)
+SAFE = SafeState.from_machine(MACHINE)
 PROGRAM = b"""G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1
 G0 Z20.0000
 M64 P0
@@ -50,7 +50,7 @@ async def table_with(firmware: Firmware) -> AsyncIterator[tuple[Table, str]]:
 async def run(address: str, program: bytes, safe: SafeState | None = SAFE) -> list[Progress]:
     controller = await driver.dial(address, safe, silence=1.0, poll=0.02)
     try:
-        course = stream(program, controller, limits=Limits.of(MACHINE), interval=0.01)
+        course = stream(program, controller, limits=Limits.from_machine(MACHINE), interval=0.01)
         async with asyncio.timeout(120.0), aclosing(course) as steps:
             return [progress async for progress in steps]
     finally:
@@ -75,13 +75,13 @@ async def test_a_program_with_another_letter_runs_where_it_is_unambiguous(
     machine = replace(MACHINE, heading_letter=letter)
     program = PROGRAM.replace(b" C", b" " + letter.encode())
     async with table_with(Firmware(axes.replace("ABC", letter))) as (table, address):
-        course = await run(address, program, SafeState.of(machine))
+        course = await run(address, program, SafeState.from_machine(machine))
         assert course[-1].executed == PROGRAM.count(b"\n")
         assert table.position == (80.0, 320.0, 20.0, 180.0)
 
 
 async def test_a_stated_letter_is_not_guessed_among_several() -> None:
-    safe = SafeState.of(replace(MACHINE, heading_letter="B"))
+    safe = SafeState.from_machine(replace(MACHINE, heading_letter="B"))
     async with table_with(Firmware("XYZAC")) as (table, address):
         with pytest.raises(ControllerRejected, match="no axis that rotates the tool"):
             await run(address, PROGRAM.replace(b" C", b" B"), safe)
@@ -91,7 +91,7 @@ async def test_a_stated_letter_is_not_guessed_among_several() -> None:
 async def test_a_cancelled_program_leaves_such_a_machine_safe() -> None:
     async with table_with(Firmware("XYZA")) as (table, address):
         controller = await driver.dial(address, SAFE, silence=1.0, poll=0.02)
-        course = stream(PROGRAM, controller, limits=Limits.of(MACHINE), interval=0.005)
+        course = stream(PROGRAM, controller, limits=Limits.from_machine(MACHINE), interval=0.005)
         async with asyncio.timeout(120.0), aclosing(course) as steps:
             async for progress in steps:
                 if progress.position[2] < 0.0:
@@ -143,7 +143,9 @@ async def test_a_controller_that_does_not_state_its_buffer_gets_one_line_at_a_ti
     async with table_with(Firmware(sizes=False)) as (table, address):
         controller = await driver.dial(address, SAFE, silence=1.0, poll=0.02)
         try:
-            course = stream(PROGRAM, controller, limits=Limits.of(MACHINE), interval=0.001)
+            course = stream(
+                PROGRAM, controller, limits=Limits.from_machine(MACHINE), interval=0.001
+            )
             async with asyncio.timeout(120.0), aclosing(course) as steps:
                 pending = [controller.sent - controller.acknowledged async for _ in steps]
         finally:

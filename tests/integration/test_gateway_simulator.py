@@ -32,7 +32,7 @@ from knifetip.simulators.grbl import simulator
 from knifetip.simulators.grbl.table import Faults, Table
 
 MACHINE = load.machine("demo-table")
-SAFE = SafeState.of(MACHINE)
+SAFE = SafeState.from_machine(MACHINE)
 #: Safe state of the table, and the number of lines that the takeover sends: M5, M65 per output.
 RELEASED = [(output, False) for output in SAFE.outputs]
 TAKEOVER = 1 + len(RELEASED)
@@ -113,7 +113,7 @@ def samples_of(table: Table) -> F64:
 
 
 def run(program: bytes, controller: Grbl, **options: Any) -> AsyncGenerator[Progress]:
-    asked: dict[str, Any] = {"limits": Limits.of(MACHINE), "interval": 0.01} | options
+    asked: dict[str, Any] = {"limits": Limits.from_machine(MACHINE), "interval": 0.01} | options
     return stream(program, controller, **asked)
 
 

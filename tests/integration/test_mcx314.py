@@ -121,8 +121,8 @@ async def execute(program: bytes, last: int | None = None) -> tuple[Board, int]:
     """
     executed = 0
     async with await simulator.serve(MACHINE, speed=8.0, sample=0.002) as server:
-        controller = await dial(server.address, SafeState.of(MACHINE), poll=0.02)
-        course = stream(program, controller, limits=Limits.of(MACHINE), interval=0.01)
+        controller = await dial(server.address, SafeState.from_machine(MACHINE), poll=0.02)
+        course = stream(program, controller, limits=Limits.from_machine(MACHINE), interval=0.01)
         async with asyncio.timeout(120.0), aclosing(course):
             async for progress in course:
                 executed = progress.executed

@@ -40,9 +40,9 @@ async def run(program: bytes, last: int | None = None) -> tuple[F64, int]:
     executed = 0
     async with await simulator.serve(MACHINE, speed=4.0, sample=0.002) as server:
         controller = await driver.dial(
-            server.address, SafeState.of(MACHINE), silence=0.4, poll=0.02
+            server.address, SafeState.from_machine(MACHINE), silence=0.4, poll=0.02
         )
-        course = stream(program, controller, limits=Limits.of(MACHINE), interval=0.01)
+        course = stream(program, controller, limits=Limits.from_machine(MACHINE), interval=0.01)
         async with aclosing(course):
             async for progress in course:
                 executed = progress.executed

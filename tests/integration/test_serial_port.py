@@ -42,7 +42,9 @@ LINES = PROGRAM.count(b"\n")
 async def connected(speed: float = 20.0) -> AsyncIterator[tuple[Table, Grbl]]:
     table = Table(MACHINE, speed=speed)
     async with serve_on_terminal(table) as address:
-        controller = await driver.dial(address, SafeState.of(MACHINE), silence=1.0, poll=0.02)
+        controller = await driver.dial(
+            address, SafeState.from_machine(MACHINE), silence=1.0, poll=0.02
+        )
         try:
             yield table, controller
         finally:
@@ -60,7 +62,7 @@ def assert_safe(table: Table) -> None:
 async def test_a_job_is_held_resumed_and_runs_to_its_end() -> None:
     async with connected() as (table, controller):
         held = False
-        course = stream(PROGRAM, controller, limits=Limits.of(MACHINE), interval=0.01)
+        course = stream(PROGRAM, controller, limits=Limits.from_machine(MACHINE), interval=0.01)
         async with asyncio.timeout(120.0), aclosing(course) as steps:
             async for progress in steps:
                 if progress.executed > LINES // 2 and not held:
@@ -80,7 +82,7 @@ async def test_a_job_is_held_resumed_and_runs_to_its_end() -> None:
 
 async def test_a_cancelled_job_leaves_the_machine_safe() -> None:
     async with connected(speed=2.0) as (table, controller):
-        course = stream(PROGRAM, controller, limits=Limits.of(MACHINE), interval=0.01)
+        course = stream(PROGRAM, controller, limits=Limits.from_machine(MACHINE), interval=0.01)
         async with asyncio.timeout(120.0), aclosing(course) as steps:
             async for progress in steps:
                 if progress.output == 0 and progress.position[2] < 0.0:

@@ -50,8 +50,10 @@ def draw_a20_20(size: TuckEndCarton, board: Board) -> Carton:
     t = board.caliper
     # Two tuck flaps lie one above the other on the same panel.
     check_least("depth", size.depth, 2.0 * size.tuck + 4.0, board)
-    tube = Tube.of(size.length, size.width, size.depth + allowances.between_folds(t), size.joint, t)
-    end, draft = TuckEnd.of(tube, size, board), tube.draft()
+    tube = Tube.from_size(
+        size.length, size.width, size.depth + allowances.between_folds(t), size.joint, t
+    )
+    end, draft = TuckEnd.from_size(tube, size, board), tube.draft()
     top = end.flaps(draft, 0, top=True)
     bottom = end.flaps(draft, 2 if size.lids == "reverse" else 0, top=False)
     return draft.finish(tube.outline(top, bottom))
@@ -60,7 +62,7 @@ def draw_a20_20(size: TuckEndCarton, board: Board) -> Carton:
 def draw_a60_20(size: TuckCarton, board: Board) -> Carton:
     """Draw a carton with a tuck lid and a glued crash-lock bottom."""
     tube = _with_bottom(size, board)
-    end, draft = TuckEnd.of(tube, size, board), tube.draft()
+    end, draft = TuckEnd.from_size(tube, size, board), tube.draft()
     top = end.flaps(draft, 0, top=True)
     return draft.finish(tube.outline(top, crash_lock_bottom(tube, draft, size, board)))
 
@@ -68,7 +70,7 @@ def draw_a60_20(size: TuckCarton, board: Board) -> Carton:
 def draw_0215(size: CorrugatedTuckCarton, board: Board) -> Carton:
     """Draw a carton with a tuck lid and a snap-lock (1-2-3) bottom."""
     tube = _with_bottom(size, board)
-    end, draft = TuckEnd.of(tube, size, board), tube.draft()
+    end, draft = TuckEnd.from_size(tube, size, board), tube.draft()
     top = end.flaps(draft, 0, top=True)
     return draft.finish(tube.outline(top, snap_lock_bottom(tube, draft, size, board)))
 
@@ -77,7 +79,7 @@ def _with_bottom(size: TuckCarton, board: Board) -> Tube:
     """Return a tube whose bottom has two layers, that is t/2 more than one between two folds."""
     t = board.caliper
     height = size.depth + allowances.between_folds(t) + 0.5 * t
-    return Tube.of(size.length, size.width, height, size.joint, t)
+    return Tube.from_size(size.length, size.width, height, size.joint, t)
 
 
 STYLES: Final = (

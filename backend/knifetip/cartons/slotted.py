@@ -81,7 +81,7 @@ def _draw(
     check_least("width", size.width, size.joint + 2.0 * slot, board)
     check_most("width", size.width, size.length, board)
     check_least("depth", size.depth, 3.0 * slot + 10.0, board)
-    tube = Tube.of(size.length, size.width, height, size.joint, t)
+    tube = Tube.from_size(size.length, size.width, height, size.joint, t)
     draft = tube.draft()
     ends: list[list[Flap]] = []
     for place in ("bottom", "top"):

@@ -27,12 +27,12 @@ class Tube:
     """Positions of the creases of a tube: four panels beside each other, and a glue flap."""
 
     x: tuple[float, float, float, float, float]  #: left sides of the panels, and the right end (mm)
-    low: float  #: y of the crease line at the bottom (mm)
+    bottom: float  #: y of the crease line at the bottom (mm)
     top: float  #: y of the crease line at the top (mm)
     caliper: float  #: thickness of the board (mm)
 
     @classmethod
-    def of(cls, length: float, width: float, height: float, joint: float, t: float) -> Tube:
+    def from_size(cls, length: float, width: float, height: float, joint: float, t: float) -> Tube:
         """Return the tube for inner dimensions.
 
         Parameters
@@ -58,19 +58,19 @@ class Tube:
 
     def draft(self) -> Draft:
         """Return the draft of the panels and the glue flap, without flaps."""
-        boxes = [(a, self.low, b, self.top) for a, b in map(self.span, range(4))]
+        boxes = [(a, self.bottom, b, self.top) for a, b in map(self.span, range(4))]
         draft = Draft(PANELS[0], boxes[0])
         for number in range(1, 4):
             at = self.x[number]
-            line = (at, self.low), (at, self.top)
+            line = (at, self.bottom), (at, self.top)
             draft.panel(PANELS[number], boxes[number], PANELS[number - 1], line)
-        flap: Box = (0.0, self.low, self.x[0], self.top)
-        draft.panel("glue-flap", flap, PANELS[0], ((self.x[0], self.low), (self.x[0], self.top)))
+        flap: Box = (0.0, self.bottom, self.x[0], self.top)
+        draft.panel("glue-flap", flap, PANELS[0], ((self.x[0], self.bottom), (self.x[0], self.top)))
         return draft
 
     def point(self, corner: Corner, *, top: bool) -> Point:
         """Return the place of a corner (u, v) of a flap at the top or at the bottom."""
-        return corner[0], (self.top + corner[1] if top else self.low - corner[1])
+        return corner[0], (self.top + corner[1] if top else self.bottom - corner[1])
 
     def outline(self, top: Sequence[Flap], bottom: Sequence[Flap]) -> list[Corner]:
         """Return the corners of the outline, counter-clockwise.
@@ -82,11 +82,16 @@ class Tube:
         """
         below = [(*self.point(one, top=False), *one[2:]) for flap in bottom for one in flap]
         above = [(*self.point(one, top=True), *one[2:]) for flap in top for one in flap]
-        x, height = self.x[0], self.top - self.low
+        x, height = self.x[0], self.top - self.bottom
         # The glue flap must not be caught by flaps that fold beside it.
         taper = min(0.4 * x, 0.2 * height)
-        flap = [(x, self.top), (0.0, self.top - taper), (0.0, self.low + taper), (x, self.low)]
-        right = [(self.x[4], self.low), (self.x[4], self.top)]
+        flap = [
+            (x, self.top),
+            (0.0, self.top - taper),
+            (0.0, self.bottom + taper),
+            (x, self.bottom),
+        ]
+        right = [(self.x[4], self.bottom), (self.x[4], self.top)]
         return [*below, *right, *reversed(above), *flap]
 
     def no_flap(self, panel: int) -> Flap:

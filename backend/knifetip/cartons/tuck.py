@@ -43,7 +43,7 @@ class TuckEnd:
     dust: float  #: length of the dust flaps (mm)
 
     @classmethod
-    def of(cls, tube: Tube, size: TuckCarton, board: Board) -> TuckEnd:
+    def from_size(cls, tube: Tube, size: TuckCarton, board: Board) -> TuckEnd:
         """Return the end that suits a carton.
 
         Raises

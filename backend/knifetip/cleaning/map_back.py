@@ -46,7 +46,7 @@ class DrawnRows:
         """Return the row of the drawn edge for which a cleaned edge is shown."""
         return int(self._shown[cleaned])
 
-    def of(self, cleaned: int) -> tuple[int, ...]:
+    def replaced_by(self, cleaned: int) -> tuple[int, ...]:
         """Return the rows of the drawn edges that a cleaned edge replaces, each once.
 
         The first is that for which it is shown; the others ascend.
@@ -97,7 +97,7 @@ def _on_drawn(finding: Finding, drawn_rows: DrawnRows) -> Finding:
     )
     if finding.edge < 0:
         return replace(finding, message=message)
-    edges = drawn_rows.of(finding.edge)
+    edges = drawn_rows.replaced_by(finding.edge)
     others = edges if len(edges) > 1 else ()
     return replace(finding, message=message, edge=edges[0], edges=others)
 

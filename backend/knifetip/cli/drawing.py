@@ -9,7 +9,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 import typer
 
-from knifetip import pipeline
+from knifetip import line_types
 from knifetip.cli.line_types import Edges, Layers, overrides
 from knifetip.cli.options import expand
 from knifetip.cli.rules import find_profile
@@ -78,9 +78,9 @@ class ReadingOptions:
             The file or an option cannot be used.
         """
         data = read_bytes(file)
-        drawing = pipeline.read(data, self.unit)
+        drawing = line_types.read(data, self.unit)
         set_by_user = overrides(drawing, file.name, self.layer, self.edge)
-        dieline = pipeline.classify(drawing, find_profile(self.profile), set_by_user)
+        dieline = line_types.classify(drawing, find_profile(self.profile), set_by_user)
         return LoadedDrawing(data, drawing, dieline, set_by_user)
 
 
@@ -102,7 +102,7 @@ class LoadedDrawing:
             Machine for which the drawing is to be compiled.  If it is None, there are no questions
             about line types that the tools of the machine cannot process.
         """
-        return pipeline.questions(self.drawing, self.dieline, machine)
+        return line_types.questions(self.drawing, self.dieline, machine)
 
     def as_json(self, name: str) -> dict[str, Any]:
         """Return the drawing and its edges as JSON data, with the field names of the REST API.
@@ -142,7 +142,7 @@ class LoadedDrawing:
         if not self.drawing.unit:
             return None
         try:
-            return pipeline.clean(self.dieline)
+            return _clean(self.dieline)
         except KnifetipError as error:
             print_message(Message("output.not-cleaned", reason=error.message), "yellow")
             return None
@@ -176,7 +176,7 @@ def register(app: typer.Typer) -> None:
     @app.command()
     def read(file: DrawingFile, unit: Unit = None, json: Json = False) -> None:
         """Show unit, size and import report of a drawing."""
-        drawing = pipeline.read(read_bytes(file), unit)
+        drawing = line_types.read(read_bytes(file), unit)
         about = report_json(file.name, drawing)
         if json:
             print_json({"drawing": about})
@@ -231,7 +231,7 @@ def register(app: typer.Typer) -> None:
             report_warnings(import_warnings(result.drawing))
             report_questions(result.questions())
             raise typer.Exit(QUESTIONS)
-        cleaned = pipeline.clean(result.dieline)
+        cleaned = _clean(result.dieline)
         if json:
             about = report_json(file.name, result.drawing)
             print_json({"drawing": about, "cleaning": cleaned.as_json(result.drawing.handles)})
@@ -269,6 +269,14 @@ def register(app: typer.Typer) -> None:
         for name, data in samples().items():
             write_bytes(folder / name, data)
             print_line(str(folder / name))
+
+
+def _clean(dieline: Dieline) -> Cleaned:
+    """Return the cleaned dieline; see ``pipeline.clean``."""
+    # The pipeline imports all engines, which takes longer than classifying a small drawing.
+    from knifetip import pipeline
+
+    return pipeline.clean(dieline)
 
 
 def _print_lines(lines: list[str], indent: int = 2) -> None:

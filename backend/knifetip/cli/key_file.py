@@ -67,7 +67,7 @@ class NewKeyFile:
             raise SettingsError("settings.key-file", file=file, reason=reason) from reason
 
     def write(self, secret: str) -> None:
-        """Write the secret, and give the file its name in one step."""
+        """Write the secret to a temporary file, which then replaces the key file in one step."""
         with self._part.open("w", encoding="ascii") as stream:
             stream.write(secret + "\n")
             stream.flush()
@@ -75,6 +75,6 @@ class NewKeyFile:
         self._part.replace(self._file)
 
     def remove(self) -> None:
-        """Remove the file if it did not get its name."""
+        """Remove the temporary file if it has not become the key file."""
         with suppress(FileNotFoundError):  # it got its name
             self._part.unlink()

@@ -140,7 +140,7 @@ class StationAnswer:
     held: HeldJog | None = None  #: the jog whose button the person still holds; None for none
 
     @classmethod
-    def of(cls, answer: Mapping[str, Any]) -> StationAnswer:
+    def from_answer(cls, answer: Mapping[str, Any]) -> StationAnswer:
         """Return the answer with the fields of a JSON object.
 
         Raises

@@ -67,7 +67,7 @@ def _with_notes(drawing: Drawing, conversion: Conversion) -> Drawing:
     Raises ``NotADrawing``: the result of the conversion contains no entity at all.
     """
     if len(drawing.import_report) == 0:
-        raise conversion.refusal_of_nothing()
+        raise conversion.empty_file_error()
     return replace(drawing, import_report=add_file_notes(drawing.import_report, conversion.notes))
 
 

@@ -259,7 +259,7 @@ class _GatewayLoop:
                 else:
                     cause = Message("gateway.switched-off-in-run")
                 with suppress(asyncio.CancelledError, GatewayRefused):
-                    await self._server.finish(JobEnd.of(run, outcome, cause), tries=1)
+                    await self._server.finish(JobEnd.from_run(run, outcome, cause), tries=1)
                 raise
         finally:
             _trace_end(outcome, cause)
@@ -267,7 +267,7 @@ class _GatewayLoop:
             self._link.run = None
             heartbeats.cancel()
             await asyncio.gather(heartbeats, return_exceptions=True)
-        end = JobEnd.of(run, outcome, cause)
+        end = JobEnd.from_run(run, outcome, cause)
         self._server.record(end)
         # A person who sees that the job has ended must not see the machine as it was before.
         await self._station.report_now()
@@ -345,7 +345,7 @@ async def run_gateway(
     http.headers.update({"X-Knifetip": "gateway", **settings.headers})
     journal = Journal(settings.journal)
     server = JobServer(http, settings, journal)
-    link = MachineLink(SafeState.of(settings.machine), connect)
+    link = MachineLink(SafeState.from_machine(settings.machine), connect)
     station = MachineStation(link, server, settings.machine, journal)
     reports = asyncio.create_task(station.run(), name="station of the machine")
     try:

@@ -78,7 +78,7 @@ class SafeState:
         return self.machine.heading_letter if self.machine else "C"
 
     @classmethod
-    def of(cls, machine: Machine) -> SafeState:
+    def from_machine(cls, machine: Machine) -> SafeState:
         """Return the safe state of a machine: all its outputs off, Z at travel height.
 
         If the travel height is above the upper limit of Z, the upper limit is used.  The machine

@@ -118,7 +118,7 @@ class CopyRunner:
         updates = stream(
             text,
             controller,
-            limits=Limits.of(self._machine),
+            limits=Limits.from_machine(self._machine),
             tools=tool_offsets(self._machine),
             check=copy == 0,
             interval=min(self._beat / 2.0, 0.1),

@@ -133,7 +133,7 @@ class DryRun:
         updates = stream(
             self._program.text,
             controller,
-            limits=Limits.of(self._machine),
+            limits=Limits.from_machine(self._machine),
             tools=tool_offsets(self._machine),
             interval=_INTERVAL,
         )

@@ -34,7 +34,7 @@ class Lease:
     seconds: float = 0.0  #: stated duration of a copy (s); 0 if it is not stated
 
     @classmethod
-    def of(cls, answer: Mapping[str, Any]) -> Lease:
+    def from_answer(cls, answer: Mapping[str, Any]) -> Lease:
         return cls(
             str(answer["job"]),
             int(answer["epoch"]),
@@ -176,7 +176,7 @@ class JobEnd:
     line_at_most: int | None = None  #: most lines that may have been executed; None if not known
 
     @classmethod
-    def of(cls, run: JobRun, outcome: str, cause: Message | None) -> JobEnd:
+    def from_run(cls, run: JobRun, outcome: str, cause: Message | None) -> JobEnd:
         line = run.line if run.copy_running or outcome == "done" else 0
         stopped = run.copy_running and outcome != "done"
         return cls(

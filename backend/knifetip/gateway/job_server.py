@@ -121,7 +121,7 @@ class JobServer:
                 return None
             if answer.status_code == 200:
                 self._complaint = ""
-                return Lease.of(answer.json())
+                return Lease.from_answer(answer.json())
             if answer.status_code == 412 and self._settings.machine.version:
                 machine = self._settings.machine
                 raise StaleVersion(
@@ -171,7 +171,7 @@ class JobServer:
         )
         self._require_access(answer)
         answer.raise_for_status()
-        return StationAnswer.of(answer.json())
+        return StationAnswer.from_answer(answer.json())
 
     async def program(self, claim: Lease) -> bytes:
         """Return the program of a claimed job, fetched from the server.
@@ -251,7 +251,7 @@ class JobServer:
 
     def record(self, end: JobEnd) -> None:
         """Record the end of a job in the journal, before it is reported."""
-        self._journal.outcome(end.job, end.outcome, end.cause, end.line_at_most)
+        self._journal.record_outcome(end.job, end.outcome, end.cause, end.line_at_most)
 
     async def finish(
         self, end: JobEnd, tries: int | None = None, *, recorded: bool = False

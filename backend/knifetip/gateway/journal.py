@@ -241,7 +241,7 @@ class Journal:
             {"event": "copy", "job": job, "copies_done": copies_done}, safe=True
         )
 
-    def outcome(
+    def record_outcome(
         self, job: str, outcome: str, cause: Message | None, line_at_most: int | None = None
     ) -> None:
         """Record how a job ended, before it is reported to the server.

@@ -32,6 +32,6 @@ class RunMetrics:
         self._seconds.labels(machine)  # a series from the start, so that a rate shows the first run
 
     def observe(self, outcome: str, seconds: float) -> None:
-        """Count a run that has ended."""
+        """Count a run that has ended with an outcome after some seconds."""
         self._runs.labels(self._machine, outcome).inc()
         self._seconds.labels(self._machine).observe(seconds)

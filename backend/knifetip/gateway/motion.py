@@ -39,7 +39,7 @@ class Limits:
     high: Pose
 
     @classmethod
-    def of(cls, machine: Machine) -> Limits:
+    def from_machine(cls, machine: Machine) -> Limits:
         """Return the limits of the axes of a machine."""
         x, y, z, c = machine.x, machine.y, machine.z, machine.c
         return cls(

@@ -329,7 +329,7 @@ def _check(operation: Operation, name: str, status: Status, machine: Machine) ->
     """
     if status.state is not State.IDLE:
         raise ControllerError("operation.not-at-rest", name=name, state=status.state.value)
-    lift = SafeState.of(machine).lift
+    lift = SafeState.from_machine(machine).lift
     lifted = status.position[2] >= lift - _TOLERANCE
     match operation.name:
         case OperationName.JOG:
@@ -370,7 +370,7 @@ def _check_jog(operation: Operation, status: Status, machine: Machine) -> None:
     if len(operation.axis) != 1 or operation.axis not in AXES:
         raise ControllerError("operation.unknown-axis", axis=operation.axis, axes=AXES)
     index = AXES.index(operation.axis)
-    limits = Limits.of(machine)
+    limits = Limits.from_machine(machine)
     low, high = limits.low[index], limits.high[index]
     target = status.position[index] + operation.distance
     if not low - _TOLERANCE <= target <= high + _TOLERANCE:

@@ -396,7 +396,9 @@ class MachineStation:
 
         id, machine = job.claim.job, self._machine
         if operation.name is OperationName.TOOL_CHECK:
-            return ToolCheck(id, CheckedPoint.of(operation, machine), machine, may_go_on)
+            return ToolCheck(
+                id, CheckedPoint.from_operation(operation, machine), machine, may_go_on
+            )
         start = (await controller.status()).position
         program = await self._programs.prepare(operation, job.claim, start)
         return DryRun(operation.name.value, id, program, machine, may_go_on)

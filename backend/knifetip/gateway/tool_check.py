@@ -47,7 +47,7 @@ class CheckedPoint:
     height: float  #: height of the tip above the mat (mm)
 
     @classmethod
-    def of(cls, operation: Operation, machine: Machine) -> CheckedPoint:
+    def from_operation(cls, operation: Operation, machine: Machine) -> CheckedPoint:
         """Return the point of an operation ``tool_check``.
 
         Raises

@@ -29,7 +29,7 @@ class LayoutArchive:
     source_of: tuple[int, ...]  #: index into ``edges`` for each entry of ``layout.placed``
 
     @classmethod
-    def of(cls, layout: Layout, edges: Sequence[tuple[str, bytes]]) -> LayoutArchive:
+    def from_layout(cls, layout: Layout, edges: Sequence[tuple[str, bytes]]) -> LayoutArchive:
         """Return the archive of a layout.
 
         Parameters

@@ -7,7 +7,7 @@ from typing import Annotated, Final, Literal, TypeAlias
 from annotated_types import Gt, Le
 from pydantic import Field, ValidationInfo, field_validator
 
-from knifetip.fields import LISTED, Table, field_error
+from knifetip.fields import LISTED, PartTable, Table, field_error
 from knifetip.model.board import Board, Deflection, ToolLimits
 from knifetip.model.machine_properties import group
 from knifetip.model.tool import KINDS
@@ -33,7 +33,7 @@ _BRIDGES: Final = group("Bridges")
 _DEFLECTION: Final = group("Deflection of cutters")
 
 
-class DeflectionTable(Table):
+class DeflectionTable(PartTable):
     """The TOML table with the deflection of one tool in the board, in X and Y (mm).
 
     The deflection is the greatest distance by which the cutting force pushes the tool off its path.
@@ -43,7 +43,7 @@ class DeflectionTable(Table):
     y: NotNegative = Field(description="greatest deflection in Y (mm)")
 
 
-class LimitsTable(Table):
+class LimitsTable(PartTable):
     """The TOML table with limits for the tools of one kind in the board."""
 
     feed: NotNegative = Field(

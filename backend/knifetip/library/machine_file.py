@@ -22,7 +22,7 @@ from pydantic import (
 )
 
 from knifetip.errors import LibraryError
-from knifetip.fields import LISTED, Table, field_error
+from knifetip.fields import LISTED, PartTable, field_error
 from knifetip.languages.registry import find_language, language_names
 from knifetip.library.machine_table import MachineTable
 from knifetip.model.machine import (
@@ -45,7 +45,7 @@ _NOMINAL: Final = 100
 AXES: Final = group("Axes and travel")
 
 
-class AxisTable(Table):
+class AxisTable(PartTable):
     """The TOML table of one axis of a machine: travel, velocity and acceleration.
 
     The units are mm, mm/s and mm/s²; for the rotary axis, degrees replace millimetres.
@@ -79,7 +79,7 @@ class HeadingAxis(AxisTable):
     )
 
 
-class Axes(Table):
+class Axes(PartTable):
     """The TOML table of the four axes of a machine: X, Y, Z, and C, which rotates the tools.
 
     If the machine has several carriages, they are the axes of the first carriage.
@@ -109,7 +109,7 @@ class LetteredAxis(AxisTable):
     )
 
 
-class CarriageTable(Table):
+class CarriageTable(PartTable):
     """The TOML table of a further carriage of the gantry, with its own axes.
 
     Y of all carriages has the same zero and the same direction.
@@ -143,7 +143,7 @@ class CarriageTable(Table):
         )
 
 
-class GantryTable(Table):
+class GantryTable(PartTable):
     """The TOML table of a gantry with several carriages.  The first carriage has the axes of the
     table ``[axes]``.
     """
@@ -197,7 +197,7 @@ def _check_park(park: float | None, y: AxisTable) -> None:
         raise field_error("field.park-outside", park=park, low=y.low, high=y.high)
 
 
-class Datum(Table):
+class Datum(PartTable):
     """The TOML table with the offset of a station from the reference position of the machine.
 
     The position of each axis of the machine is the programmed position plus this offset.
@@ -209,7 +209,7 @@ class Datum(Table):
     c: float = Field(description="mounting angle (degrees)")
 
 
-class ToolTable(Table):
+class ToolTable(PartTable):
     """The TOML table of a tool: its kind and its dimensions."""
 
     @model_validator(mode="after")
@@ -262,7 +262,7 @@ def _check_kind(tool: Any) -> Any:
 _CheckedTool: Any = Annotated[_AnyTool, Field(discriminator="kind"), BeforeValidator(_check_kind)]
 
 
-class ToolFile(Table):
+class ToolFile(PartTable):
     """The fields of the TOML file of a tool, which can be copied into stations of machines."""
 
     title: str
@@ -274,7 +274,7 @@ class ToolFile(Table):
         return tool
 
 
-class StationTable(Table):
+class StationTable(PartTable):
     """The TOML table of a station, a mount on the head of a machine that carries one tool."""
 
     number: int = Field(gt=0, lt=256, description="tool number in programs (T word)")
@@ -341,7 +341,7 @@ class StationTable(Table):
         )
 
 
-class ZoneTable(Table):
+class ZoneTable(PartTable):
     """The TOML table of a keep-out zone: a box on the table that no tool may touch.
 
     Such a zone is, for example, a clamp or a stop.  Positions are those of programs: of the tip of

@@ -18,7 +18,7 @@ from pydantic import (
     WithJsonSchema,
 )
 
-from knifetip.fields import Table, field_error
+from knifetip.fields import PartTable, Table, field_error
 from knifetip.model.dieline import LineType
 from knifetip.model.profile import LineRule
 
@@ -82,7 +82,7 @@ Colours = Annotated[
 ]
 
 
-class RuleTable(Table):
+class RuleTable(PartTable):
     """The TOML table of a rule; an edge that matches all conditions gets the line type ``type``."""
 
     type: Annotated[str, AfterValidator(_line_type)] = Field(

@@ -20,9 +20,10 @@ from typing import Final, NamedTuple
 
 from knifetip.drawing_builder.shape_paths import Shape
 from knifetip.errors import DrawingTooLarge
+from knifetip.formats.invalid_content import InvalidContent
 from knifetip.formats.limits import Limits
 from knifetip.lightburn.project import ProjectShape
-from knifetip.messages import Argument, Message
+from knifetip.messages import Message
 
 #: A number; without backtracking, because a text may have millions of digits.
 _NUMBER: Final = r"[-+]?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eE][-+]?\d++)?"
@@ -36,20 +37,6 @@ _CHAINS: Final = {"LineClosed": True, "LineOpen": False}
 _RISING: Final = 2.0
 #: Greatest number of characters of a file in a message.
 _MAX_SHOWN: Final = 12
-
-
-class InvalidShape(ValueError):
-    """Raised if a shape cannot be read.
-
-    Parameters
-    ----------
-    code, arguments
-        Code and arguments of the message that contains the reason.
-    """
-
-    def __init__(self, code: str, /, **arguments: Argument) -> None:
-        self.message = Message(code, **arguments)
-        super().__init__(self.message)
 
 
 class Vertex(NamedTuple):
@@ -81,7 +68,7 @@ class Outlines:
 
         Raises
         ------
-        InvalidShape
+        InvalidContent
             The shape is damaged.
         DrawingTooLarge
             The shape has more vertices or primitives than the limit of segments.
@@ -104,7 +91,7 @@ class Outlines:
             primitives_here if primitives_here is not None else self._primitives.get(primitive_id)
         )
         if vertices is None or primitives is None:
-            raise InvalidShape(
+            raise InvalidContent(
                 "import.missing-id", id=vertex_id if vertices is None else primitive_id
             )
         if vertex_id and vertices_here is not None:
@@ -194,7 +181,7 @@ class Outlines:
         """Return an ellipse about the origin."""
         x, y = (abs(_value(shape.attributes, key)) for key in ("Rx", "Ry"))
         if x == 0.0 or y == 0.0:
-            raise InvalidShape("import.bad-radius", radius=0.0)
+            raise InvalidContent("import.bad-radius", radius=0.0)
         return Shape(
             arcs=[
                 (x, 0.0, -x, 0.0, x, y, 0.0, _RISING),
@@ -220,7 +207,7 @@ def _join_outline(vertices: Sequence[Vertex], primitives: Iterable[tuple[str, in
     last = -1
     for kind, first, second in primitives:
         if max(first, second) >= len(vertices) or kind not in ("L", "B"):
-            raise InvalidShape(
+            raise InvalidContent(
                 "import.bad-primitive", kind=kind[:_MAX_SHOWN], first=first, second=second
             )
         start, end = vertices[first], vertices[second]
@@ -239,7 +226,7 @@ def _join_outline(vertices: Sequence[Vertex], primitives: Iterable[tuple[str, in
 def _matches(pattern: re.Pattern[str], text: str) -> Iterable[re.Match[str]]:
     """Yield the matches of a pattern, which must cover the whole text.
 
-    Raises ``InvalidShape``: a part of the text does not match.
+    Raises ``InvalidContent``: a part of the text does not match.
     """
     position = 0
     while position < len(text):
@@ -248,7 +235,7 @@ def _matches(pattern: re.Pattern[str], text: str) -> Iterable[re.Match[str]]:
             if not text[position:].strip():
                 return
             part = text[position : position + _MAX_SHOWN]
-            raise InvalidShape("import.bad-path-data", character=position + 1, text=part)
+            raise InvalidContent("import.bad-path-data", character=position + 1, text=part)
         yield match
         position = match.end()
 
@@ -272,16 +259,16 @@ def _legacy_control(
 def _value(attributes: dict[str, str], name: str, default: float | None = None) -> float:
     """Return an attribute that is a number.
 
-    Raises ``InvalidShape``: the attribute is missing and has no default, or is not a number.
+    Raises ``InvalidContent``: the attribute is missing and has no default, or is not a number.
     """
     text = attributes.get(name)
     if text is None:
         if default is None:
-            raise InvalidShape("import.incomplete", part=name)
+            raise InvalidContent("import.incomplete", part=name)
         return default
     if _ONE_NUMBER.fullmatch(text.strip()) is None or not math.isfinite(float(text)):
         reason = Message("import.value-not-numbers", value=text[:_MAX_SHOWN])
-        raise InvalidShape("import.bad-size", name=name, reason=reason)
+        raise InvalidContent("import.bad-size", name=name, reason=reason)
     return float(text)
 
 
@@ -290,7 +277,7 @@ def _index(attributes: dict[str, str], name: str) -> int:
     value = _value(attributes, name)
     if value < 0.0 or value != int(value):
         reason = Message("import.value-not-numbers", value=attributes[name][:_MAX_SHOWN])
-        raise InvalidShape("import.bad-size", name=name, reason=reason)
+        raise InvalidContent("import.bad-size", name=name, reason=reason)
     return int(value)
 
 
@@ -299,13 +286,13 @@ def parse_matrix(text: str | None) -> tuple[float, float, float, float, float, f
 
     Raises
     ------
-    InvalidShape
+    InvalidContent
         The text is not six numbers.
     """
     if text is None:
         return 1.0, 0.0, 0.0, 1.0, 0.0, 0.0
     parts = text.split()
     if len(parts) != 6 or any(_ONE_NUMBER.fullmatch(part) is None for part in parts):
-        raise InvalidShape("import.value-not-transform", value=text.strip()[:40])
+        raise InvalidContent("import.value-not-transform", value=text.strip()[:40])
     a, b, c, d, e, f = map(float, parts)
     return a, b, c, d, e, f

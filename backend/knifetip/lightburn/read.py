@@ -15,11 +15,12 @@ from knifetip.drawing_builder.columns import Style
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.drawing_builder.shape_paths import Shape, ShapePaths
 from knifetip.errors import NotADrawing
+from knifetip.formats.invalid_content import InvalidContent
 from knifetip.formats.limits import Limits
 from knifetip.formats.refusals import refuse_unexpected
 from knifetip.geometry.affine import Matrix, compose
 from knifetip.lightburn.layers import Layers
-from knifetip.lightburn.outlines import InvalidShape, Outlines, parse_matrix
+from knifetip.lightburn.outlines import Outlines, parse_matrix
 from knifetip.lightburn.project import Project, ProjectShape, parse_project
 from knifetip.messages import Message
 from knifetip.model.drawing import Annotation, Drawing
@@ -94,7 +95,7 @@ class _ShapeReader:
         matrix = outer
         try:
             matrix = compose(outer, parse_matrix(shape.texts.get("XForm")))
-        except InvalidShape as error:
+        except InvalidContent as error:
             broken = broken or Message("import.bad-place", reason=error.message)
         if shape.kind == "Group":
             for child in shape.children:
@@ -109,7 +110,7 @@ class _ShapeReader:
         try:
             # Also for a hidden shape, because later shapes may share its vertices.
             shape = self._outlines.outline(one)
-        except InvalidShape as error:
+        except InvalidContent as error:
             dropped = dropped or error.message
         if shape is None and dropped is None:
             dropped = self._not_read(one, matrix, layer)

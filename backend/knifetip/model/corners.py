@@ -6,7 +6,7 @@ from typing import Annotated, Final, Literal, get_args
 
 from pydantic import Field
 
-from knifetip.fields import LISTED, Table
+from knifetip.fields import LISTED, PartTable
 
 _Type = Literal["B", "C", "D", "auto"]
 #: Corner types; a code in a column is an index into this tuple.
@@ -19,7 +19,7 @@ CornerParameter = Annotated[
 ]
 
 
-class CornerAt(Table):
+class CornerAt(PartTable):
     """Corner type of one corner, which is selected by its position."""
 
     x: float = Field(
@@ -37,7 +37,7 @@ class CornerAt(Table):
     )
 
 
-class Corners(Table):
+class Corners(PartTable):
     """Types of the outer corners of a job.
 
     At an outer corner the cutter or laser stays on the waste side of the contour and so moves

@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from knifetip.errors import PlanError
-from knifetip.fields import LISTED, Table, field_error
+from knifetip.fields import LISTED, PartTable, field_error
 from knifetip.geometry.columns import U8
 from knifetip.model.dieline import LineType
 
@@ -18,7 +18,7 @@ MadeType: TypeAlias = Literal["cut", "crease", "v-groove", "perforation", "half-
 EdgeRow = Annotated[int, Field(ge=0, le=2**31 - 1)]
 
 
-class EdgeChoice(Table):
+class EdgeChoice(PartTable):
     """A choice for some edges of the drawing.
 
     A subclass adds the fields that are chosen.  An option of a job is a tuple of such choices.
@@ -26,6 +26,8 @@ class EdgeChoice(Table):
 
     #: line types of the edges for which the page offers the choice
     types: ClassVar[tuple[MadeType, ...]] = get_args(MadeType)
+    #: only cutters and lasers can make the choice
+    of_cutters: ClassVar[bool] = False
     #: the page has a form of its own for the choice
     own_form: ClassVar[bool] = False
 
@@ -62,6 +64,11 @@ class LineTypeChoice(EdgeChoice):
 
 
 Choice = TypeVar("Choice", bound=EdgeChoice)
+#: Value of an option of edges.
+Choices = Annotated[
+    tuple[Choice, ...],
+    Field(strict=False, max_length=1000),  # JSON has lists
+]
 
 
 def choices_by_edge(choices: Sequence[Choice], line_type: U8) -> Iterator[tuple[int, Choice]]:

@@ -14,7 +14,7 @@ from pydantic import Field
 
 from knifetip.fields import LISTED, Table
 from knifetip.model.corners import Corners
-from knifetip.model.edge_choice import EdgeChoice, EdgeRow, LineTypeChoice
+from knifetip.model.edge_choice import Choices, EdgeChoice, EdgeRow, LineTypeChoice
 from knifetip.model.registration import Registration
 from knifetip.model.sheet import Sheet
 
@@ -98,6 +98,7 @@ class EdgeTool(LineTypeChoice):
 class EdgeCorner(LineTypeChoice):
     """How a cutter or laser goes round the corners at the ends of some edges."""
 
+    of_cutters = True
     types = ("cut",)
 
     type: Annotated[Literal["usual", "auto", "B", "C", "D"], LISTED] = Field(
@@ -121,6 +122,7 @@ class EdgeCorner(LineTypeChoice):
 class ContourLead(LineTypeChoice):
     """How a cutter or laser comes to the contours of some edges, and leaves them."""
 
+    of_cutters = True
     types = ("cut",)
 
     length: float | None = Field(
@@ -204,35 +206,27 @@ class VerifiedOptions(Table):
         description="Factor of the feeds of all tools in the board, 0.1 to 1: less than 1 for "
         "board that tears or for a worn tool. A laser at a lower feed cuts deeper",
     )
-    contour_starts: tuple[ContourStart, ...] = Field(
+    contour_starts: Choices[ContourStart] = Field(
         default=(),
-        strict=False,  # JSON has lists
-        max_length=1000,
         title="Start and direction",
         description="Starts and directions of closed cuts; empty for the planner's choice. Of "
         "several for one edge the last counts",
     )
-    cut_depths: tuple[CutDepth, ...] = Field(
+    cut_depths: Choices[CutDepth] = Field(
         default=(),
-        strict=False,  # JSON has lists
-        max_length=1000,
         title="Passes and depth",
         description="Passes and depths of cuts and half-cuts; empty for those of tool and board. "
         "Of several for one edge the last counts, and one for the edge before one for its line "
         "type",
     )
-    crease_depths: tuple[CreaseDepth, ...] = Field(
+    crease_depths: Choices[CreaseDepth] = Field(
         default=(),
-        strict=False,  # JSON has lists
-        max_length=1000,
         title="Depth of creases",
         description="Depths of creases; empty for those of the board. Of several for one edge the "
         "last counts, and one for the edge before one for its line type",
     )
-    edge_tools: tuple[EdgeTool, ...] = Field(
+    edge_tools: Choices[EdgeTool] = Field(
         default=(),
-        strict=False,  # JSON has lists
-        max_length=1000,
         title="Tool of edges",
         description="Stations whose tools make edges; empty for the planner's choice. Of several "
         "for one edge the last counts, and one for the edge before one for its line type. A "
@@ -243,10 +237,8 @@ class VerifiedOptions(Table):
             "the whole contour of an edge."
         },
     )
-    contour_leads: tuple[ContourLead, ...] = Field(
+    contour_leads: Choices[ContourLead] = Field(
         default=(),
-        strict=False,  # JSON has lists
-        max_length=1000,
         title="Lead-in of contours",
         description="Lead-ins of contours that a cutter or laser makes; empty for those of the "
         "tool. The lead-out is alike. A choice for one edge is for its whole contour. A lead-in "
@@ -257,20 +249,15 @@ class VerifiedOptions(Table):
             "it, the lead-in is halved or left out."
         },
     )
-    edge_feeds: tuple[EdgeFeed, ...] = Field(
+    edge_feeds: Choices[EdgeFeed] = Field(
         default=(),
-        strict=False,  # JSON has lists
-        max_length=1000,
         title="Feed of edges",
         description="Feed factors of cuts, half-cuts and perforations; empty for the feeds of the "
         "tools. Of several for one edge the last counts, and one for the edge before one for its "
         "line type",
     )
-
-    bridges: tuple[BridgeAt, ...] = Field(
+    bridges: Choices[BridgeAt] = Field(
         default=(),
-        strict=False,  # JSON has lists
-        max_length=1000,
         title="Bridges",
         description="Bridges on outlines of parts, one for each edge and entry; an outline with "
         "such a bridge has no others. Empty for the bridges of the board",
@@ -304,10 +291,8 @@ class JobOptions(VerifiedOptions):
         default=None,
         description="Corner types, for routers and lasers only; null for the fastest types",
     )
-    edge_corners: tuple[EdgeCorner, ...] = Field(
+    edge_corners: Choices[EdgeCorner] = Field(
         default=(),
-        strict=False,  # JSON has lists
-        max_length=1000,
         title="Corners of edges",
         description="Corner types by edge, for routers and lasers only; empty for those of "
         "`corners`. A corner has the type of the edge along which the tool arrives; the tool has "

@@ -90,7 +90,7 @@ def _right_side(sheet: FilledSheet, parts: Sequence[Part]) -> float:
 def is_free_of_collisions(sheet: FilledSheet, parts: Sequence[Part], gap: float) -> bool:
     """Return whether all blanks lie in the window of their sheet and keep the gap.
 
-    This is the arithmetic of layouts, which shares nothing with the engine.
+    It is computed as for layouts, independently of the nesting engine.
 
     Parameters
     ----------

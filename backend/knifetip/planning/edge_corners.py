@@ -10,37 +10,15 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.errors import PlanError
 from knifetip.geometry.columns import U8
 from knifetip.geometry.path import segments_before
 from knifetip.model.chosen_work import ChosenEdges, ChosenWork
 from knifetip.model.corners import AS_OTHERS, TYPES
-from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.job_options import EdgeCorner
-from knifetip.model.machine import Machine
 from knifetip.model.operation import Operation
-from knifetip.planning.chosen_rows import chosen_rows
 
 #: Code of each word of a choice.
 _CODES: Final = {"usual": AS_OTHERS, **{word: code for code, word in enumerate(TYPES)}}
-
-
-def check_edge_corners(work: ChosenWork, dieline: Dieline, machine: Machine) -> None:
-    """Raise ``PlanError`` if corners are chosen for edges that no cutter and no laser cuts.
-
-    Parameters
-    ----------
-    work
-        What is chosen for the edges.
-    dieline
-        The edges with their line types.
-    """
-    cuts = (LineType.CUT,)
-    rows = chosen_rows(work, EdgeCorner, dieline, cuts, "corner-choice.other-type")
-    if len(rows) and not machine.offset_cuts:
-        raise PlanError(
-            "corner-choice.no-cutter", edge=rows[0], machine=machine.title, at_edges=rows
-        )
 
 
 def with_edge_corners(operation: Operation, work: ChosenWork) -> Operation:

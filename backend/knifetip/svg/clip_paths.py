@@ -17,11 +17,11 @@ import numpy as np
 from knifetip.drawing_builder.clip import Clip, Region, union
 from knifetip.drawing_builder.filled_region import filled_region
 from knifetip.drawing_builder.white_lines import is_white
+from knifetip.formats.invalid_content import InvalidContent
 from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix, compose
 from knifetip.svg import shapes
 from knifetip.svg.document import Node
-from knifetip.svg.invalid import InvalidValue
 from knifetip.svg.lengths import to_pixels
 from knifetip.svg.path_data import scan_paths
 from knifetip.svg.references import href
@@ -107,7 +107,7 @@ class ClipPaths:
         if key not in self._known:
             try:
                 self._known[key] = self._convert(node, matrix, window)
-            except (_UnsupportedError, InvalidValue, shapes.Undrawable):
+            except (_UnsupportedError, InvalidContent, shapes.Undrawable):
                 self._known[key] = None
         return self._known[key]
 

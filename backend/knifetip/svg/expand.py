@@ -17,6 +17,7 @@ from typing import Final, NamedTuple
 from knifetip.drawing_builder.clip import UNBOUNDED, UNCLIPPED, Clip
 from knifetip.drawing_builder.report import ReportWriter
 from knifetip.errors import DrawingTooLarge
+from knifetip.formats.invalid_content import InvalidContent
 from knifetip.formats.limits import Limits
 from knifetip.geometry.affine import Matrix, compose
 from knifetip.messages import Message
@@ -24,7 +25,6 @@ from knifetip.svg import layers, shapes
 from knifetip.svg.clip_paths import ClipPaths, window_region
 from knifetip.svg.document import Node
 from knifetip.svg.drawn_paths import DrawnPaths, OmittedShape
-from knifetip.svg.invalid import InvalidValue
 from knifetip.svg.lengths import to_pixels
 from knifetip.svg.page import Page, view_box, view_box_matrix
 from knifetip.svg.references import href
@@ -315,7 +315,7 @@ class _Expansion:
         if (text := node.attributes.get("transform")) is not None:
             try:
                 outer = compose(outer, parse_transform(text))
-            except InvalidValue as invalid:
+            except InvalidContent as invalid:
                 left_out = left_out or Message("import.bad-transform", reason=invalid.message)
         ancestors = (*context.ancestors, node) if "id" in node.attributes else context.ancestors
         clip = self._clip_paths.clip(context.clip, appearance, outer, context.window)
@@ -347,7 +347,7 @@ class _Expansion:
                     ("height", context.window[1]),
                 )
             )
-        except InvalidValue as invalid:
+        except InvalidContent as invalid:
             return context._replace(
                 left_out=context.left_out or Message("import.bad-window", reason=invalid.message)
             )
@@ -389,7 +389,7 @@ class _Expansion:
                 to_pixels(node.attributes.get(name, "0"), full_length)
                 for name, full_length in (("x", context.window[0]), ("y", context.window[1]))
             )
-        except InvalidValue as invalid:
+        except InvalidContent as invalid:
             reason = reason or Message("import.bad-place", reason=invalid.message)
         if reason or target is None:
             row = self.report.row(context.path + handle, "use", layer, reason)
@@ -450,7 +450,7 @@ def _root_size(root: Node) -> tuple[float, float]:
     for name in ("width", "height"):
         try:
             size.append(to_pixels(root.attributes.get(name, "0")))
-        except InvalidValue:
+        except InvalidContent:
             size.append(0.0)
     return size[0], size[1]
 

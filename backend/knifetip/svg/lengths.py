@@ -10,7 +10,7 @@ import math
 import re
 from typing import Final
 
-from knifetip.svg.invalid import InvalidValue
+from knifetip.formats.invalid_content import InvalidContent
 
 #: CSS pixels in one unit; 96 pixels are one inch.
 PIXELS: Final[dict[str, float]] = {
@@ -34,12 +34,12 @@ def parse_length(text: str) -> tuple[float, str]:
 
     Raises
     ------
-    InvalidValue
+    InvalidContent
         The text is not a finite number with an optional unit.
     """
     match = _LENGTH.fullmatch(text)
     if match is None or not math.isfinite(value := float(match[1])):
-        raise InvalidValue("import.bad-value", value=text[:30])
+        raise InvalidContent("import.bad-value", value=text[:30])
     return value, match[2].lower()
 
 
@@ -57,7 +57,7 @@ def to_pixels(text: str, full_length: float = 0.0, font_size: float = 16.0) -> f
 
     Raises
     ------
-    InvalidValue
+    InvalidContent
         The text is not a length.
     """
     try:
@@ -74,5 +74,5 @@ def to_pixels(text: str, full_length: float = 0.0, font_size: float = 16.0) -> f
     if unit == "ex":
         return value * font_size / 2.0
     if unit not in PIXELS:
-        raise InvalidValue("import.value-unit", value=text[:30])
+        raise InvalidContent("import.value-unit", value=text[:30])
     return value * PIXELS[unit]

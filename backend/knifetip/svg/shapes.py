@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
+from knifetip.formats.invalid_content import InvalidContent
 from knifetip.messages import Message
 from knifetip.svg.document import Node
-from knifetip.svg.invalid import InvalidValue
 from knifetip.svg.lengths import to_pixels
 
 
@@ -69,7 +69,7 @@ def _size(node: Node, name: str, full_length: float, default: float = 0.0) -> fl
         return default
     try:
         return to_pixels(text, full_length)
-    except InvalidValue as invalid:
+    except InvalidContent as invalid:
         raise Undrawable(Message("import.bad-size", name=name, reason=invalid.message)) from None
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
+from knifetip.formats.invalid_content import InvalidContent
 from knifetip.geometry.affine import Matrix
 from knifetip.model.drawing import Annotation
 from knifetip.svg.document import Node
-from knifetip.svg.invalid import InvalidValue
 from knifetip.svg.lengths import to_pixels
 from knifetip.svg.shapes import Window
 from knifetip.svg.style import Appearance, Cascade
@@ -42,7 +42,7 @@ def text_annotation(
             to_pixels(_first_length(first.attributes.get(name, "0")), full_length)
             for name, full_length in (("x", window[0]), ("y", window[1]))
         )
-    except InvalidValue:
+    except InvalidContent:
         x = y = 0.0
     a, b, c, d, e, f = matrix
     if first is not node:

@@ -9,8 +9,8 @@ import math
 import re
 from typing import Final
 
+from knifetip.formats.invalid_content import InvalidContent
 from knifetip.geometry.affine import IDENTITY, Matrix, compose
-from knifetip.svg.invalid import InvalidValue
 
 _CALL: Final = re.compile(r"[\s,]*([A-Za-z]+)\s*\(([^()]*)\)[\s,]*")
 _SEPARATOR: Final = re.compile(r"[\s,]+")
@@ -24,12 +24,12 @@ def parse_numbers(text: str) -> list[float]:
 
     Raises
     ------
-    InvalidValue
+    InvalidContent
         The text contains something that is not a number.
     """
     rest = _SEPARATOR.sub("", _NUMBER.sub("", text))
     if rest:
-        raise InvalidValue("import.value-not-numbers", value=rest[:20])
+        raise InvalidContent("import.value-not-numbers", value=rest[:20])
     return [float(number) for number in _NUMBER.findall(text)]
 
 
@@ -40,7 +40,7 @@ def parse_transform(text: str) -> Matrix:
 
     Raises
     ------
-    InvalidValue
+    InvalidContent
         The text is not a valid list of transforms.
     """
     matrix = IDENTITY
@@ -50,7 +50,7 @@ def parse_transform(text: str) -> Matrix:
         if call is None:
             if not text[position:].strip(" \t\r\n,"):
                 break
-            raise InvalidValue(
+            raise InvalidContent(
                 "import.value-not-transform", value=text[position : position + 30].strip()
             )
         matrix = compose(matrix, _matrix_of(call[1], parse_numbers(call[2])))
@@ -78,7 +78,7 @@ def _matrix_of(name: str, arguments: list[float]) -> Matrix:
         return 1.0, 0.0, math.tan(math.radians(arguments[0])), 1.0, 0.0, 0.0
     if name == "skewY" and count == 1:
         return 1.0, math.tan(math.radians(arguments[0])), 0.0, 1.0, 0.0, 0.0
-    raise InvalidValue("import.value-transform-numbers", name=name, count=count)
+    raise InvalidContent("import.value-transform-numbers", name=name, count=count)
 
 
 def cosine_and_sine(degrees: float) -> tuple[float, float]:
@@ -86,11 +86,11 @@ def cosine_and_sine(degrees: float) -> tuple[float, float]:
 
     Raises
     ------
-    InvalidValue
+    InvalidContent
         The angle is not finite.
     """
     if not math.isfinite(degrees):
-        raise InvalidValue("import.value-angle", degrees=degrees)
+        raise InvalidContent("import.value-angle", degrees=degrees)
     quarter, rest = divmod(degrees % 360.0, 90.0)
     if rest == 0.0:
         return ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[int(quarter) % 4]

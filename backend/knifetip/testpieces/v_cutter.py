@@ -75,7 +75,7 @@ def _has_inner_groove(bench: Bench, cutter: VCutter) -> bool:
 
 
 def draw(bench: Bench) -> Piece:
-    """Return a piece with a groove that ends at the board's edge, and one inside with a scale.
+    """Return a piece with two grooves: one ends at its edge, the other one beside a scale inside.
 
     Raises
     ------

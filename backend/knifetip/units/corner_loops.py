@@ -32,7 +32,7 @@ _CIRCUMFERENCE: Final = (0.05, 0.8)
 
 
 def loop_evidence(drawing: Drawing, size: float) -> list[UnitEvidence]:
-    """Return the evidence for each unit in which the corner loops are as large as a laser's.
+    """Return the evidence for each unit in which loops at corners fit the width of a laser beam.
 
     Parameters
     ----------

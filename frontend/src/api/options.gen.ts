@@ -21,6 +21,7 @@ export const EDGE_OPTIONS = {
       "half-cut"
     ],
     "byType": false,
+    "ofCutters": false,
     "help": false,
     "fields": {
       "at": {
@@ -49,6 +50,7 @@ export const EDGE_OPTIONS = {
       "half-cut"
     ],
     "byType": true,
+    "ofCutters": false,
     "help": false,
     "fields": {
       "passes": {
@@ -75,6 +77,7 @@ export const EDGE_OPTIONS = {
       "combi"
     ],
     "byType": true,
+    "ofCutters": false,
     "help": false,
     "fields": {
       "depth": {
@@ -97,6 +100,7 @@ export const EDGE_OPTIONS = {
       "combi"
     ],
     "byType": true,
+    "ofCutters": false,
     "help": true,
     "fields": {
       "station": {
@@ -114,6 +118,7 @@ export const EDGE_OPTIONS = {
       "cut"
     ],
     "byType": true,
+    "ofCutters": true,
     "help": true,
     "fields": {
       "length": {
@@ -141,6 +146,7 @@ export const EDGE_OPTIONS = {
       "perforation"
     ],
     "byType": true,
+    "ofCutters": false,
     "help": false,
     "fields": {
       "factor": {
@@ -158,6 +164,7 @@ export const EDGE_OPTIONS = {
       "cut"
     ],
     "byType": true,
+    "ofCutters": true,
     "help": true,
     "fields": {
       "type": {

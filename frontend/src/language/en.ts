@@ -367,7 +367,7 @@ export const en = {
     "No cut widths to show: every tool of this program cuts on the line itself.",
   "pathLegend.removesAStripWide": "removes a strip {radius} wide",
   "pathLegend.cutsAGrooveWideAt": "cuts a groove {depth} wide at the top face, {depth2} deep",
-  "pathLegend.pressesOnOfTheCrease": "presses on {radius} of the crease at a time, {depth} deep",
+  "pathLegend.pressesOnOfTheCrease": "presses a length of {radius} of the crease at a time, {depth} deep",
   // panels/drawing/PreparationBanner.tsx
   "preparationBanner.firstStartOfTheServer":
     "First start of the server: {compiled, number} of {parts, number} software modules are ready",
@@ -1591,7 +1591,7 @@ export const en = {
   "selectMenu.any": "Any",
   "selectMenu.lengthFrom": "Length from",
   "selectMenu.lengthTo": "to",
-  "selectMenu.whatTheyDo": "What they do to the selection",
+  "selectMenu.whatTheyDo": "How the edges found change the selection",
   "selectMenu.edges": "{count, plural, one {# edge} other {# edges}}",
   "selectMenu.select": "Select",
   // panels/drafting/DimensionOverlay.tsx
@@ -1742,7 +1742,7 @@ export const en = {
   "bridges.byTheBoard": "Without a bridge placed by hand, outlines have those of the board.",
   "bridges.requiredByTheBoard":
     "The board has bridges of {width} mm, at most {spacing} mm apart. An outline with a bridge placed by hand has only such bridges.",
-  "bridges.noneByTheBoard": "The board has no bridges. Place them where a part must be held.",
+  "bridges.noneByTheBoard": "This board sets no bridges. Place them where a part must be held.",
   "bridges.clickTheOutline":
     "In the drawing, click the places on the outline of a part where board should stay.",
   "bridges.widthOfTheNext": "Width",

@@ -840,7 +840,7 @@ async def test_an_outcome_that_was_not_heard_is_reported_in_its_own_words(tmp_pa
     journal = Journal(path)
     journal.begin("job-0", 9, "00", 40)
     journal.line("job-0", 0, 17, 20)
-    journal.outcome("job-0", "interrupted", stored("A belt tore."))
+    journal.record_outcome("job-0", "interrupted", stored("A belt tore."))
     office = Office()
     async with table(speed=100.0) as server:
         await gateway(office, server, journal=path)

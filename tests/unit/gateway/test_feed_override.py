@@ -38,7 +38,7 @@ async def dialled() -> AsyncIterator[tuple[Recorder, Grbl]]:
     server = Server(Recorder())
     await server.start("127.0.0.1", 0)
     async with server:
-        safe = SafeState.of(MACHINE)
+        safe = SafeState.from_machine(MACHINE)
         controller = await driver.dial(server.address, safe, silence=1.0, poll=0.02)
         table = server.table
         assert isinstance(table, Recorder)

@@ -70,7 +70,7 @@ def test_only_what_precedes_motion_must_be_recorded(
     journal.line("a", 0, 12, 20)
     journal.line("a", 0, 13, 20)
     journal.record_copy("a", 1)
-    journal.outcome("a", "done", None)
+    journal.record_outcome("a", "done", None)
     journal.end("a", 1, "done", None)
     assert [record.getMessage()[:32] for record in caplog.records] == [
         "the journal cannot be written: ["
@@ -92,7 +92,7 @@ def test_a_line_cut_short_by_the_power_does_not_hide_the_rest(tmp_path: Path) ->
         file.write(b'{"event": "line", "job": "a", "exec')
     assert journal.unfinished() == UnfinishedJob("a", 1, "00", lines=50, line=12)
     # The next line is not appended to the broken one.
-    Journal(path).outcome("a", "done", None)
+    Journal(path).record_outcome("a", "done", None)
     assert Journal(path).unfinished() == UnfinishedJob(
         "a", 1, "00", lines=50, line=12, outcome="done"
     )
@@ -134,7 +134,7 @@ def test_copies_and_an_outcome_that_was_not_heard_are_found(tmp_path: Path) -> N
     journal.begin_copy("a")
     journal.program("a", "/programs/a.ngc")
     journal.line("a", 1, 7, 9)
-    journal.outcome("a", "cancelled", Message("gateway.cancelled", line=7), 9)
+    journal.record_outcome("a", "cancelled", Message("gateway.cancelled", line=7), 9)
     assert journal.unfinished() == UnfinishedJob(
         "a",
         1,

@@ -283,8 +283,8 @@ async def test_a_wrong_password_is_reported() -> None:
 
 
 def test_the_options_of_an_address_are_read() -> None:
-    assert LinuxcncAddress.of("table").name == "table:5007"
-    address = LinuxcncAddress.of("linuxcnc://table:5008/?programs=/here&remote=/there&joints=5")
+    assert LinuxcncAddress.parse("table").name == "table:5007"
+    address = LinuxcncAddress.parse("linuxcnc://table:5008/?programs=/here&remote=/there&joints=5")
     assert (address.name, address.programs, address.remote) == ("table:5008", "/here", "/there")
     assert address.joints == 5
 
@@ -303,7 +303,7 @@ def test_the_options_of_an_address_are_read() -> None:
 )
 def test_a_bad_address_is_refused(address: str) -> None:
     with pytest.raises(ControllerError, match="not a valid address of LinuxCNC"):
-        LinuxcncAddress.of(address)
+        LinuxcncAddress.parse(address)
 
 
 async def test_a_folder_that_cannot_be_written_is_reported(tmp_path: Path) -> None:
@@ -522,7 +522,7 @@ async def test_a_program_beyond_the_travel_is_refused_before_it_starts(
     # The zero of programs lies at X 100 of the machine.
     shell.values |= {"inifile": str(ini), "abs_act_pos": "101.0 2.0 20.0 0.0 0.0 45.0"}
     text = b"G21 G90\nG1 X10 F600\nG1 %b\nG1 X30\n" % target
-    async with dialled(shell, SafeState.of(load.machine("demo-table"))) as controller:
+    async with dialled(shell, SafeState.from_machine(load.machine("demo-table"))) as controller:
         with pytest.raises(ControllerError) as refused:
             await executed_lines(text, controller, [])
     if limit is None:

@@ -33,7 +33,7 @@ from knifetip.simulators.mcx314.board_link import LinkFaults
 from knifetip.simulators.mcx314.simulator import BoardServer
 
 TABLE = load.machine("v-groove-table")
-SAFE = SafeState.of(TABLE)
+SAFE = SafeState.from_machine(TABLE)
 HEAD = """MCX314 1
 PULSES X200 Y200 Z400 C100
 GO Z8000
@@ -73,7 +73,7 @@ async def connected(
 
 
 def run(text: bytes, controller: Mcx314) -> aclosing[AsyncGenerator[Progress, None]]:
-    return aclosing(stream(text, controller, limits=Limits.of(TABLE), interval=0.01))
+    return aclosing(stream(text, controller, limits=Limits.from_machine(TABLE), interval=0.01))
 
 
 async def run_to_end(text: bytes, controller: Mcx314) -> list[Progress]:
@@ -287,7 +287,7 @@ async def test_a_gateway_that_is_gone_leaves_a_machine_that_makes_itself_safe(
 
 async def test_a_machine_that_still_runs_is_taken_over_only_on_request() -> None:
     async with connected(speed=1.0) as (server, first):
-        updates = stream(strips(4), first, limits=Limits.of(TABLE), interval=0.01)
+        updates = stream(strips(4), first, limits=Limits.from_machine(TABLE), interval=0.01)
         await until_cutting(updates, 0.02)
         await first.close()
         busy = await dial(server.address, SAFE)

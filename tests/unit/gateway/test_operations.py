@@ -22,7 +22,7 @@ from knifetip.simulators.grbl.table import Table
 from tests.unit.gateway.test_grbl import Wire, opened
 
 MACHINE = load.machine("demo-table")
-SAFE = SafeState.of(MACHINE)
+SAFE = SafeState.from_machine(MACHINE)
 
 
 def on_time() -> bool:

@@ -11,8 +11,8 @@ from knifetip.gateway.transport import byte_rate
 
 
 def test_grblhal_is_asked_twice_as_often_as_other_firmware() -> None:
-    assert Polling.of(grblhal=True, byte_rate=math.inf) == Polling(0.05, 0.01)
-    assert Polling.of(grblhal=False, byte_rate=math.inf) == Polling(0.1, 0.02)
+    assert Polling.for_controller(grblhal=True, byte_rate=math.inf) == Polling(0.05, 0.01)
+    assert Polling.for_controller(grblhal=False, byte_rate=math.inf) == Polling(0.1, 0.02)
 
 
 # 115,200 bits per second are 11,520 bytes per second, of which reports of 110 bytes may take a
@@ -24,7 +24,7 @@ def test_grblhal_is_asked_twice_as_often_as_other_firmware() -> None:
 def test_reports_take_at_most_a_quarter_of_a_slow_connection(
     baud: int, usual: float, soon: float
 ) -> None:
-    polling = Polling.of(grblhal=True, byte_rate=baud / 10.0)
+    polling = Polling.for_controller(grblhal=True, byte_rate=baud / 10.0)
     assert (polling.usual, polling.soon) == pytest.approx((usual, soon), abs=1e-3)
 
 

@@ -165,4 +165,4 @@ async def test_a_controller_that_reports_nothing_is_reset_all_the_same(
 
 def test_the_safe_state_of_a_machine_has_all_its_outputs_off_and_z_at_travel_height() -> None:
     machine = load.machine("demo-table")
-    assert SafeState.of(machine) == SafeState((0, 1, 2), 20.0)
+    assert SafeState.from_machine(machine) == SafeState((0, 1, 2), 20.0)

@@ -27,7 +27,7 @@ from tests.unit.gateway.test_grbl import Wire, opened
 KNIFE = load.machine("demo-table")
 LASER = load.machine("laser-table")
 ROUTER = load.machine("router-table")
-SAFE = SafeState.of(KNIFE)
+SAFE = SafeState.from_machine(KNIFE)
 
 
 @asynccontextmanager
@@ -43,7 +43,7 @@ async def table(machine: Machine, changed: Mapping[int, str], axes: str) -> Asyn
 
 
 async def connected(server: Server, machine: Machine = KNIFE) -> Grbl:
-    return await dial(server.address, SafeState.of(machine), silence=1.0, poll=0.02)
+    return await dial(server.address, SafeState.from_machine(machine), silence=1.0, poll=0.02)
 
 
 def summary(messages: tuple[Message, ...]) -> list[tuple[str, str, str, str]]:
@@ -186,7 +186,7 @@ async def test_a_refused_machine_is_taken_when_its_setting_is_right() -> None:
 async def test_a_beam_needs_a_controller_that_reports_its_mode() -> None:
     wire = Wire({"$$": "$10=511\n$30=1000\nok"})
     with pytest.raises(ControllerError, match="not in laser mode"):
-        async with opened(wire, safe=SafeState.of(LASER)):
+        async with opened(wire, safe=SafeState.from_machine(LASER)):
             pass
     assert "M5" not in wire.lines
 

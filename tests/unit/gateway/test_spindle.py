@@ -33,7 +33,7 @@ MACHINE = replace(DEMO, stations=(KNIFE, *DEMO.stations[1:]))
 async def machine() -> AsyncIterator[tuple[Table, driver.Grbl]]:
     async with await simulator.serve(MACHINE, speed=50.0) as server, asyncio.timeout(120.0):
         controller = await driver.dial(
-            server.address, SafeState.of(MACHINE), silence=0.5, poll=0.02
+            server.address, SafeState.from_machine(MACHINE), silence=0.5, poll=0.02
         )
         try:
             yield server.table, controller

@@ -144,7 +144,7 @@ M30
 
 
 def test_the_times_of_lines_are_those_of_the_simulated_table() -> None:
-    limits = Limits.of(MACHINE)
+    limits = Limits.from_machine(MACHINE)
     lines = LineTimes(limits)
     for block in read_blocks(PROGRAM, Interpreter((0.0, 0.0, MACHINE.travel_z, 0.0))):
         lines.add(block)

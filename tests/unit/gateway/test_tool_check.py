@@ -108,9 +108,9 @@ async def test_a_wrong_check_moves_nothing(
 def test_a_point_in_a_keep_out_zone_is_refused() -> None:
     clamped = replace(MACHINE, zones=(Zone("clamp", 190.0, 140.0, 5.0, 5.0, 15.0),))
     check = Operation(OperationName.TOOL_CHECK, station=3, point=(200.0, 150.0), height=4.0)
-    CheckedPoint.of(check, MACHINE)
+    CheckedPoint.from_operation(check, MACHINE)
     with pytest.raises(ControllerError) as refused:
-        CheckedPoint.of(check, clamped)
+        CheckedPoint.from_operation(check, clamped)
     assert refused.value.message.code == "tool-check.in-zone"
 
 

@@ -30,7 +30,7 @@ from knifetip.library import load
 from knifetip.simulators.grbl.table import BANNER, Table
 
 MACHINE = load.machine("demo-table")
-SAFE = SafeState.of(MACHINE)
+SAFE = SafeState.from_machine(MACHINE)
 SILENCE = 0.3
 #: Seconds by which the table's time advances with each ``?``.
 STEP = 0.02
@@ -125,7 +125,9 @@ class Bench:
 
     async def run(self, program: bytes = PROGRAM) -> Progress:
         """Stream a program; return the last report of progress."""
-        course = stream(program, self.controller, limits=Limits.of(MACHINE), interval=0.001)
+        course = stream(
+            program, self.controller, limits=Limits.from_machine(MACHINE), interval=0.001
+        )
         async with asyncio.timeout(120.0), aclosing(course) as steps:
             return [progress async for progress in steps][-1]
 

@@ -26,7 +26,7 @@ from knifetip.gateway.transport import connect
 from knifetip.library import load
 
 MACHINE = load.machine("demo-table")
-SAFE = SafeState.of(MACHINE)
+SAFE = SafeState.from_machine(MACHINE)
 
 
 class RefuseAll(http.server.BaseHTTPRequestHandler):

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from knifetip import pipeline
+from knifetip import pipeline, toolpaths
 from knifetip.library import load
 from knifetip.model.contour_starts import ContourStarts
 from knifetip.model.dieline import Dieline, LineType
@@ -88,5 +88,5 @@ def test_programs_with_chosen_starts_are_faster_and_accepted(
     job = replace(drawing_of(drawn.ends), unit="mm"), drawn, load.machine(machine), board
     chosen = pipeline.compile(*job)
     assert chosen.verdict.accepted, chosen.verdict.findings
-    monkeypatch.setattr(pipeline, "contour_starts", lambda operation: None)
+    monkeypatch.setattr(toolpaths, "contour_starts", lambda operation: None)
     assert chosen.seconds < pipeline.compile(*job).seconds - 1e-3

@@ -289,7 +289,7 @@ class BlockExpansion:
         if insert_style is not None and counted.layer == "0":
             counted = replace(counted, layer=insert_style.layer)
         handle = path + entry.handle
-        if counted.paper:
+        if counted.in_paper_space:
             in_layout = paper_space_reason(counted.kind)
             self.sheet.row(handle, counted.kind, counted.layer, in_layout)
             return

@@ -118,12 +118,18 @@ def _match(
     pairs: list[_Pair] = []
     for number, one in enumerate(counted):
         partner = matches.get(number)
-        if partner is None and (paper or not one.paper) and (same := by_kind.get(one.kind)):
+        if (
+            partner is None
+            and (paper or not one.in_paper_space)
+            and (same := by_kind.get(one.kind))
+        ):
             partner = same.popleft()
         pairs.append((one, one.handle or f"#{number + 1}", partner))
     # Entities that only ezdxf found are added.
     for entity in (entity for unmatched in by_kind.values() for entity in unmatched):
         dxf = entity.dxf
-        extra = PrescannedEntity(entity.dxftype(), "", str(dxf.get("layer", "0")), paper=False)
+        extra = PrescannedEntity(
+            entity.dxftype(), "", str(dxf.get("layer", "0")), in_paper_space=False
+        )
         pairs.append((extra, str(dxf.get("handle", "")) or f"#{len(pairs) + 1}", entity))
     return pairs

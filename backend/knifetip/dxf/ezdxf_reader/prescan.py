@@ -33,7 +33,7 @@ class PrescannedEntity:
     kind: str  #: LINE, ARC, INSERT …
     handle: str  #: empty if the file gives no handle
     layer: str
-    paper: bool  #: whether the entity is in paper space
+    in_paper_space: bool
     words: Annotation | None = None
     box: F64 | None = None  #: (4,) bounding box, see ``location_boxes``
 
@@ -74,7 +74,7 @@ class Prescan:
     @property
     def annotations(self) -> tuple[Annotation, ...]:
         """The annotations of the texts and dimensions in model space."""
-        return tuple(one.words for one in self.entities if one.words and not one.paper)
+        return tuple(one.words for one in self.entities if one.words and not one.in_paper_space)
 
 
 def prescan(data: bytes, lines_before: int = 0) -> Prescan:
@@ -187,7 +187,9 @@ def _unpack_layouts(prescan_: Prescan) -> None:
     ]:
         paper = name.startswith("*paper")
         for counted in prescan_.blocks.pop(name).entities:
-            prescan_.entities.append(replace(counted, paper=paper or counted.paper))
+            prescan_.entities.append(
+                replace(counted, in_paper_space=paper or counted.in_paper_space)
+            )
 
 
 def _ascii_tags(data: bytes, prescan_: Prescan) -> tuple[list[int], list[bytes]]:

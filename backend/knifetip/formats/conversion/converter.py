@@ -81,7 +81,7 @@ class Conversion:
             error=error.message,
         )
 
-    def refusal_of_nothing(self) -> NotADrawing:
+    def empty_file_error(self) -> NotADrawing:
         """Return the error that the converted file contains nothing."""
         return NotADrawing("conversion.no-result", program=self.program, what=self.kind)
 
@@ -172,7 +172,7 @@ class Converter:
             converted, kind, self.title, program.version, self.list_losses(finished.log)
         )
         if not converted:
-            raise conversion.refusal_of_nothing()
+            raise conversion.empty_file_error()
         return conversion
 
     def _check(self, finished: FinishedProcess, data: bytes, kind: Message, budget: Budget) -> None:

@@ -188,7 +188,9 @@ class Grbl(GrblOperations):
         connection.rotary = found.rotary_axis
         connection.buffer.set_size(found.buffer)
         if self._chooses_polling:
-            connection.polling = Polling.of(grblhal=found.grblhal, byte_rate=connection.byte_rate)
+            connection.polling = Polling.for_controller(
+                grblhal=found.grblhal, byte_rate=connection.byte_rate
+            )
         last = max(self._safe.outputs, default=-1) if self._safe else -1
         if found.outputs is not None and found.outputs <= last:
             raise connection.fail(

@@ -30,7 +30,7 @@ class Polling:
     soon: float = SOON  #: time if a line was answered, so that the machine is on another move (s)
 
     @classmethod
-    def of(cls, *, grblhal: bool, byte_rate: float) -> Polling:
+    def for_controller(cls, *, grblhal: bool, byte_rate: float) -> Polling:
         """Return the intervals for a controller.
 
         Parameters

@@ -46,7 +46,7 @@ class LinuxcncAddress:
         return f"{host}:{self.port}"
 
     @classmethod
-    def of(cls, address: str) -> LinuxcncAddress:
+    def parse(cls, address: str) -> LinuxcncAddress:
         """Parse an address.
 
         Raises

@@ -253,7 +253,7 @@ async def dial(
     ControllerError
         LinuxCNC does not answer.
     """
-    place = LinuxcncAddress.of(address)
+    place = LinuxcncAddress.parse(address)
     connection = LinuxcncConnection(place, silence, safe.heading_letter if safe else "C")
     controller = Linuxcnc(connection, ProgramFolder(place), safe, poll)
     return await take_control(controller, stop_motion=stop_motion)

@@ -129,7 +129,7 @@ class Sentences:
         return f"T{use.number}  {use.name}", tool, length, self.duration(use.seconds)
 
     def line_types(self) -> list[tuple[str, str]]:
-        """Return the name of the layer of each line type, and a text with its length."""
+        """Return for each line type its name and a text with the length of its edges."""
         return [
             (
                 one.line_type.upper(),

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 from pydantic import AfterValidator, BeforeValidator, Field, GetJsonSchemaHandler
 from pydantic_core import CoreSchema
 
-from knifetip.fields import LISTED, InvalidFields, Table, check_fields, field_error
+from knifetip.fields import LISTED, InvalidFields, PartTable, check_fields, field_error
 from knifetip.languages.hpgl.plotter import CM_PER_SECOND, Device, Pen, PenWork, Plotter
 from knifetip.messages import Message
 from knifetip.model.machine import Machine, Station
@@ -79,7 +79,7 @@ def _check_range(value: list[int]) -> list[int]:
 _Range = Annotated[list[int], Field(min_length=2, max_length=2), AfterValidator(_check_range)]
 
 
-class DeviceTable(Table):
+class DeviceTable(PartTable):
     """The TOML table of an HPGL device, as in ``devices.toml``."""
 
     title: str = Field(description="name of the device")
@@ -125,7 +125,7 @@ class DeviceTable(Table):
         )
 
 
-class PenTable(Table):
+class PenTable(PartTable):
     """The TOML table of one pen of an HPGL device."""
 
     number: int = Field(gt=0, description="number of the pen in programs (SP)")
@@ -152,7 +152,7 @@ class _NamedDevice:
         return {"oneOf": [*named, own]}
 
 
-class ControllerTable(Table):
+class ControllerTable(PartTable):
     """The TOML table ``[controller]`` of an HPGL machine."""
 
     device: Annotated[DeviceTable, BeforeValidator(_find_device), _NamedDevice()] = Field(
@@ -161,7 +161,7 @@ class ControllerTable(Table):
     pen: list[PenTable] = Field([], description="pens, one for each work of a tool")
 
 
-class Settings(Table):
+class Settings(PartTable):
     """The part of a machine's TOML file that contains the settings of HPGL."""
 
     controller: ControllerTable

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 from annotated_types import Le
 from pydantic import Field
 
-from knifetip.fields import InvalidFields, Table, check_fields
+from knifetip.fields import InvalidFields, PartTable, check_fields
 from knifetip.languages.mcx314 import figures
 from knifetip.languages.mcx314.wiring import Wiring
 from knifetip.messages import Message
@@ -23,7 +23,7 @@ OUTPUTS = 16
 _Fault = tuple[tuple[str, ...], str, dict[str, Any]]
 
 
-class PulsesTable(Table):
+class PulsesTable(PartTable):
     """The TOML table of the pulses of each axis."""
 
     x: Positive
@@ -32,7 +32,7 @@ class PulsesTable(Table):
     c: Positive
 
 
-class ControllerTable(Table):
+class ControllerTable(PartTable):
     """The TOML table ``[controller]`` of an MCX314 machine."""
 
     pulses: PulsesTable
@@ -55,7 +55,7 @@ class ControllerTable(Table):
         )
 
 
-class Settings(Table):
+class Settings(PartTable):
     """The part of a machine's TOML file that contains the settings of an MCX314."""
 
     controller: ControllerTable

@@ -86,7 +86,7 @@ MESSAGES: Final[Entries] = {
         reason="message",
     ),
     "drawing.of-another": entry(
-        "The drawing {drawing} was uploaded by somebody else and is not shared.",
+        "The drawing {drawing} was uploaded by another user and is not shared.",
         "Ask its owner or an operator to share it with all designers, or upload the file again.",
         drawing="text",
     ),

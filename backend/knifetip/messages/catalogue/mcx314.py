@@ -181,18 +181,18 @@ MESSAGES: Final[Entries] = {
     ),
     "mcx314.pulses-of-board": entry(
         "The program states other pulses per millimetre or degree than {name} has.",
-        "Compare [controller] in the machine file with the settings of the board, then compile the "
-        "job again.",
+        "Compare [controller] in the machine file with the settings of the controller board, then "
+        "compile the job again.",
         name="text",
     ),
     "mcx314.lost": entry(
         "The connection to {name} is lost.",
-        "Check the cable to the board, then check the sheet on the table.",
+        "Check the cable to the controller board, then check the sheet on the table.",
         name="text",
     ),
     "mcx314.silent": entry(
         "{name} has not answered for {seconds:g} s.",
-        "Check that the board is switched on, then check the sheet on the table.",
+        "Check that the controller board is switched on, then check the sheet on the table.",
         name="text",
         seconds="number",
     ),
@@ -216,13 +216,13 @@ MESSAGES: Final[Entries] = {
     ),
     "mcx314.gave-up": entry(
         "{name} has received nothing from this gateway for {seconds:g} s and stopped the program.",
-        "Check the connection to the board, then check the sheet on the table.",
+        "Check the connection to the controller board, then check the sheet on the table.",
         name="text",
         seconds="number",
     ),
     "mcx314.stopped": entry(
         "{name} has discarded the program at line {line}.",
-        "Another program may be connected to the board. Check the sheet on the table.",
+        "Another program may be connected to the controller board. Check the sheet on the table.",
         name="text",
         line="count",
     ),

@@ -14,6 +14,7 @@ from collections.abc import Collection, Sequence
 from typing import Final
 
 import sqlalchemy as sa
+from sqlalchemy.orm import Session
 
 from knifetip.contract.job import new_id
 from knifetip.errors import NotFound, RequestError, WrongState
@@ -110,9 +111,7 @@ class KeyStore:
             There is no such key.
         """
         with self._db.writing() as session:
-            row = session.get(ApiKey, id)
-            if row is None:
-                raise NotFound("key.unknown", id=short(id))
+            row = _find(session, id)
             set_subject(session, "key", id)
             row.revoked = row.revoked or self._db.clock()
             return row
@@ -131,9 +130,7 @@ class KeyStore:
         """
         secret = new_secret(id)
         with self._db.writing() as session:
-            row = session.get(ApiKey, id)
-            if row is None:
-                raise NotFound("key.unknown", id=short(id))
+            row = _find(session, id)
             if row.revoked is not None:
                 raise WrongState("key.revoked", id=id)
             set_subject(session, "key", id)
@@ -183,6 +180,13 @@ class KeyStore:
             with self._db.writing() as session:
                 session.execute(sa.update(ApiKey).where(ApiKey.id == row.id).values(used=now))
         return row
+
+
+def _find(session: Session, id: str) -> ApiKey:
+    row = session.get(ApiKey, id)
+    if row is None:
+        raise NotFound("key.unknown", id=short(id))
+    return row
 
 
 def _check_limits(scopes: Collection[AccessScope], limits: KeyLimits) -> None:

@@ -32,7 +32,7 @@ class ProcessLink(Protocol):
         """Name of this process, which no other running process has."""
 
     def close(self) -> None:
-        """Release the name."""
+        """End the connection; other processes may reserve the name then."""
 
 
 def join(url: str, changes: ChangeNotifier, name: str, role: str) -> ProcessLink:
@@ -141,5 +141,5 @@ class FileLink:
         return self._name
 
     def close(self) -> None:
-        """Release the name."""
+        """End the connection; other processes may reserve the name then."""
         self._lock.close()

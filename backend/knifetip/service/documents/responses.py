@@ -156,7 +156,7 @@ class Answer:
         if is_known(f'"{version}"', self.request.headers.get("If-None-Match")):
             return Response(status_code=304, headers=_headers(version, weak=packed))
         if document.calculates or is_large:
-            client = Client.of(self.request).name
+            client = Client.from_request(self.request).name
             built = await self.documents.get(client, row, document)
         else:
             built = await run_in_threadpool(_make_here, id, document)

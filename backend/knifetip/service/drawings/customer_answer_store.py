@@ -38,7 +38,7 @@ class CustomerAnswerStore:
         uses: Sequence[dict[str, Any]],
         unit: str = "",
     ) -> None:
-        """Store what a drawing teaches, in place of what it taught before.
+        """Store the answers that are learned from a drawing, in place of its earlier ones.
 
         Parameters
         ----------
@@ -49,7 +49,8 @@ class CustomerAnswerStore:
         name, sha256
             Name and SHA-256 of the file.
         uses
-            JSON data of the uses of looks, see ``customer_answers.use_json``.
+            JSON data of the answers that the drawing gives: line types by look (layer, colour and
+            line style), see ``customer_answers.use_json``.
         unit
             Unit that a user gave to the file; "" for none.
         """

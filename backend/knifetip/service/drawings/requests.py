@@ -73,7 +73,7 @@ class Upload:
             Idempotency-Key of the request, None if it has none.
         """
         sha256 = hashlib.sha256(self.content).hexdigest()
-        return RequestIdentity.of("upload", key, self.fingerprint(sha256).encode())
+        return RequestIdentity.from_content("upload", key, self.fingerprint(sha256).encode())
 
 
 def add_drawing(

@@ -60,7 +60,7 @@ class _Runs(NamedTuple):
 
 
 class StatisticsStore:
-    """Repository of statistics."""
+    """Computes statistics of ended jobs from the tables."""
 
     def __init__(self, database: Database) -> None:
         self._db = database

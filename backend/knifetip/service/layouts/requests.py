@@ -129,7 +129,7 @@ def _compose(service: Service, layout: Layout) -> tuple[Layout, bytes, Reading]:
             )
         }
     )
-    archive = LayoutArchive.of(pinned, [(id, row.edges) for id, row in found.items()])
+    archive = LayoutArchive.from_layout(pinned, [(id, row.edges) for id, row in found.items()])
     content = archive.pack()
     return pinned, content, service.run(layout_tasks.compose_sheet, content)
 

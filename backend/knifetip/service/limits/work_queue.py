@@ -68,7 +68,7 @@ class Client(NamedTuple):
     has_gone: Callable[[], Awaitable[bool]] = _stays  #: whether it has closed its connection
 
     @classmethod
-    def of(cls, request: Request) -> Client:
+    def from_request(cls, request: Request) -> Client:
         """Return the client of a request: its address, and its key if it has sent one."""
         address = "" if request.client is None else request.client.host
         key = request.headers.get("Authorization") or request.headers.get("Cookie") or ""
@@ -83,7 +83,7 @@ class RequestIdentity(NamedTuple):
     has_key: bool  #: whether the request has an Idempotency-Key
 
     @classmethod
-    def of(cls, operation: str, key: str | None, *content: bytes) -> RequestIdentity:
+    def from_content(cls, operation: str, key: str | None, *content: bytes) -> RequestIdentity:
         """Return the identity of a request of the acting principal.
 
         Parameters
@@ -324,7 +324,7 @@ def queued(endpoint: Callable[P, T]) -> Callable[P, Awaitable[T]]:
         def call() -> tuple[T, Response | None]:
             return endpoint(*args, **named), own
 
-        result, response = await service.work.run(call, Client.of(request), identity)
+        result, response = await service.work.run(call, Client.from_request(request), identity)
         if own is not None and response is not None and response is not own:
             own.raw_headers.extend(response.raw_headers)
         return result
@@ -345,7 +345,7 @@ def _identity(operation: str, named: Mapping[str, object]) -> RequestIdentity:
         if name not in _CIRCUMSTANCES
         for part in (name.encode(), _content(value))
     ]
-    return RequestIdentity.of(operation, key, *parts)
+    return RequestIdentity.from_content(operation, key, *parts)
 
 
 def _content(value: object) -> bytes:

@@ -146,7 +146,7 @@ async def place_order_with_file(
     soon as the questions are answered.
     """
     _permit(principal, sent.order)
-    client = Client.of(request)
+    client = Client.from_request(request)
     if sent.is_stored:
         drawing = await service.orders.run(partial(store_drawing, service, sent, key), client)
         order = job_order(sent.order, drawing.id)

@@ -52,7 +52,7 @@ async def order_job(
     answer questions about the drawing, the status is 409 and the response contains the
     ``questions``.
     """
-    return await create_job(service, principal, Client.of(request), response, order, key)
+    return await create_job(service, principal, Client.from_request(request), response, order, key)
 
 
 @router.get("", responses=NOT_MODIFIED)

@@ -54,7 +54,7 @@ class SentOrder:
 
     def identity(self, text: str | None) -> RequestIdentity:
         """Return what the order has in common with its repetitions."""
-        return RequestIdentity.of("order", text, self.fingerprint().encode())
+        return RequestIdentity.from_content("order", text, self.fingerprint().encode())
 
     def fingerprint(self) -> str:
         """Return a hash of the content of the order."""

@@ -9,7 +9,8 @@ from knifetip.testpieces.piece import Piece
 def write_piece(progress: Progress, piece: Piece) -> bytes:
     """Return the DXF file of a test piece.
 
-    ezdxf's fixed dates are a setting of the process, so the file is written in one of its own.
+    It is written in a worker process, because the fixed dates of ezdxf are a setting of the whole
+    process.
 
     Parameters
     ----------

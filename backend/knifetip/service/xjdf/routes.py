@@ -64,7 +64,7 @@ async def order_by_xjdf(
     relative URL or ``cid:``, or one that was uploaded, as ``/api/v1/drawings/ID``.  ``machine`` and
     ``board`` are used if the document names none.
     """
-    client = Client.of(request)
+    client = Client.from_request(request)
     package = await _open(service, request, client, content, "XJDF")
     submission = XjdfSubmission(package.root, package, wanted, wanted.release, _host(request))
     return await place_xjdf(service, principal, client, response, submission, key)
@@ -87,7 +87,7 @@ async def answer_xjmf(
     document, its orders in XJDF and their drawings: ZIP with ``root.xjmf``, or multipart/related.
     The status is 200 as soon as the document can be read.
     """
-    client = Client.of(request)
+    client = Client.from_request(request)
     package = await _open(service, request, client, content, "XJMF")
     messages = await service.orders.run(partial(read_messages, package.root), client)
     context = MessageContext(service, principal, client, package, defaults, key, _host(request))

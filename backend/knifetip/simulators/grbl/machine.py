@@ -47,7 +47,7 @@ class TableMachine:
         self.switch_events: deque[SwitchEvent] = deque(maxlen=10_000)
         self.oscillating = False
         self.reversed = False  #: the spindle turns counter-clockwise
-        self._limits = Limits.of(machine)  # in work coordinates
+        self._limits = Limits.from_machine(machine)  # in work coordinates
         self._offset: Pose = (0.0, 0.0, 0.0, 0.0)  # machine position of the work zero
         self._planner = Planner(self._limits, BLOCKS, (0.0, 0.0, machine.travel_z, 0.0))
         self._dwell = 0.0

@@ -70,7 +70,7 @@ class Board:
 
     def _switch_on(self, homed: bool) -> None:
         self.boot += 1
-        self._parts = BoardParts.of(
+        self._parts = BoardParts.switched_on(
             self.machine, self._wiring, self.chip, self._record, homed=homed
         )
         self._execution = Execution(self._parts)

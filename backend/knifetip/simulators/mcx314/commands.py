@@ -111,9 +111,9 @@ class Commands:
     def _set_guard(self, rest: str) -> None:
         """``GUARD lift milliseconds outputs``: the safe state when the gateway is gone."""
         try:
-            lift, patience, outputs = rest.split(" ")
+            lift, time_limit, outputs = rest.split(" ")
             numbers = [int(number) for number in outputs.split(",") if number != "-"]
-            self._watchdog.guard = Guard(int(patience) / 1e3, int(lift), tuple(numbers))
+            self._watchdog.guard = Guard(int(time_limit) / 1e3, int(lift), tuple(numbers))
         except ValueError:
             raise RequestRefused("syntax") from None
 

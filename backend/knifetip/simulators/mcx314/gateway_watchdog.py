@@ -16,7 +16,7 @@ MOVE_PATIENCE = 1.0
 class Guard:
     """Settings of the safe state when the gateway is gone."""
 
-    patience: float = 0.0  #: s; 0 for nothing
+    time_limit: float = 0.0  #: s; 0 for nothing
     lift: int = 0  #: least Z in work coordinates (pulses)
     outputs: tuple[int, ...] = ()
 
@@ -55,10 +55,10 @@ class GatewayWatchdog:
         if self._execution.jogs and self._silence > MOVE_PATIENCE:
             self._execution.abort()
             return
-        patience = self.guard.patience
+        time_limit = self.guard.time_limit
         working = self._parts.queue.runs or self._execution.holding
         may_move = not self._parts.interlock.alarm
-        if patience > 0.0 and working and may_move and self._silence > patience:
+        if time_limit > 0.0 and working and may_move and self._silence > time_limit:
             self._execution.abort()
             self.given_up = True
             self._execution.at_rest.extend((self._lift, self._release))

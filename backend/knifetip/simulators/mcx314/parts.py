@@ -44,7 +44,7 @@ class BoardParts:
     record: BoardRecord  #: outlasts an interruption of the power, as the chip does
 
     @classmethod
-    def of(
+    def switched_on(
         cls, machine: Machine, wiring: Wiring, chip: Chip, record: BoardRecord, *, homed: bool
     ) -> BoardParts:
         """Return the parts of a board that was just switched on; everything is off and at rest."""

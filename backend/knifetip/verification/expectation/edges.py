@@ -147,7 +147,7 @@ class Edges:
         return result
 
     def grid(self) -> CurveGrid:
-        """Return a grid of the n ≥ 1 edges; checks share it."""
+        """Return a spatial index of the n ≥ 1 edges; it is built once, for all checks."""
         return self.compute_once("grid", lambda: list_curves(self.curve, _GRID_LIMIT))
 
     def touched_by_points(self, points: F64, limit: float) -> Overlaps:

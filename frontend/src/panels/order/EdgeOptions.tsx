@@ -33,6 +33,7 @@ import {
   edgeFields,
   type FieldValue,
   isByType,
+  isOfCutters,
   type NumberField,
   optionsForEdges,
   stationsForEdges,
@@ -63,9 +64,6 @@ interface SelectionProps {
   rows: readonly number[];
 }
 
-/** Options that only cutters and lasers have. */
-const OF_CUTTERS: readonly EdgeOptionName[] = ["edge_corners", "contour_leads"];
-
 /** The fields of all options for the selected edges. */
 export function EdgeOptions({ edges, rows }: SelectionProps) {
   const names = useOptionNames(edges, rows);
@@ -86,7 +84,7 @@ function useOptionNames(edges: Edges, rows: readonly number[]): EdgeOptionName[]
   const options = useUiStore((ui) => ui.options);
   const offered = (name: EdgeOptionName): boolean => {
     if (name === "edge_tools") return stationsForEdges(machine, edges, rows).length > 1;
-    return !OF_CUTTERS.includes(name) || machine?.offset_cuts === true;
+    return !isOfCutters(name) || machine?.offset_cuts === true;
   };
   return optionsForEdges(edges, rows).filter((name) => offered(name) || options[name].length > 0);
 }

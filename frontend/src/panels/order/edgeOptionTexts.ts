@@ -55,10 +55,9 @@ export function valueText(name: EdgeOptionName, key: string, value: FieldValue):
   if (value === null || field === undefined) return translate("edgeOption.asUsual");
   if (field.unit === "station") return translate("edgeOption.station", { number: value });
   if (field.unit === "fraction") return formatNumber(value, { style: "percent" });
-  if (field.unit === "°") return `${formatNumber(value)}°`;
   return field.unit === "mm"
     ? translate("edgeOption.millimetres", { value: formatNumber(value) })
-    : formatNumber(value);
+    : `${formatNumber(value)}${field.unit}`;
 }
 
 /** The edges or the line type of a choice. */

@@ -47,6 +47,9 @@ export const edgeFields = (name: EdgeOptionName): Fields => EDGE_OPTIONS[name].f
 /** Whether an option may be chosen for a line type as a whole. */
 export const isByType = (name: EdgeOptionName): boolean => EDGE_OPTIONS[name].byType;
 
+/** Whether only cutters and lasers can make what an option chooses. */
+export const isOfCutters = (name: EdgeOptionName): boolean => EDGE_OPTIONS[name].ofCutters;
+
 /** Whether there is a text about an option. */
 export const hasHelp = (name: EdgeOptionName): boolean => EDGE_OPTIONS[name].help;
 

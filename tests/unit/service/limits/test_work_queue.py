@@ -178,7 +178,7 @@ async def test_a_waiting_call_is_dropped_when_its_client_has_gone() -> None:
 
 
 def identity(key: str | None, content: str = "") -> RequestIdentity:
-    return RequestIdentity.of("upload", key, content.encode())
+    return RequestIdentity.from_content("upload", key, content.encode())
 
 
 async def test_a_request_repeated_a_hundred_times_is_one_call_and_needs_one_place() -> None:

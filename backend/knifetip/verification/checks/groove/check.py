@@ -17,7 +17,7 @@ from knifetip.model.tool import VCutter
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.common.base import StationCheck
 from knifetip.verification.checks.common.context import DEPTH_TOLERANCE
-from knifetip.verification.checks.common.pass_depth import too_deep_spans
+from knifetip.verification.checks.common.pass_depth import Passes, report_deep_passes
 from knifetip.verification.checks.common.stray_work import check_stray_work
 from knifetip.verification.checks.groove.flanks import clearing_shifts, damaged_cuts
 from knifetip.verification.columns import F64, Bool
@@ -56,7 +56,11 @@ class GrooveCheck(StationCheck):
             wider = find_overlaps(self.curve, self.edges.curve, self.low, self.high, leaves)
             overlaps = within_limits(wider, wide, self.curve)
         final = self._deepest_passes(overlaps)
-        self._check_pass_steps()
+        board = self.context.board
+        passes = Passes(self.curve, board.caliper - self.z, self.line)
+        report_deep_passes(
+            self.context, self.operation.tool, passes, board.groove_pass, self.slack, one_way=True
+        )
         self.check_plunges()
         self.check_position(overlaps, final, wide)
         off_board = 0.0
@@ -205,34 +209,6 @@ class GrooveCheck(StationCheck):
                 int(overlaps.curve[row]),
             )
         return final
-
-    def _check_pass_steps(self) -> None:
-        """Add a finding for each pass that is deeper than the passes before it by more than one
-        step.
-
-        The greatest permitted step is in the board's record; a step of 0 there permits any depth.
-        """
-        step = self.context.board.groove_pass
-        if step <= 0.0:
-            return
-        deep = self.context.board.caliper - self.z
-        path_rows, spans = too_deep_spans(self.curve, deep, step, self.tolerance, one_way=True)
-        size = np.diff(spans)[:, 0]
-        for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
-            row = int(path_rows[k])
-            self.add_finding(
-                "depth",
-                -1,
-                Message(
-                    "verify.pass-too-deep",
-                    tool=self.operation.tool,
-                    depth=deep[row],
-                    length=size[k],
-                    step=step,
-                ),
-                float(deep[row] - step),
-                row,
-            )
 
     def _check_flanks(self, overlaps: Overlaps, final: Bool, blade: VCutter, limit: F64) -> None:
         """Check the distance from the edge at which each flank of a groove reaches the top face;

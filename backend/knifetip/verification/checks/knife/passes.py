@@ -17,11 +17,10 @@ from knifetip.model.machine import suits
 from knifetip.model.tool import Knife
 from knifetip.model.verdict import Severity
 from knifetip.verification.checks.common.context import DEPTH_TOLERANCE, CheckContext
-from knifetip.verification.checks.common.pass_depth import too_deep_spans
+from knifetip.verification.checks.common.pass_depth import Passes, report_deep_passes
 from knifetip.verification.columns import Bool
 from knifetip.verification.curves.curve import point_at
 from knifetip.verification.curves.overlap import find_overlaps
-from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.joined_work import JoinedWork
 from knifetip.verification.kinematics import TipPaths
 
@@ -53,15 +52,8 @@ def check_knife_passes(context: CheckContext, work: JoinedWork) -> None:
                 context.findings.add("planned", note, deepest, severity=Severity.NOTE)
             continue
         deep = context.board.caliper - paths.z[rows]
-        found, spans = too_deep_spans(paths.curve[rows], deep, step, context.tolerance)
-        size = np.diff(spans)[:, 0]
-        for k in np.flatnonzero(size > context.tolerance)[:MAX_FINDINGS]:
-            depth = float(deep[found[k]])
-            message = Message(
-                "verify.pass-too-deep", tool="knife", depth=depth, length=size[k], step=step
-            )
-            line = int(paths.line[rows[found[k]]])
-            context.findings.add("depth", message, depth - step, line=line)
+        passes = Passes(paths.curve[rows], deep, paths.line[rows])
+        report_deep_passes(context, "knife", passes, step, context.tolerance)
 
 
 def last_passes(context: CheckContext, work: JoinedWork) -> TipPaths:

@@ -26,7 +26,11 @@ from knifetip.model.verdict import Severity
 from knifetip.verification.checks.common.bridges import check_bridges, order_bridges
 from knifetip.verification.checks.common.context import CheckContext
 from knifetip.verification.checks.common.hand_bridges import check_hand_bridges, find_hand_bridges
-from knifetip.verification.checks.common.pass_depth import too_deep_spans, unfinished_spans
+from knifetip.verification.checks.common.pass_depth import (
+    Passes,
+    report_deep_passes,
+    unfinished_spans,
+)
 from knifetip.verification.checks.milling.chosen_leads import longest_chosen_lead
 from knifetip.verification.checks.milling.geometry import spans_near_points
 from knifetip.verification.checks.milling.paths import check_centre_paths, open_cut_mask
@@ -118,7 +122,8 @@ class _MillingCheck(MillingWork):
                 float(wrong[row]),
                 row,
             )
-        self._check_pass_steps(deep)
+        passes = Passes(self.centres.curve, deep, self.centres.line)
+        report_deep_passes(self.context, "cutter", passes, self.tool.step, self.slack)
         is_through = deep >= planned_depth - self.context.depth_tolerance
         self._check_unfinished(deep, is_through)
         pieces = cutter_paths(self.bounds, self.reach)
@@ -133,34 +138,6 @@ class _MillingCheck(MillingWork):
         slits = np.flatnonzero(~self.bounds.closing & self.owned)
         report_wide_slits(self.context, self.edges, slits, on_slit, 2.0 * self.tool.radius)
         check_centre_paths(self, on_cut)
-
-    def _check_pass_steps(self, deep: F64) -> None:
-        """Add a finding for each pass that is deeper than the passes before it by more than one
-        step.
-
-        ``deep`` is the depth of the tip below the board's top face in each of the n paths of the
-        cutter's centre, (n,) mm.  The step is the greatest depth of one pass in the cutter's
-        record; 0 there permits any depth.
-        """
-        if self.tool.step == 0.0:
-            return
-        path_rows, spans = too_deep_spans(self.centres.curve, deep, self.tool.step, self.tolerance)
-        size = np.diff(spans)[:, 0]
-        for k in np.flatnonzero(size > self.slack)[:MAX_FINDINGS]:
-            row = int(path_rows[k])
-            self.add_finding(
-                "depth",
-                -1,
-                Message(
-                    "verify.pass-too-deep",
-                    tool="cutter",
-                    depth=deep[row],
-                    length=size[k],
-                    step=self.tool.step,
-                ),
-                float(deep[row] - self.tool.step),
-                row,
-            )
 
     def _check_unfinished(self, deep: F64, is_through: Bool) -> None:
         """Add a finding for each stretch that only shallow passes mill, such as a bridge.

@@ -1,12 +1,12 @@
-"""invalid: the error for an attribute whose value cannot be parsed."""
+"""invalid_content: the error for a value or a shape of a file that cannot be read."""
 
 from __future__ import annotations
 
 from knifetip.messages import Argument, Message
 
 
-class InvalidValue(ValueError):
-    """Raised if the value of an SVG attribute cannot be parsed.
+class InvalidContent(ValueError):
+    """Raised if a value or a shape of a file cannot be read; the rest of the file is read.
 
     Parameters
     ----------
