@@ -453,4 +453,5 @@ def _in_both_directions(overlaps: Overlaps) -> Overlaps:
     """Return those overlaps of tip paths with edges whose edge has overlaps in both directions."""
     ways = np.zeros((2, int(overlaps.edge.max(initial=-1)) + 1), np.bool_)
     ways[overlaps.is_forward.astype(np.int64), overlaps.edge] = True
-    return overlaps.select(ways.all(axis=0)[overlaps.edge])
+    both: Bool = ways.all(axis=0)
+    return overlaps.select(both[overlaps.edge])
