@@ -8,6 +8,7 @@ import shutil
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import settings
@@ -17,6 +18,7 @@ from tests.support.command import Command
 from tests.support.databases import leave_half_to_long_runs
 from tests.support.examples import LEAST, QUICK
 from tests.support.revisions import write_later_steps
+from tests.support.scheduling import ModuleScheduling
 from tests.support.serving.postgresql import (
     ReusedDatabase,
     create_database,
@@ -45,7 +47,6 @@ gc.disable()
 
 def pytest_collection_finish() -> None:
     """Let the garbage collector look at what the tests make only."""
-    gc.collect()
     gc.freeze()
     gc.enable()
 
@@ -54,6 +55,11 @@ def pytest_collection_finish() -> None:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Let `make test` run each case of a test in one of the two databases, in turn."""
     leave_half_to_long_runs(items)
+
+
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> ModuleScheduling:
+    """Let pytest-xdist keep the tests of a module together."""
+    return ModuleScheduling(config, log)
 
 
 @pytest.fixture(scope="session", autouse=True)
