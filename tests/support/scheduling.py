@@ -14,7 +14,9 @@ from typing import Any
 from xdist.scheduler import LoadGroupScheduling
 
 #: The groups that take longest, mostly waiting.
-_LONGEST = ("linuxcnc", "browser", "drawings", "accounts")
+LONGEST = ("linuxcnc", "browser", "drawings", "accounts")
+#: Unit tests with databases, servers and processes, and those that wait for a silent machine.
+_LONG = tuple(f"tests/unit/{folder}/" for folder in ("service", "gateway", "cli", "packaging"))
 
 
 class ModuleScheduling(LoadGroupScheduling):
@@ -31,16 +33,17 @@ class ModuleScheduling(LoadGroupScheduling):
         """Give a process the next group or module."""
         if not any(self.assigned_work.values()):
             # Those of the same rank are ordered by their number of tests.
-            self.workqueue = OrderedDict(sorted(self.workqueue.items(), key=_rank))
+            self.workqueue = OrderedDict(
+                sorted(self.workqueue.items(), key=lambda unit: rank(unit[0]))
+            )
         super()._assign_work_unit(node)
 
 
-def _rank(unit: tuple[str, object]) -> int:
-    name = unit[0]
-    if name in _LONGEST:
-        return _LONGEST.index(name)
+def rank(name: str) -> int:
+    """Return the place of a group or module in the order; those of one place may run in any."""
+    if name in LONGEST:
+        return LONGEST.index(name)
     if not name.endswith(".py"):
-        return len(_LONGEST)
-    # Modules of the service use databases and servers.
-    is_short = name.startswith("tests/unit/") and not name.startswith("tests/unit/service/")
-    return len(_LONGEST) + (2 if is_short else 1)
+        return len(LONGEST)
+    is_short = name.startswith("tests/unit/") and not name.startswith(_LONG)
+    return len(LONGEST) + (2 if is_short else 1)
