@@ -54,7 +54,7 @@ under the OFL 1.1: it must not be sold by itself. The same holds for the fonts D
 
 The container image contains the packages of the server, of the extras and of the page. Its base image (Debian and
 Python) has licences of its own.
-"""  # noqa: E501
+"""  # noqa: E501  # paragraphs of Markdown
 
 
 class Package(NamedTuple):

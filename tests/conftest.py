@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import gc
 import os
-import shutil
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import settings
@@ -17,6 +17,8 @@ from tests.support.command import Command
 from tests.support.databases import leave_half_to_long_runs
 from tests.support.examples import LEAST, QUICK
 from tests.support.revisions import write_later_steps
+from tests.support.routes import share_prepared_routes
+from tests.support.scheduling import ModuleScheduling
 from tests.support.serving.postgresql import (
     ReusedDatabase,
     create_database,
@@ -25,7 +27,7 @@ from tests.support.serving.postgresql import (
     temporary_database,
 )
 from tests.support.statements import share_compiled_statements
-from tests.support.stored import migrated_store
+from tests.support.stored import migrated_store, write_tables
 
 # Tests do not fail because a machine is busy (`make bench` measures time) or by chance:
 # every run uses the same examples; `--hypothesis-profile=explore` draws new ones. `make test`
@@ -39,13 +41,20 @@ ROOT = Path(__file__).resolve().parents[1]
 CORPUS = Path(os.environ.get("KNIFETIP_CORPUS", ROOT.parent / "shared" / "corpus"))
 
 
+def pytest_configure(config: pytest.Config) -> None:
+    """Let tests use the statements and routes that others have prepared."""
+    patch = pytest.MonkeyPatch()
+    config.add_cleanup(patch.undo)
+    share_compiled_statements(patch)
+    share_prepared_routes(patch)
+
+
 # What is imported and collected lives until the end.
 gc.disable()
 
 
 def pytest_collection_finish() -> None:
     """Let the garbage collector look at what the tests make only."""
-    gc.collect()
     gc.freeze()
     gc.enable()
 
@@ -54,6 +63,11 @@ def pytest_collection_finish() -> None:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Let `make test` run each case of a test in one of the two databases, in turn."""
     leave_half_to_long_runs(items)
+
+
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> ModuleScheduling | None:
+    """Let pytest-xdist keep the tests of a module together, if it keeps those of groups."""
+    return ModuleScheduling(config, log) if config.getoption("dist") == "loadgroup" else None
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -66,13 +80,6 @@ def _english() -> None:
 def _state_folder(tmp_path_factory: pytest.TempPathFactory) -> None:
     """Let gateways, also those in other processes, keep their journals in a temporary folder."""
     os.environ["XDG_STATE_HOME"] = str(tmp_path_factory.mktemp("state"))
-
-
-@pytest.fixture(scope="session", autouse=True)
-def _statements() -> Iterator[None]:
-    with pytest.MonkeyPatch.context() as patch:
-        share_compiled_statements(patch)
-        yield
 
 
 @pytest.fixture(scope="session")
@@ -109,14 +116,6 @@ def database_url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
     return url
 
 
-@pytest.fixture(scope="session")
-def sqlite_template(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return an SQLite database with all tables, to be copied."""
-    file = tmp_path_factory.mktemp("template") / "shop.sqlite"
-    with migrated_store(f"sqlite:///{file}"):
-        return file
-
-
 class _Tables:
     """A PostgreSQL database with all tables, and the number of those that were made."""
 
@@ -143,9 +142,11 @@ def postgresql_tables(postgresql_server: str) -> _Tables:
 
 
 @pytest.fixture
-def migrated_sqlite(sqlite_template: Path, tmp_path: Path) -> str:
+def migrated_sqlite(tmp_path: Path) -> str:
     """URL of a new SQLite database with all tables."""
-    return f"sqlite:///{shutil.copy(sqlite_template, tmp_path)}"
+    file = tmp_path / "shop.sqlite"
+    write_tables(file)
+    return f"sqlite:///{file}"
 
 
 @pytest.fixture

@@ -13,6 +13,7 @@ from knifetip.library import load
 from knifetip.model.corners import CornerAt, Corners
 from knifetip.model.dieline import LineType
 from knifetip.model.job_options import EdgeCorner, JobOptions
+from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion
 from knifetip.pipeline import Compiled
 from tests.support.drawings import drawing
@@ -59,10 +60,17 @@ def radius_at(made: Compiled, corner: tuple[float, float]) -> float:
     return float(np.hypot(*(end[row] - start[row])) / (2.0 * np.sin(half)))
 
 
+def cutter_radius() -> float:
+    station = load.machine("router-table").station_for(LineType.CUT)
+    assert station is not None
+    assert isinstance(station.tool, Cutter)
+    return station.tool.radius
+
+
 def test_the_corners_of_a_chain_have_its_type() -> None:
     made = compiled(choice("C", 0, 1, 2, 3), choice("B", 4, 5, 6, 7))
     assert made.verdict.accepted
-    radius = load.machine("router-table").station_for(LineType.CUT).tool.radius  # type: ignore
+    radius = cutter_radius()
     assert [radius_at(made, corner) for corner in FIRST.values()] == [0.0] * 3
     assert [radius_at(made, corner) for corner in SECOND] == pytest.approx([radius] * 4, abs=1e-6)
 
@@ -80,7 +88,7 @@ def test_k_of_an_edge_replaces_that_of_the_job() -> None:
     made = compiled(choice("D", 4, 5, 6, 7, k=0.25), corners=whole)
     assert made.verdict.accepted
     # At a right angle, the arc of type D has the radius r (1 - k).
-    radius = load.machine("router-table").station_for(LineType.CUT).tool.radius  # type: ignore
+    radius = cutter_radius()
     assert radius_at(made, FIRST["right"]) == pytest.approx(0.25 * radius, abs=1e-6)
     assert radius_at(made, SECOND[0]) == pytest.approx(0.75 * radius, abs=1e-6)
     # Without a type, k is for corners of the type of the job.

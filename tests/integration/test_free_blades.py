@@ -131,7 +131,9 @@ def test_the_blade_stays_down_at_joints_of_less_than_its_swivel_angle(
     swings = (moves.bulge != 0.0) & (np.abs(moves.pose[1:, 2] - shallow) < 1e-9)
     assert int(swings.sum()) == lifts + 1
     # A blade that may turn by 10° only would be turned too deep by the same program.
-    planned = replace(table.stations[0].tool, swivel=10.0)  # type: ignore[type-var]
+    blade = table.stations[0].tool
+    assert isinstance(blade, Knife)
+    planned = replace(blade, swivel=10.0)
     strict = replace(table, stations=(replace(table.stations[0], tool=planned),))
     assert codes(judged(text, strict, line)) == (set() if lifts else {"verify.deep-swivel"})
 
@@ -246,7 +248,9 @@ def test_swivels_of_a_slanted_blade_mark_the_top_face() -> None:
     assert {round(one.measure, 3) for one in marks} == {0.6}
     assert {one.severity for one in marks} == {Severity.SHORTFALL}
     assert not verdict.accepted
-    shallow = replace(deep.stations[0].tool, swivel_depth=0.1)  # type: ignore[type-var]
+    blade = deep.stations[0].tool
+    assert isinstance(blade, Knife)
+    shallow = replace(blade, swivel_depth=0.1)
     table = replace(deep, stations=(replace(deep.stations[0], tool=shallow),))
     assert judged(process(toolpath(table, SQUARE), table).text, table, SQUARE).accepted
     # A program that swings at the full depth is refused there.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -31,8 +32,8 @@ BLANK = dieline(
 )
 
 
-def board(name: str = "foam-5.0", **limits: float | str) -> Board:
-    return replace(load.board(name), limits=(ToolLimits("knife", **limits),))  # type: ignore[arg-type]
+def board(name: str = "foam-5.0", **limits: Any) -> Board:
+    return replace(load.board(name), limits=(ToolLimits("knife", **limits),))
 
 
 def compiled(used: Board, machine: str | Machine = "demo-table") -> Compiled:

@@ -104,7 +104,7 @@ def facing_overlap(one: Plate, other: Plate, distance: float) -> float:
         return 0.0
     if abs(float(one.normal @ (other.origin - one.origin))) > distance:
         return 0.0
-    directions = [plate.placed[:3, :2] @ plate.flap[1] for plate in (one, other)]  # type: ignore[index]
+    directions = [plate.placed[:3, :2] @ plate.flap[1] for plate in (one, other)]  # type: ignore[index]  # both have flaps
     if float(directions[0] @ directions[1]) > _FACING:
         return 0.0
     # The other flap in the plane of the first, with its direction as the first coordinate.

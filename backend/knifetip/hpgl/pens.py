@@ -61,7 +61,7 @@ class Pens:
     def reset(self) -> None:
         """Set everything but the selected pen to the default, as IN and DF do."""
         selected = self.selected
-        self.__init__()  # type: ignore[misc]
+        self.__init__()  # type: ignore[misc]  # has no subclasses
         self.selected = selected
 
     def change(self, instruction: Instruction) -> None:
@@ -95,7 +95,7 @@ class Pens:
         elif instruction.name == "CR":
             if len(values) not in (0, 6):
                 raise count_is_wrong(instruction, 0, 6)
-            self._range = (*values,) if values else _RANGE  # type: ignore[assignment]
+            self._range = (*values,) if values else _RANGE  # type: ignore[assignment]  # six values
         else:
             self._change_colour(instruction)
 

@@ -360,7 +360,7 @@ class ZoneTable(PartTable):
         return Zone(**self.model_dump())
 
 
-class MachineFile(MachineTable):  # type: ignore[misc, valid-type]
+class MachineFile(MachineTable):  # type: ignore[misc, valid-type]  # made by pydantic
     """The fields of the TOML file of a flatbed sample-maker.
 
     Z = 0 is the top of the cutting mat, and Z is positive upwards.

@@ -116,7 +116,7 @@ class ProcessSettings(BaseSettings):
         init_settings: PydanticBaseSettingsSource,
         env_settings: PydanticBaseSettingsSource,
         dotenv_settings: PydanticBaseSettingsSource,  # noqa: ARG003  # there is no such file
-        file_secret_settings: PydanticBaseSettingsSource,  # noqa: ARG003
+        file_secret_settings: PydanticBaseSettingsSource,  # noqa: ARG003  # secrets have files of their own
     ) -> tuple[PydanticBaseSettingsSource, ...]:
         """Return the sources of values, the first first: arguments, environment, settings file."""
         file = init_settings().get("settings") or env_settings().get("settings")

@@ -23,10 +23,12 @@ from fastapi import FastAPI
 from knifetip.server.app import create_app
 from knifetip.service.accounts.access_rules import AccessRules
 from knifetip.service.components import Service
+from knifetip.service.database.url import sqlite_file
 from knifetip.service.processes.pool import ProcessPool
 from knifetip.service.processes.warm_up import WarmUp
 from knifetip.service.settings import Settings
 from tests.support.serving.worker_reuse import ReusingPool
+from tests.support.stored import write_tables
 from tests.support.writers import dxf_text as text
 
 ENDS = {"done", "refused", "interrupted", "scrapped", "cancelled"}
@@ -55,7 +57,13 @@ class _Prepared(WarmUp):
 
 @contextmanager
 def run_server(settings: Settings, rules: AccessRules | None = None) -> Iterator[LocalClient]:
-    """Run a server in a thread, without looking for kernels; yield a client connected to it."""
+    """Run a server in a thread, without looking for kernels; yield a client connected to it.
+
+    A database in a new file has its tables when the server starts.
+    """
+    file = sqlite_file(settings.url)
+    if file is not None and not file.exists():
+        write_tables(file)
     app = create_app(settings, rules)
     server = uvicorn.Server(
         uvicorn.Config(app, port=0, log_level="error", timeout_graceful_shutdown=1)
@@ -157,9 +165,14 @@ def process_environment() -> dict[str, str]:
 
 
 class Running:
-    """A server (``serve``) in a process of its own, which can be killed."""
+    """A server (``serve``) in a process of its own, which can be killed.
+
+    A database in a new file has its tables when the server starts.
+    """
 
     def __init__(self, database: Path, **more: object) -> None:
+        if not database.exists():
+            write_tables(database)
         options = {"samples": False, **more}
         # Imports take less time without garbage collection, as in the command.
         code = (

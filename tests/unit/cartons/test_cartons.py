@@ -347,8 +347,11 @@ def refusal(code: str, size: tuple[float, float, float]) -> tuple[str, float] | 
 def replace_dimension(
     size: tuple[float, float, float], name: str, value: float
 ) -> tuple[float, float, float]:
-    at = ("length", "width", "depth").index(name)
-    return (*size[:at], value, *size[at + 1 :])  # type: ignore[return-value]
+    names = ("length", "width", "depth")
+    length, width, depth = (
+        value if one == name else given for one, given in zip(names, size, strict=True)
+    )
+    return length, width, depth
 
 
 def test_dimensions_between_the_limits_never_give_a_crossed_outline() -> None:
@@ -356,9 +359,10 @@ def test_dimensions_between_the_limits_never_give_a_crossed_outline() -> None:
     refused = 0
     for style in STYLES.values():
         for _ in range(30):
-            size = tuple(float(value) for value in rng.uniform(10.0, 500.0, 3).round(1))
+            length, width, depth = map(float, rng.uniform(10.0, 500.0, 3).round(1))
+            size = (length, width, depth)
             stock: Board = replace(load.board(style.board), caliper=float(rng.uniform(0.2, 7.0)))
-            parameters: CartonSize = sized(style.code, size)  # type: ignore[arg-type]
+            parameters: CartonSize = sized(style.code, size)
             try:
                 carton = style.draw(parameters, stock)
             except ImpossibleCarton:

@@ -12,6 +12,7 @@ from knifetip.folding.findings import find_faults
 from knifetip.folding.motion import panel_transforms
 from knifetip.folding.records import FoldTree
 from knifetip.geometry.columns import F64
+from knifetip.model.dieline import LineType
 from tests.support.shapes import BOARD, closed, dieline, edges
 from tests.unit.folding.blanks import CREASE, CUT, GROOVE, cross, folded
 
@@ -24,8 +25,8 @@ def codes(tree: FoldTree) -> list[str]:
 
 @pytest.mark.parametrize("line_type", [CREASE, GROOVE])
 @pytest.mark.parametrize("side_up", ["inside", "outside"])
-def test_a_cube_has_no_faults(line_type: object, side_up: str) -> None:
-    assert codes(folded(*cross(A, line_type), side_up=side_up)) == []  # type: ignore[arg-type]
+def test_a_cube_has_no_faults(line_type: LineType, side_up: str) -> None:
+    assert codes(folded(*cross(A, line_type), side_up=side_up)) == []
 
 
 @pytest.mark.parametrize(("opening", "found"), [(90.0, []), (89.0, ["groove-narrow"] * 5)])

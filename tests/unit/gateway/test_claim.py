@@ -655,7 +655,7 @@ class CheckRun:
         async def check(lines: object) -> None:
             await act(controller)
 
-        controller.check = check  # type: ignore[method-assign]
+        controller.check = check  # type: ignore[method-assign]  # of this object only
         return controller
 
 

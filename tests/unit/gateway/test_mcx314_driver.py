@@ -6,6 +6,7 @@ import asyncio
 from collections.abc import AsyncGenerator, AsyncIterator
 from contextlib import aclosing, asynccontextmanager
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -107,14 +108,13 @@ def alarm_code(controller: Mcx314) -> str:
 def faults(server: BoardServer, **counts: int) -> None:
     """Inject faults at requests that come after the present one, by their distance."""
     now = server.board.requests
-    server.board.faults = LinkFaults(
-        **{
-            name: now + count
-            if name in ("hang_up", "silent_from")
-            else frozenset(range(now + count, now + count + 900, 31))
-            for name, count in counts.items()
-        }  # type: ignore[arg-type]  # the type depends on the name
-    )
+    chosen: dict[str, Any] = {
+        name: now + count
+        if name in ("hang_up", "silent_from")
+        else frozenset(range(now + count, now + count + 900, 31))
+        for name, count in counts.items()
+    }
+    server.board.faults = LinkFaults(**chosen)
 
 
 def assert_safe(server: BoardServer) -> None:
@@ -455,7 +455,7 @@ async def test_a_board_that_cannot_tell_whether_it_has_begun_counts_as_begun(way
                     board.program.done = 1
                 raise
 
-        controller._load = failing  # type: ignore[method-assign]
+        controller._load = failing  # type: ignore[method-assign]  # of this object only
         with pytest.raises(ControllerError):
             await run_to_end(text, controller)
         assert controller.sent == text.count(b"\n")
@@ -477,9 +477,8 @@ async def test_another_device_is_refused() -> None:
 # -- operations of a person -----------------------------------------------------------------------
 
 
-async def operate(controller: Mcx314, name: OperationName, **arguments: object) -> None:
-    # arg-type: each argument of an operation has a type of its own.
-    operation = replace(Operation(name), **arguments)  # type: ignore[arg-type]
+async def operate(controller: Mcx314, name: OperationName, **arguments: Any) -> None:
+    operation = replace(Operation(name), **arguments)
     await perform(operation, controller, TABLE, lambda: False)
 
 

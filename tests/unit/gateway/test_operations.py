@@ -6,6 +6,7 @@ import asyncio
 import math
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from typing import Any
 
 import pytest
 
@@ -39,9 +40,8 @@ async def machine(speed: float = 50.0) -> AsyncIterator[tuple[Table, driver.Grbl
             await controller.close()
 
 
-async def ask(controller: driver.Grbl, name: OperationName, **arguments: object) -> None:
-    # arg-type: each argument of an operation has a type of its own.
-    operation = Operation(name, **arguments)  # type: ignore[arg-type]
+async def ask(controller: driver.Grbl, name: OperationName, **arguments: Any) -> None:
+    operation = Operation(name, **arguments)
     await perform(operation, controller, MACHINE, on_time)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 
@@ -20,9 +21,9 @@ def traces() -> Iterator[TraceReceiver]:
         yield receiver
 
 
-def office(**options: object) -> Office:
+def office(**options: Any) -> Office:
     """Return a fake server whose job has the trace of an order."""
-    fake = Office(**options)  # type: ignore[arg-type]  # passed on as they are
+    fake = Office(**options)
     fake.claim["traceparent"] = f"00-{TRACE}-{ORDER}-01"
     return fake
 

@@ -84,7 +84,7 @@ async def report_of(
         async def connect(safe: SafeState, stop_motion: bool) -> Controller:
             controller = await driver.dial(server.address, safe, stop_motion=stop_motion)
             controller.__class__ = Recalling
-            controller.found = found  # type: ignore[attr-defined]
+            controller.found = found  # type: ignore[attr-defined]  # of Recalling
             return controller
 
         async with httpx.AsyncClient(transport=httpx.MockTransport(office)) as client:

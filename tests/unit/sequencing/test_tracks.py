@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -21,9 +23,8 @@ TRACKS = Tracks(
 )
 
 
-def chosen(executed: int, **choice: object) -> tuple[list[int], tuple[tuple[int, int], ...]]:
-    # arg-type: each field of the choice has a type of its own.
-    found = select_rest(TRACKS, executed, RestChoice(**choice))  # type: ignore[arg-type]
+def chosen(executed: int, **choice: Any) -> tuple[list[int], tuple[tuple[int, int], ...]]:
+    found = select_rest(TRACKS, executed, RestChoice(**choice))
     return found.tracks.tolist(), found.made_lines
 
 
@@ -49,9 +50,8 @@ def test_executed_lines_divide_the_tracks() -> None:
 
 
 def test_executed_lines_that_are_made_again() -> None:
-    def repeated(executed: int, **choice: object) -> tuple[tuple[int, int], ...]:
-        # arg-type: as in `chosen`.
-        found = select_rest(TRACKS, executed, RestChoice(**choice))  # type: ignore[arg-type]
+    def repeated(executed: int, **choice: Any) -> tuple[tuple[int, int], ...]:
+        found = select_rest(TRACKS, executed, RestChoice(**choice))
         return found.repeated_lines
 
     assert repeated(35) == ()

@@ -114,7 +114,7 @@ class ToolStationOut(BaseModel):
     )
 
 
-class MachineOut(MachineTable):  # type: ignore[misc, valid-type]
+class MachineOut(MachineTable):  # type: ignore[misc, valid-type]  # made by pydantic
     """A machine of a user or of knifetip's library, with its current job."""
 
     # The answer is built by the server; unlike a file, it has all properties.

@@ -26,7 +26,7 @@ _FIGURES: Any = {
 _Figures = create_model("_Figures", __base__=_Limits, **_FIGURES)
 
 
-class VerdictSummary(_Figures):  # type: ignore[misc, valid-type]
+class VerdictSummary(_Figures):  # type: ignore[misc, valid-type]  # made by pydantic
     """Measurements of a program by the verifier: maxima over all edges, and totals (mm, mm², s)."""
 
     faults: int = Field(default=0, description="Number of faults; they cannot be accepted")
@@ -125,7 +125,7 @@ _COLUMNS: Any = {
 _EdgeColumns = create_model("_EdgeColumns", **_COLUMNS)
 
 
-class VerdictOut(VerdictSummary, _EdgeColumns):  # type: ignore[misc, valid-type]
+class VerdictOut(VerdictSummary, _EdgeColumns):  # type: ignore[misc, valid-type]  # made by pydantic
     """A verdict with columns of measurements; value i of a column belongs to edge i of the drawing.
 
     ``format=columns`` also contains the deviation of the tool's tip from an edge at m samples:

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Figure, TestPiece } from "../../api/testpieces";
-import { givenMeasures, measureFields, withFigures } from "./measured";
+import { chosenEntry, givenMeasures, measureFields, withFigures } from "./measured";
 
 const PIECE = {
   measures: {
@@ -36,4 +36,15 @@ test("a figure changes one value of the definition and keeps the others", () => 
     title: "B",
     deflection: { Router: { x: 0.08 } },
   });
+});
+
+test("the entry that is measured is awaited, and any other name has the first entry", () => {
+  const machines = [{ name: "demo-table" }, { name: "other-table" }];
+  expect(chosenEntry(machines, "other-table", null)).toBe(machines[1]);
+  expect(chosenEntry(machines, "removed-table", null)).toBe(machines[0]);
+  expect(chosenEntry(machines, null, null)).toBe(machines[0]);
+  expect(chosenEntry(machines, "new-table", "new-table")).toBeUndefined();
+  expect(chosenEntry([...machines, { name: "new-table" }], "new-table", "new-table")?.name).toBe(
+    "new-table",
+  );
 });

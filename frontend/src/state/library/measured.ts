@@ -38,6 +38,17 @@ export function measureFields(piece: TestPiece): readonly MeasureField[] {
   return [...fields.slice(1), ...fields.slice(0, 1)];
 }
 
+/**
+ * The machine or board with a name. Without it the first one, but not while the entry that is
+ * measured is still missing in the list: the form would begin anew when it is loaded.
+ */
+export const chosenEntry = <T extends { readonly name: string }>(
+  all: readonly T[],
+  name: string | null,
+  measured: string | null,
+): T | undefined =>
+  all.find((one) => one.name === name) ?? (name === measured && name !== null ? undefined : all[0]);
+
 /** What was typed, with the values that fields have from the beginning; null if one is missing. */
 export function givenMeasures(
   fields: readonly MeasureField[],

@@ -7,6 +7,7 @@ import re
 import sqlite3
 from contextlib import nullcontext
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -109,7 +110,7 @@ def test_a_session_ends_at_sign_out_and_when_its_user_changes(store: Store) -> N
     store.sessions.close(first)
     assert store.sessions.find(first) is None
     assert store.sessions.find(second) is not None
-    changes: tuple[dict[str, object], ...] = (
+    changes: tuple[dict[str, Any], ...] = (
         {"role": DESIGNER},
         {"password": PASSWORD},
         {"active": True},
@@ -117,8 +118,7 @@ def test_a_session_ends_at_sign_out_and_when_its_user_changes(store: Store) -> N
     )
     for change in changes:
         token = store.sessions.open(user)
-        # arg-type: each change has a type of its own.
-        store.users.change("anna", **change)  # type: ignore[arg-type]
+        store.users.change("anna", **change)
         assert store.sessions.find(token) is None, change
 
 

@@ -115,7 +115,7 @@ def test_a_content_that_is_used_again_is_no_longer_marked(anywhere: Store, clock
 
 
 def test_a_content_that_is_announced_during_a_sweep_keeps_its_day(
-    migrated_url: str, clock: Clock, tmp_path: Path
+    migrated_url: str, clock: Clock, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     store = Store(migrated_url, clock, (tmp_path / "contents").as_uri())
     store.drawings.delete(upload(store).id)
@@ -126,9 +126,9 @@ def test_a_content_that_is_announced_during_a_sweep_keeps_its_day(
         store.contents.stage(content=FILE)
         mark(addresses, since)
 
-    store.contents._mark = announce  # type: ignore[method-assign]
-    store.contents.sweep()
-    store.contents._mark = mark  # type: ignore[method-assign]
+    with monkeypatch.context() as patch:
+        patch.setattr(store.contents, "_mark", announce)
+        store.contents.sweep()
     clock.now += DAY - 1.0
     store.contents.sweep()
     assert stored_files(tmp_path / "contents") == [address_of(FILE)]
@@ -139,7 +139,7 @@ def test_a_content_that_is_announced_during_a_sweep_keeps_its_day(
 
 
 def test_what_a_transaction_under_way_refers_to_is_not_deleted(
-    anywhere: Store, clock: Clock
+    anywhere: Store, clock: Clock, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     anywhere.drawings.delete(upload(anywhere).id)
     anywhere.contents.sweep()
@@ -154,7 +154,7 @@ def test_what_a_transaction_under_way_refers_to_is_not_deleted(
         swept.wait(0.3)
         return columns
 
-    anywhere.contents.keep = keep  # type: ignore[method-assign]
+    monkeypatch.setattr(anywhere.contents, "keep", keep)
     drawings: list[Drawing] = []
     uploading = threading.Thread(target=lambda: drawings.append(upload(anywhere)))
     uploading.start()

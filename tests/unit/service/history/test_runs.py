@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 from zoneinfo import ZoneInfo
 
 import numpy as np
@@ -256,9 +257,8 @@ def test_history_lists_ended_jobs_by_their_end(store: Store, clock: Clock) -> No
     third = ended(store, clock, "cancelled")
     run(store)
 
-    def found(**conditions: object) -> list[str]:
-        # arg-type: each condition has a type of its own.
-        rows = store.history.search(HistoryFilter(**conditions), None, 10)  # type: ignore[arg-type]
+    def found(**conditions: Any) -> list[str]:
+        rows = store.history.search(HistoryFilter(**conditions), None, 10)
         return [row.id for row in rows]
 
     assert found() == [third.id, second.id, first.id]

@@ -101,7 +101,8 @@ def test_a_package_with_message_order_and_drawing_is_submitted(shop: LocalClient
     held, missing = ask(shop, zipped(files), "application/vnd.cip4-xjmf+zip")
     assert held.tag == f"{NS}ResponseSubmitQueueEntry"
     assert (code(held), code(missing)) == (0, 120)
-    assert [one.find(f"{NS}Header").get("refID") for one in (held, missing)] == ["M0", "M1"]  # type: ignore[union-attr]
+    headers = [header for one in (held, missing) for header in one.findall(f"{NS}Header")]
+    assert [header.get("refID") for header in headers] == ["M0", "M1"]
     found = entry(held)
     assert (found["JobID"], found["Status"]) == ("PO-held", "Waiting")
     wait_for_state(shop, found["QueueEntryID"], "ready")

@@ -8,6 +8,7 @@ import { type Bench, testPieceService } from "../../../api/testpieces";
 import { translate } from "../../../language/translate";
 import { errorText, messageText } from "../../../messages/translateMessage";
 import { useRefusal } from "../../../state/accounts/accounts";
+import { chosenEntry } from "../../../state/library/measured";
 import { DEFAULT_OPTIONS } from "../../../state/order/options";
 import { useBoards, useMachines } from "../../../state/queries";
 import { showDrawing } from "../../../state/routes";
@@ -36,14 +37,14 @@ export function TestPieces({ entry, kind }: Props) {
     ({ stations }) => kind === null || stations.some(({ tool }) => tool.kind === kind),
   );
   const page = useUiStore.getState();
-  const [machineName, setMachine] = useState(
-    entry.shelf === "machines" ? entry.name : page.machine,
-  );
-  const [boardName, setBoard] = useState(entry.shelf === "boards" ? entry.name : page.board);
+  const measuredMachine = entry.shelf === "machines" ? entry.name : null;
+  const measuredBoard = entry.shelf === "boards" ? entry.name : null;
+  const [machineName, setMachine] = useState(measuredMachine ?? page.machine);
+  const [boardName, setBoard] = useState(measuredBoard ?? page.board);
   const [stationNumber, setStation] = useState<number | null>(null);
   const [code, setCode] = useState<string | null>(null);
-  const machine = machines.find(({ name }) => name === machineName) ?? machines[0];
-  const board = boards.find(({ name }) => name === boardName) ?? boards[0];
+  const machine = chosenEntry(machines, machineName, measuredMachine);
+  const board = chosenEntry(boards, boardName, measuredBoard);
   const stations = (machine?.stations ?? []).filter(
     ({ tool }) => kind === null || tool.kind === kind,
   );
