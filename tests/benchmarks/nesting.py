@@ -28,6 +28,7 @@ from knifetip.nesting.parts import Part, make_part
 from knifetip.nesting.problem import Problem
 from knifetip.nesting.search import nest
 from knifetip.nesting.shapes import shape_of
+from tests.support.writers import dxf_text as text
 
 ROOT = Path(__file__).resolve().parents[2]
 CORPUS = Path(os.environ.get("KNIFETIP_CORPUS", ROOT.parent / "shared" / "corpus"))
@@ -35,7 +36,37 @@ GAP = 5.0
 MARGIN = 10.0
 GRAIN = (0.0, 180.0)
 QUARTERS = (0.0, 90.0, 180.0, 270.0)
+CUT = (8, "CUT")
 TUCK, TRAY, RIGID = "tuck-end-carton.dxf", "corrugated-tray.dxf", "rigid-box-blank.dxf"
+
+
+def polygon(*corners: tuple[float, float]) -> str:
+    """Return the cuts round a polygon."""
+    return "".join(
+        text.line(*one, *other, CUT)
+        for one, other in zip(corners, (*corners[1:], corners[0]), strict=True)
+    )
+
+
+def box(left: float, bottom: float, right: float, top: float) -> str:
+    """Return the cuts round a rectangle."""
+    return polygon((left, bottom), (right, bottom), (right, top), (left, top))
+
+
+def disc(radius: float) -> str:
+    """Return the cut round a disc about the origin."""
+    return text.entity("CIRCLE", CUT, (10, 0), (20, 0), (40, radius))
+
+
+FRAME, RING, TWIN, TAG, ANGLE = "frame", "ring", "frame of two windows", "tag", "angle"
+#: Large parts with holes, and small parts for them.
+SHAPES = {
+    FRAME: text.dxf(box(0, 0, 500, 360), box(40, 40, 460, 320)),
+    RING: text.dxf(disc(220), disc(175)),
+    TWIN: text.dxf(box(0, 0, 620, 300), box(30, 30, 295, 270), box(325, 30, 590, 270)),
+    TAG: text.dxf(box(0, 0, 120, 80)),
+    ANGLE: text.dxf(polygon((0, 0), (150, 0), (150, 50), (50, 50), (50, 150), (0, 150))),
+}
 
 
 class Case(NamedTuple):
@@ -57,14 +88,19 @@ CASES = (
     Case((("PaperBox_100x40x140.dxf", 8),), (1200.0, 800.0), QUARTERS),
     Case((("mailer_120x80x40_all_layers.dxf", 4), (TUCK, 4)), (1200.0, 800.0), QUARTERS),
     Case((("PaperBox_100x40x140.dxf", 6), (TUCK, 3)), (1200.0, 800.0), GRAIN),
+    Case(((FRAME, 3), (TAG, 24)), (1200.0, 800.0), GRAIN),
+    Case(((FRAME, 2), (ANGLE, 12)), (1200.0, 800.0), QUARTERS),
+    Case(((RING, 3), (TAG, 15)), (1200.0, 800.0), QUARTERS),
+    Case(((TWIN, 3), (ANGLE, 6), (TAG, 12)), (1200.0, 800.0), QUARTERS),
+    Case(((FRAME, 1), (RING, 1), (TAG, 10), (ANGLE, 4)), (1200.0, 800.0), QUARTERS),
 )
 
 
 @cache
 def drawing(name: str) -> bytes | None:
-    """Return a sample or a file of the corpus; None without the corpus."""
-    if (sample := samples().get(name)) is not None:
-        return sample
+    """Return a shape, a sample or a file of the corpus; None without the corpus."""
+    if (own := SHAPES.get(name) or samples().get(name)) is not None:
+        return own
     found = next(CORPUS.rglob(name), None)
     return None if found is None else found.read_bytes()
 

@@ -78,11 +78,41 @@ def test_work_is_sorted_by_its_columns_and_keeps_the_order_in_the_address(
     page.get_by_test_id("sort-customer").click()
     expect(column).to_have_attribute("aria-sort", "descending")
     expect(customers.first).to_have_text("Sorted Z")
-    expect(page).to_have_url(f"{server.url}/#/by/customer/reversed")
+    expect(page).to_have_url(f"{server.url}/#/search/Sorted/by/customer/reversed")
     page.reload()
+    expect(page.get_by_test_id("work-search")).to_have_value("Sorted")
     expect(column).to_have_attribute("aria-sort", "descending")
     expect(customers.first).to_have_text("Sorted Z")
     expect(page.get_by_test_id("to-work")).to_have_attribute("aria-current", "page")
+
+
+def test_conditions_on_the_work_are_in_the_address(page: Page, server: Running) -> None:
+    page.goto(f"{server.url}/#/")
+    page.get_by_test_id("work-progress").select_option("ended")
+    expect(page).to_have_url(f"{server.url}/#/state/ended")
+    page.get_by_test_id("work-machine").select_option("demo-table")
+    expect(page).to_have_url(f"{server.url}/#/state/ended/machine/demo-table")
+    search = page.get_by_test_id("work-search")
+    search.press_sequentially("no such 100% / job")
+    typed = f"{server.url}/#/state/ended/machine/demo-table/search/no%20such%20100%25%20%2F%20job"
+    expect(page).to_have_url(typed)
+    expect(page.get_by_text("No drawing meets these conditions.")).to_be_visible()
+    # A search is one step back, and so is each condition.
+    page.go_back()
+    expect(search).to_have_value("")
+    expect(page.get_by_test_id("work-machine")).to_have_value("demo-table")
+    page.go_back()
+    expect(page.get_by_test_id("work-machine")).to_have_value("")
+    expect(page.get_by_test_id("work-progress")).to_have_value("ended")
+    page.go_forward()
+    page.go_forward()
+    expect(search).to_have_value("no such 100% / job")
+    # A copied link shows the same.
+    copy = page.context.new_page()
+    copy.goto(typed)
+    expect(copy.get_by_test_id("work-search")).to_have_value("no such 100% / job")
+    expect(copy.get_by_test_id("work-progress")).to_have_value("ended")
+    copy.close()
 
 
 @pytest.mark.parametrize(
@@ -95,6 +125,7 @@ def test_work_is_sorted_by_its_columns_and_keeps_the_order_in_the_address(
         "settings/nothing",
         "nowhere",
         "by/colour",
+        "state/lost",
     ],
 )
 def test_an_unknown_address_says_so(page: Page, server: Running, address: str) -> None:

@@ -110,3 +110,63 @@ def test_the_tool_of_a_chain_is_chosen_and_sent(page: Page, screenshots: Path) -
     (chosen,) = job["edge_tools"]
     assert (sorted(chosen["edges"]), chosen["station"]) == ([0, 1, 2, 3], 6)
     assert b"T6 M6" in httpx.get(f"{address}api/jobs/{job_id}/program", timeout=60.0).content
+
+
+def test_corners_and_lead_ins_of_edges_are_chosen_by_mouse_and_keyboard_and_sent(
+    page: Page, screenshots: Path
+) -> None:
+    address = page.url.partition("#")[0]
+    with httpx.Client(base_url=address, timeout=60.0) as client:
+        drawing = upload_drawing(client, text.dxf(text.rectangle(340, 210, (8, "CUT")), units=4))
+        machines = {one["name"]: one for one in client.get("/api/machines").json()}
+    page.goto(f"{address}#/drawings/{drawing['id']}/sheet")
+    expect(page.get_by_test_id("canvas")).to_be_visible()
+    page.get_by_test_id("machine-select").click()
+    page.get_by_role("option", name=machines["router-table"]["title"], exact=True).click()
+    go_to(page, "process")
+    page.wait_for_timeout(1500)
+    select_left_edge(page)
+
+    corners = page.get_by_test_id("edge-option-edge_corners")
+    types = [corners.get_by_test_id(f"edge-edge_corners-type-{one}") for one in "BCD"]
+    for one in types:
+        one.click()
+        expect(corners.locator("[aria-pressed=true]")).to_have_count(1)
+        expect(one).to_have_attribute("aria-pressed", "true")
+    # The keyboard changes the type, and then the parameter.
+    types[1].focus()
+    page.keyboard.press("Enter")
+    expect(types[1]).to_have_attribute("aria-pressed", "true")
+    page.keyboard.press("Tab")
+    page.keyboard.press("Space")
+    expect(types[2]).to_have_attribute("aria-pressed", "true")
+    k = corners.get_by_test_id("edge-edge_corners-k")
+    k.focus()
+    page.keyboard.type("0.4")
+
+    leads = page.get_by_test_id("edge-option-contour_leads")
+    expect(leads.locator("svg").first).to_be_visible()
+    leads.get_by_test_id("edge-contour_leads-length").click()
+    page.keyboard.type("8")
+    page.keyboard.press("Tab")
+    approach = leads.get_by_test_id("edge-contour_leads-approach")
+    expect(approach).to_be_focused()
+    page.keyboard.type("45")
+    page.keyboard.press("ArrowUp")
+    expect(approach).to_have_value("45.1 °")
+    approach.fill("30")
+    listed = page.get_by_test_id("edge-choices").get_by_role("listitem")
+    expect(listed).to_have_count(2)
+    leads.scroll_into_view_if_needed()
+    page.screenshot(path=screenshots / "edge-corners-and-leads.png")
+
+    choose_board(page, "Greyboard 3")
+    page.get_by_test_id("compile").click()
+    expect(page.get_by_test_id("job-state")).to_have_text("Ready to send", timeout=120_000)
+    job_id = page.url.rpartition("/")[2]
+    job = httpx.get(f"{address}api/jobs/{job_id}", timeout=60.0).json()
+    (corner,), (lead,) = job["edge_corners"], job["contour_leads"]
+    assert (corner["type"], corner["k"], len(corner["edges"])) == ("D", 0.4, 1)
+    assert (lead["length"], lead["approach"], lead["edges"]) == (8.0, 30.0, corner["edges"])
+    expect(page.get_by_test_id("changed-contour_leads")).to_contain_text("8 mm")
+    expect(page.get_by_test_id("changed-edge_corners")).to_contain_text("0.4")

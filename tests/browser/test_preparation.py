@@ -42,6 +42,13 @@ def test_the_banner_shows_the_progress_and_disappears_when_the_server_is_prepare
     expect(banner).to_contain_text("First start of the server: 60 of 240 software modules")
     expect(banner.get_by_role("progressbar")).to_have_attribute("aria-valuenow", "25")
     page.screenshot(path=screenshots / "preparation.png")
+    # It covers nothing: the page begins below it, on a phone too.
+    for width, height in ((1440, 900), (1024, 768), (820, 1180), (390, 844)):
+        page.set_viewport_size({"width": width, "height": height})
+        box, below = banner.bounding_box(), page.get_by_test_id("work").bounding_box()
+        assert box is not None
+        assert below is not None
+        assert box["y"] + box["height"] <= below["y"]
 
     compiled = 180
     expect(banner).to_contain_text("180 of 240 software modules")

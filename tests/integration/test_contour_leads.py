@@ -107,6 +107,49 @@ def test_a_program_of_another_lead_in_is_refused(chosen: ContourLead) -> None:
 
 
 @pytest.mark.parametrize(
+    "chosen",
+    [
+        lead(4, length=8.0),
+        lead(4, length=8.0, approach=30.0),
+        lead(4, length=4.0, approach=-60.0),
+    ],
+)
+def test_half_a_lead_in_is_refused_where_there_is_room(
+    chosen: ContourLead, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("knifetip.compensation.leads._LEAD_FRACTIONS", (0.5, 0.0))
+    assert codes(compiled(chosen).verdict) == {"verify.short-lead"}
+
+
+@pytest.mark.parametrize("approach", [90.0, 30.0])
+def test_a_contour_without_a_lead_in_is_refused_where_there_is_room(
+    approach: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    chosen = lead(4, length=8.0, approach=approach)
+    monkeypatch.setattr("knifetip.compensation.leads._LEAD_FRACTIONS", (0.0,))
+    assert codes(compiled(chosen).verdict) == {"verify.short-lead"}
+
+
+@pytest.mark.parametrize(
+    ("size", "length", "note"),
+    [(40.0, 30.0, None), (40.0, 39.0, "lead.shortened"), (12.0, 50.0, "lead.no-room")],
+)
+def test_a_lead_in_is_shortened_without_room_only_and_that_is_reported(
+    size: float, length: float, note: str | None
+) -> None:
+    # A square hole: the lead-in comes from the side across.
+    far = 130.0 + size
+    hole = closed((130, 130), (130, far), (far, far), (far, 130))
+    line = dieline(
+        (LineType.CUT, closed((100, 100), (200, 100), (200, 200), (100, 200))), (LineType.CUT, hole)
+    )
+    made = compiled(lead(4, length=length), line=line)
+    assert made.verdict.accepted, codes(made.verdict)
+    notes = {one.message.code for one in made.verdict.findings}
+    assert notes & {"lead.shortened", "lead.no-room"} == ({note} if note else set())
+
+
+@pytest.mark.parametrize(
     ("chosen", "machine", "text"),
     [
         ((lead(0, length=5.0),), "demo-table", "cuts with no router or laser"),

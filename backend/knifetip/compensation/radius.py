@@ -209,8 +209,13 @@ def _add_leads(
     size = np.bincount(owner[order], minlength=len(paths))
     joined = Paths(start[order], end[order], bulge[order], np.concatenate([[0], np.cumsum(size)]))
     # The last pass of a hole has no lead-out.
-    bare = (lead_in.fraction == 0.0) | ((lead_out.fraction == 0.0) & ~_is_hole(operation, paths))
-    notes = _missing_lead_notes(paths.start[first[bare & ~bridged]])
+    has_out = ~_is_hole(operation, paths)
+    bare = (lead_in.fraction == 0.0) | ((lead_out.fraction == 0.0) & has_out)
+    short = (lead_in.fraction < 1.0) | ((lead_out.fraction < 1.0) & has_out)
+    notes = (
+        *_missing_lead_notes(paths.start[first[bare & ~bridged]]),
+        *_shortened_lead_notes(paths.start[first[short & ~bare & ~bridged]], cutter),
+    )
     return joined, centre.segment[rows[order]], motion[order], notes
 
 
@@ -228,3 +233,20 @@ def _missing_lead_notes(position: F64) -> tuple[Message, ...]:
     if len(position) == 0:
         return ()
     return (Message("lead.no-room", count=len(position), places=list_places(position)),)
+
+
+def _shortened_lead_notes(position: F64, cutter: DiscTool) -> tuple[Message, ...]:
+    """Return a message about contours with room for half of a lead-in or lead-out only, if any.
+
+    ``position`` (m, 2) is the start of each of their centre paths (mm).
+    """
+    if len(position) == 0:
+        return ()
+    return (
+        Message(
+            "lead.shortened",
+            count=len(position),
+            length=cutter.lead_in,
+            places=list_places(position),
+        ),
+    )

@@ -9,7 +9,7 @@ little-endian throughout::
               {"columns": [{"name", "dtype", "shape", "offset"}, …], "meta": {…}}
     data      each column at a multiple of 8; ``offset`` counts from the start of the data
 
-The ``dtype`` of a column is ``<f8``, ``<i4`` or ``|u1``.
+The ``dtype`` of a column is ``<f8``, ``<f4``, ``<i4`` or ``|u1``.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ def pack_columns(columns: Mapping[str, NDArray[Any]], meta: Mapping[str, object]
     Parameters
     ----------
     columns
-        Arrays of any shape, by name; floats become float64, signed integers int32, and unsigned
-        integers uint8.
+        Arrays of any shape, by name; float32 is kept, other floats become float64, signed integers
+        int32, and unsigned integers uint8.
     meta
         JSON data; all numbers must be finite.
 
@@ -45,7 +45,8 @@ def pack_columns(columns: Mapping[str, NDArray[Any]], meta: Mapping[str, object]
     descriptions: list[dict[str, object]] = []
     data = bytearray()
     for name, column in columns.items():
-        array = np.ascontiguousarray(column, dtype=_DTYPES[column.dtype.kind])
+        dtype = "<f4" if column.dtype == np.float32 else _DTYPES[column.dtype.kind]
+        array = np.ascontiguousarray(column, dtype=dtype)
         descriptions.append(
             {
                 "name": name,

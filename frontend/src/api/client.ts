@@ -2,8 +2,8 @@
  * The REST API as functions, except those for webhooks and accounts.
  */
 
-import type { Edges, Toolpath, VerdictColumns } from "../geometry/records";
-import { edgesOf, toolpathOf, verdictColumnsOf } from "./columns";
+import type { DrawnEdges, Edges, Toolpath, VerdictColumns } from "../geometry/records";
+import { drawnEdgesOf, edgesOf, toolpathOf, verdictColumnsOf } from "./columns";
 import type { components, paths } from "./openapi.gen";
 import { operatorName } from "./operator";
 import type { EDGE_OPTIONS, OPTIONS } from "./options.gen";
@@ -196,13 +196,17 @@ export function revisionOf(etag: string | null): number | null {
 }
 
 /** The edges, with the revision of their drawing. */
-async function fetchEdges(id: string, signal?: AbortSignal): Promise<Edges> {
-  const params = { ...byId(id), query: { format: "columns" as const } };
+async function fetchEdges<T extends DrawnEdges>(
+  id: string,
+  format: "columns" | "drawn",
+  decode: (bytes: ArrayBuffer) => T,
+  signal?: AbortSignal,
+): Promise<T> {
   const { data, response } = await api.GET("/api/v1/drawings/{id}/edges", {
-    params,
+    params: { ...byId(id), query: { format } },
     ...binary(signal),
   });
-  const edges = edgesOf(data as ArrayBuffer);
+  const edges = decode(data as ArrayBuffer);
   const revision = revisionOf(response.headers.get("ETag"));
   return revision === null ? edges : { ...edges, revision };
 }
@@ -249,7 +253,11 @@ export type ExportFormat = (typeof EXPORT_FORMATS)[number];
 export const service = {
   drawing: (id: string, signal?: AbortSignal): Promise<Drawing> =>
     dataOf(api.GET("/api/v1/drawings/{id}", { params: byId(id), ...uncached(signal) })),
-  edges: fetchEdges,
+  edges: (id: string, signal?: AbortSignal): Promise<Edges> =>
+    fetchEdges(id, "columns", edgesOf, signal),
+  /** The edges; of many, only what a picture needs. */
+  drawnEdges: (id: string, signal?: AbortSignal): Promise<DrawnEdges | Edges> =>
+    fetchEdges(id, "drawn", drawnEdgesOf, signal),
   importReport: (
     id: string,
     outcome: ImportReportRow["outcome"],

@@ -1,9 +1,18 @@
 import { describe, expect, test } from "vitest";
-import { ColumnsError, decodeColumns, edgesOf, toolpathOf, verdictColumnsOf } from "./columns";
+import { isComplete } from "../geometry/records";
+import {
+  ColumnsError,
+  decodeColumns,
+  drawnEdgesOf,
+  edgesOf,
+  toolpathOf,
+  verdictColumnsOf,
+} from "./columns";
 
-type Values = Float64Array | Int32Array | Uint8Array;
+type Values = Float64Array | Float32Array | Int32Array | Uint8Array;
 const DTYPES = new Map<unknown, string>([
   [Float64Array, "<f8"],
+  [Float32Array, "<f4"],
   [Int32Array, "<i4"],
   [Uint8Array, "|u1"],
 ]);
@@ -124,6 +133,25 @@ describe("columns", () => {
     const { length: _, ...others } = EDGES;
     expect(() => edgesOf(packed(others))).toThrow(/lacks the column length/);
   });
+});
+
+test("what a picture needs lies about its origin; few edges come with all columns", () => {
+  const drawn = drawnEdgesOf(
+    packed(
+      {
+        ends: Float32Array.of(-50, 0, 50, 0.25),
+        bulge: Float32Array.of(0.5),
+        line_type: Uint8Array.of(2),
+        outcome: Uint8Array.of(1),
+      },
+      { origin: [1e6, 20] },
+    ),
+  );
+  expect([...drawn.ends]).toEqual([999_950, 20, 1_000_050, 20.25]);
+  expect([drawn.bulge[0], drawn.lineType[0], drawn.outcome[0]]).toEqual([0.5, 2, 1]);
+  expect(isComplete(drawn)).toBe(false);
+  const all = drawnEdgesOf(packed(EDGES, { handles: ["2F4"], layers: ["NUT"] }));
+  expect(isComplete(all) && all.handles).toEqual(["2F4"]);
 });
 
 test("a verdict's areas and samples are read by their names", () => {

@@ -8,6 +8,7 @@
  */
 
 import {
+  type DrawnEdges,
   type Edges,
   LINE_TYPES,
   type LineType,
@@ -17,7 +18,7 @@ import {
 import { posesOnDrawing, similarityOf } from "../geometry/similarity";
 import { translate } from "../language/translate";
 
-type Column = Float64Array | Int32Array | Uint8Array;
+type Column = Float64Array | Float32Array | Int32Array | Uint8Array;
 
 export interface Columns {
   readonly columns: ReadonlyMap<string, Column>;
@@ -66,7 +67,12 @@ export function decodeColumns(bytes: ArrayBuffer): Columns {
 }
 
 function viewOf(dtype: string, bytes: ArrayBuffer, at: number, count: number): Column | null {
-  const kinds = { "<f8": Float64Array, "<i4": Int32Array, "|u1": Uint8Array } as const;
+  const kinds = {
+    "<f8": Float64Array,
+    "<f4": Float32Array,
+    "<i4": Int32Array,
+    "|u1": Uint8Array,
+  } as const;
   const kind = kinds[dtype as keyof typeof kinds];
   if (kind === undefined || at + count * kind.BYTES_PER_ELEMENT > bytes.byteLength) return null;
   if (at % kind.BYTES_PER_ELEMENT !== 0) {
@@ -92,8 +98,28 @@ const isLineType = (word: string): word is LineType => LINE_TYPES.some((type) =>
 const lineTypeLists = (value: unknown): LineType[][] =>
   (Array.isArray(value) ? value : []).map((list) => strings(list).filter(isLineType));
 
-export function edgesOf(bytes: ArrayBuffer): Edges {
+/** All columns of edges, or those that a picture needs. */
+export function drawnEdgesOf(bytes: ArrayBuffer): DrawnEdges | Edges {
   const from = decodeColumns(bytes);
+  const { origin } = from.meta;
+  if (!Array.isArray(origin)) return edgesFrom(from);
+  const [x, y] = origin.map(Number);
+  const ends = new Float64Array(column(from, "ends", Float32Array));
+  for (let at = 0; at < ends.length; at += 2) {
+    (ends[at] as number) += x as number;
+    (ends[at + 1] as number) += y as number;
+  }
+  return {
+    ends,
+    bulge: new Float64Array(column(from, "bulge", Float32Array)),
+    lineType: column(from, "line_type", Uint8Array),
+    outcome: column(from, "outcome", Uint8Array),
+  };
+}
+
+export const edgesOf = (bytes: ArrayBuffer): Edges => edgesFrom(decodeColumns(bytes));
+
+function edgesFrom(from: Columns): Edges {
   const bulge = column(from, "bulge", Float64Array);
   return {
     ends: column(from, "ends", Float64Array),

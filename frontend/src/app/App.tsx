@@ -19,14 +19,14 @@ import {
   MACHINES,
   SETTINGS,
   SHEET,
-  SORTED_WORK,
   STATION,
   STATIONS,
   syncWithAddress,
   WEBHOOKS,
+  WORK_TABLE,
+  workViewOf,
 } from "../state/routes";
 import { useUiStore } from "../state/store";
-import type { WorkOrder } from "../state/work/workOrder";
 import css from "./app.module.css";
 import { NotFound } from "./NotFound";
 import { Part } from "./Part";
@@ -66,13 +66,7 @@ export function App() {
   return (
     <Shell>
       <Switch>
-        <Route path={SORTED_WORK}>
-          {({ column, reversed }) => (
-            <WorkPage
-              order={{ sort: (column ?? "newest") as WorkOrder["sort"], reverse: reversed != null }}
-            />
-          )}
-        </Route>
+        <Route path={WORK_TABLE}>{() => <WorkPage view={workViewOf(location.hash)} />}</Route>
         <Route path={DRAWINGS}>{fetched("drawing", <DrawingPage />)}</Route>
         <Route path={MACHINES}>
           {({ machine }) => fetched("machines", <MachinesPage shown={decodedPart(machine)} />)}

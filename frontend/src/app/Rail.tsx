@@ -17,7 +17,7 @@ import { translate } from "../language/translate";
 import { AccountButton } from "../panels/accounts/AccountButton";
 import { usePaletteRequests } from "../state/commands/paletteRequests";
 import { useMachineState } from "../state/job/useMachineState";
-import { drawingPath, SORTED_WORK } from "../state/routes";
+import { drawingPath, WORK_TABLE } from "../state/routes";
 import { useUiStore } from "../state/store";
 import css from "./app.module.css";
 import { Logo } from "./Logo";
@@ -31,7 +31,7 @@ export function Rail() {
       <span className={css.brand}>
         <Logo size={26} />
       </span>
-      <Place href="/" at={SORTED_WORK.test(path)} label={translate("rail.work")} testId="to-work">
+      <Place href="/" at={WORK_TABLE.test(path)} label={translate("rail.work")} testId="to-work">
         <IconLayoutList />
       </Place>
       <Place

@@ -31,11 +31,11 @@ export function Shell({ children }: { children: ReactNode }) {
             {translate("shell.theServerDoesNotRespond")}
           </p>
         )}
+        <PreparationBanner />
         {children}
       </div>
       {!paired && <Rail />}
       <section className={css.messages} aria-label={translate("shell.messages")}>
-        <PreparationBanner />
         <ProgressOverlay />
         <NotificationList />
       </section>

@@ -2,7 +2,6 @@
 
 import { Group, Skeleton, Stack, Title } from "@mantine/core";
 import { useDebouncedValue } from "@mantine/hooks";
-import { useState } from "react";
 import type { OrdersFilter } from "../api/client";
 import { translate } from "../language/translate";
 import { errorText } from "../messages/translateMessage";
@@ -13,10 +12,12 @@ import { Note } from "../panels/shared/parts";
 import { ShowMore } from "../panels/shared/ShowMore";
 import { ChooseFile } from "../panels/work/ChooseFile";
 import { Welcome } from "../panels/work/Welcome";
-import { NO_FILTER, type WorkFilter, WorkFilters } from "../panels/work/WorkFilters";
+import { WorkFilters } from "../panels/work/WorkFilters";
 import { WorkTable } from "../panels/work/WorkTable";
 import { useOrders } from "../state/queries";
+import type { WorkView } from "../state/routes";
 import { groupByFile, PROGRESS } from "../state/work/orders";
+import type { WorkFilter } from "../state/work/workFilter";
 import type { WorkOrder } from "../state/work/workOrder";
 import { prefetch } from "./views";
 
@@ -34,13 +35,10 @@ const wantedOf = (
   reverse,
 });
 
-interface Props {
-  readonly order: WorkOrder;
-}
-
-export function WorkPage({ order }: Props) {
-  const [filter, setFilter] = useState<WorkFilter>(NO_FILTER);
-  const [wanted] = useDebouncedValue(filter, filter.search === "" ? 0 : PAUSE);
+export function WorkPage({ view }: { readonly view: WorkView }) {
+  const { filter, order } = view;
+  const [search] = useDebouncedValue(filter.search, filter.search === "" ? 0 : PAUSE);
+  const wanted = { ...filter, search };
   const list = useOrders(wantedOf(wanted, order));
   const { data: rows, error } = list;
   const none = rows?.length === 0;
@@ -65,7 +63,7 @@ export function WorkPage({ order }: Props) {
           </Group>
         </Permitted>
       </header>
-      <WorkFilters filter={filter} order={order} onChange={setFilter} />
+      <WorkFilters view={view} />
       {error !== null && <Note role="alert">{errorText(error)}</Note>}
       {rows === undefined && error === null && (
         <Stack gap={8} mt={12} aria-hidden>
@@ -79,7 +77,7 @@ export function WorkPage({ order }: Props) {
           {translate("workPage.nothingMeetsTheseConditions")}
         </Note>
       ) : (
-        rows !== undefined && <WorkTable groups={groupByFile(rows)} order={order} />
+        rows !== undefined && <WorkTable groups={groupByFile(rows)} view={view} />
       )}
       {list.hasNextPage && (
         <ShowMore busy={list.isFetchingNextPage} act={() => void list.fetchNextPage()} />

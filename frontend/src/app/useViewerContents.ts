@@ -2,13 +2,14 @@
 
 import { useEffect, useMemo, useRef } from "react";
 import { boundsOf } from "../geometry/bounds";
-import type { Edges } from "../geometry/records";
+import { type Box, type DrawnEdges, type Edges, isComplete } from "../geometry/records";
 import { cornersOnDrawing, type Similarity } from "../geometry/similarity";
 import { type Sweep, sweepOf } from "../geometry/sweep";
 import { timeOf, totalSeconds } from "../geometry/timeline";
 import { type TipOffset, tipOffset } from "../geometry/tip";
 import { workedSpans } from "../geometry/workedSpans";
 import { useScheme } from "../panels/shared/scheme";
+import { coarseTolerance } from "../scene/dieline";
 import { figureColours, stretchColours } from "../scene/figureColours";
 import type { Tools } from "../scene/swept";
 import type { PictureCommands } from "../state/commands/picture";
@@ -22,7 +23,7 @@ import { sheetBox } from "../state/order/sheet";
 import {
   useBoardCaliper,
   useDrawing,
-  useEdges,
+  useDrawnEdges,
   useJob,
   useKnownStation,
   useMachines,
@@ -42,10 +43,12 @@ export function useViewerContents(
   onReady: (commands: PictureCommands | null) => void,
 ): void {
   const open = useUiStore((ui) => ui.drawing);
-  const { data } = useEdges();
-  const edges = open === null ? null : (data ?? null);
+  const known = useDrawnEdges();
+  const drawn = open === null ? null : (known ?? null);
+  const edges = drawn !== null && isComplete(drawn) ? drawn : null;
   const tools = useTools();
-  useShownEdges(viewer, edges, tools);
+  useShownEdges(viewer, drawn, edges, tools);
+  useFirstView(viewer, drawn);
   useShownTable(viewer);
   useShownPath(viewer, edges, tools);
   useShownMarks(viewer, edges);
@@ -96,12 +99,17 @@ function useFigureColours(edges: Edges | null) {
   }, [edges, samples, colourMode, verdict, scheme]);
 }
 
-function useShownEdges(viewer: MaybeViewer, edges: Edges | null, tools: Tools): void {
+/** `edges`: all columns of `drawn`; null while they are not there. */
+function useShownEdges(
+  viewer: MaybeViewer,
+  drawn: DrawnEdges | null,
+  edges: Edges | null,
+  tools: Tools,
+): void {
   const { data: timeline } = useTimeline();
   const { data: verdict } = useVerdict();
   const hiddenTypes = useUiStore((ui) => ui.hiddenTypes);
   const hiddenLayers = useUiStore((ui) => ui.hiddenLayers);
-  const open = useUiStore((ui) => ui.drawing);
   const figures = useFigureColours(edges);
   const toolpath = timeline?.toolpath;
   const worked = useMemo(
@@ -112,16 +120,34 @@ function useShownEdges(viewer: MaybeViewer, edges: Edges | null, tools: Tools): 
     [edges, toolpath, verdict, tools],
   );
   useEffect(() => {
-    const isVisible = edges === null ? () => false : shownEdges(edges, hiddenTypes, hiddenLayers);
-    const dropped = (row: number) => edges !== null && isDropped(edges, row);
-    viewer?.showEdges(edges, isVisible, { ...figures, worked, dropped });
-  }, [viewer, edges, hiddenTypes, hiddenLayers, figures, worked]);
+    const isVisible = drawn === null ? () => false : shownEdges(drawn, hiddenTypes, hiddenLayers);
+    const dropped = (row: number) => drawn !== null && isDropped(drawn, row);
+    const box = drawn === null || edges !== null ? null : boundsOf(drawn);
+    const arcs = box === null ? {} : { tolerance: coarseTolerance(box) };
+    viewer?.showEdges(drawn, isVisible, { ...figures, ...arcs, worked, dropped });
+  }, [viewer, drawn, edges, hiddenTypes, hiddenLayers, figures, worked]);
+}
 
-  // Zoom to a drawing when it is opened or its size changes, not when line types change.
-  const extent = useMemo(() => (edges === null ? "" : String(boundsOf(edges))), [edges]);
+/** Differences of this part of a drawing's size are those of single precision. */
+const SAME_SIZE = 1e-5;
+
+const isSameBox = (one: Box, other: Box): boolean => {
+  const slack = SAME_SIZE * Math.max(one[2] - one[0], one[3] - one[1]);
+  return one.every((value, at) => Math.abs(value - (other[at] as number)) <= slack);
+};
+
+/** Zoom to a drawing when it is opened or its size changes, not when line types change. */
+function useFirstView(viewer: MaybeViewer, drawn: DrawnEdges | null): void {
+  const open = useUiStore((ui) => ui.drawing);
+  const last = useRef<Box | null>(null);
+  const extent = useMemo(() => {
+    const box = drawn === null ? null : boundsOf(drawn);
+    if (box === null || last.current === null || !isSameBox(last.current, box)) last.current = box;
+    return last.current;
+  }, [drawn]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: `open` triggers the zoom
   useEffect(() => {
-    if (extent !== "") viewer?.fit(null, false);
+    if (extent !== null) viewer?.fit(null, false);
   }, [viewer, open, extent]);
 }
 

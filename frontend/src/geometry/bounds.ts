@@ -54,11 +54,46 @@ export function boxOfRow(segments: Segments, row: number): Box {
   );
 }
 
+/** Bounding boxes of all lines and arcs: asked for often, and the values never change. */
+const known = new WeakMap<Segments, Box | null>();
+
 /** Bounding box of the lines and arcs in some rows, by default in all; null if there are none. */
 export function boundsOf(segments: Segments, rows?: Iterable<number>): Box | null {
+  if (rows !== undefined) return unionOfRows(segments, rows);
+  let box = known.get(segments);
+  if (box === undefined) {
+    box = unionOfAll(segments);
+    known.set(segments, box);
+  }
+  return box;
+}
+
+function unionOfRows(segments: Segments, rows: Iterable<number>): Box | null {
   let box = EMPTY;
-  for (const row of rows ?? segments.bulge.keys()) {
+  for (const row of rows) {
     if (row >= 0 && row < segments.bulge.length) box = unionBox(box, boxOfRow(segments, row));
   }
   return Number.isFinite(box[0]) ? box : null;
+}
+
+function unionOfAll(segments: Segments): Box | null {
+  const { ends, bulge } = segments;
+  let [left, bottom, right, top] = EMPTY;
+  const add = (x: number, y: number) => {
+    if (x < left) left = x;
+    if (x > right) right = x;
+    if (y < bottom) bottom = y;
+    if (y > top) top = y;
+  };
+  for (let row = 0; row < bulge.length; row++) {
+    const at = row * 4;
+    add(ends[at] as number, ends[at + 1] as number);
+    add(ends[at + 2] as number, ends[at + 3] as number);
+    if (bulge[row] !== 0) {
+      const box = boxOfRow(segments, row);
+      add(box[0], box[1]);
+      add(box[2], box[3]);
+    }
+  }
+  return Number.isFinite(left) ? [left, bottom, right, top] : null;
 }

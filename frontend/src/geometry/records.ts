@@ -30,10 +30,16 @@ export type LineType = (typeof LINE_TYPES)[number];
 export const lineTypeOf = (code: number | undefined): LineType =>
   LINE_TYPES[code ?? 0] ?? "unclassified";
 
-/** The edges of a drawing, in drawing order. */
-export interface Edges extends Segments {
+/** What a picture of edges needs; of many edges, it arrives before the rest. */
+export interface DrawnEdges extends Segments {
   /** (n,) index into LINE_TYPES */
   readonly lineType: Uint8Array;
+  /** (n,) index into OUTCOMES */
+  readonly outcome: Uint8Array;
+}
+
+/** The edges of a drawing, in drawing order. */
+export interface Edges extends DrawnEdges {
   /** (n,) index into `layers` */
   readonly layer: Int32Array;
   /** (n,) AutoCAD colour index */
@@ -57,14 +63,14 @@ export interface Edges extends Segments {
   readonly linetypes: readonly string[];
   /** Other possible line types by rule, most likely first. */
   readonly alternatives: readonly (readonly LineType[])[];
-  /** (n,) index into OUTCOMES */
-  readonly outcome: Uint8Array;
   /** (n,) index into `reasons` */
   readonly reason: Int32Array;
   readonly reasons: readonly string[];
   /** Revision of the drawing, if known. */
   readonly revision?: number;
 }
+
+export const isComplete = (edges: DrawnEdges | Edges): edges is Edges => "layer" in edges;
 
 /** Import outcomes; the index is the code in the column. */
 export const OUTCOMES = ["kept", "merged", "dropped"] as const;

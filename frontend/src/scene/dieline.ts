@@ -2,17 +2,25 @@
 
 import { arcLength, flattenArc, partialBulge, pointAt } from "../geometry/arc";
 import {
-  type Edges,
+  type Box,
+  type DrawnEdges,
   type LineType,
   lineTypeOf,
   type Point,
   type Segments,
 } from "../geometry/records";
-import { mm } from "../geometry/units";
+import { type Millimetre, mm } from "../geometry/units";
 import { DASHES, type Dash, LineBuilder, type Lines, type Rgba } from "./lines";
 
 /** Maximum distance of a chord from its arc (mm). */
 export const CHORD_TOLERANCE = mm(0.01);
+
+/** The tolerance is at most this part of the diagonal of a drawing: a tenth of a pixel. */
+const COARSE_PART = 1 / 16_000;
+
+/** Maximum distance of a chord from its arc (mm) while a drawing is shown as a whole. */
+export const coarseTolerance = ([left, bottom, right, top]: Box): Millimetre =>
+  mm(Math.max(CHORD_TOLERANCE, Math.hypot(right - left, top - bottom) * COARSE_PART));
 
 /** Colour and dash of each line type. */
 export type Palette = Readonly<Record<LineType, { colour: Rgba; dash: Dash }>>;
@@ -34,6 +42,8 @@ export interface EdgeStretches {
 }
 
 export interface DielineStyle {
+  /** Maximum distance of a chord from its arc (mm); default: `CHORD_TOLERANCE`. */
+  readonly tolerance?: Millimetre;
   /** Which edges are drawn; default: all. */
   readonly shown?: (row: number) => boolean;
   /** (n, 4) colours instead of those of the line types */
@@ -48,10 +58,11 @@ export interface DielineStyle {
 
 /** Lines of the drawing, coloured by line type or by `colours`. */
 export function dielineLines(
-  edges: Edges,
+  edges: DrawnEdges,
   origin: Point,
   palette: Palette,
   {
+    tolerance = CHORD_TOLERANCE,
     shown = () => true,
     colours = null,
     worked = null,
@@ -63,7 +74,7 @@ export function dielineLines(
   for (let row = 0; row < edges.bulge.length; row++) {
     if (!shown(row)) continue;
     if (dropped(row)) {
-      addEdge(lines, edges, row, DROPPED, DASHES.indexOf("dotted"));
+      addEdge(lines, edges, row, DROPPED, DASHES.indexOf("dotted"), tolerance);
       continue;
     }
     const look = palette[lineTypeOf(edges.lineType[row])];
@@ -72,12 +83,16 @@ export function dielineLines(
     const dash = colours === null ? DASHES.indexOf(look.dash) : 0;
     const from = worked?.[row * 2] ?? 0;
     const to = worked?.[row * 2 + 1] ?? 1;
-    const faint: Rgba = [colour[0], colour[1], colour[2], Math.round(colour[3] * UNWORKED_OPACITY)];
-    if (from > 0) addEdge(lines, edges, row, faint, dash, 0, from);
-    if (to > from && !addStretches(lines, edges, row, along, from, to)) {
-      addEdge(lines, edges, row, colour, dash, from, to);
+    if (from === 0 && to === 1 && along === null) {
+      addEdge(lines, edges, row, colour, dash, tolerance);
+      continue;
     }
-    if (to < 1) addEdge(lines, edges, row, faint, dash, to, 1);
+    const faint: Rgba = [colour[0], colour[1], colour[2], Math.round(colour[3] * UNWORKED_OPACITY)];
+    if (from > 0) addEdge(lines, edges, row, faint, dash, tolerance, 0, from);
+    if (to > from && !addStretches(lines, edges, row, along, from, to)) {
+      addEdge(lines, edges, row, colour, dash, tolerance, from, to);
+    }
+    if (to < 1) addEdge(lines, edges, row, faint, dash, tolerance, to, 1);
   }
   return lines.build();
 }
@@ -85,7 +100,7 @@ export function dielineLines(
 /** Add an edge stretch by stretch; false if it has no stretches. */
 function addStretches(
   lines: LineBuilder,
-  edges: Edges,
+  edges: Segments,
   row: number,
   along: EdgeStretches | null,
   from: number,
@@ -99,7 +114,7 @@ function addStretches(
     // The last stretch extends to the end.
     const next = at + 1 === end ? to : Math.min(to, along.place[at + 1] ?? to);
     if (next <= before) continue;
-    addEdge(lines, edges, row, rgbaAt(along.colour, at), 0, before, next);
+    addEdge(lines, edges, row, rgbaAt(along.colour, at), 0, CHORD_TOLERANCE, before, next);
     before = next;
   }
   return true;
@@ -149,10 +164,17 @@ function addEdge(
   row: number,
   colour: Rgba,
   dash: number,
+  tolerance = CHORD_TOLERANCE,
   from = 0,
   to = 1,
 ) {
   const at = row * 4;
+  if (bulge[row] === 0 && from === 0 && to === 1) {
+    const [x0, y0] = [ends[at] as number, ends[at + 1] as number];
+    const [x1, y1] = [ends[at + 2] as number, ends[at + 3] as number];
+    lines.add(x0, y0, x1, y1, colour, { dash, row });
+    return;
+  }
   const whole = [
     ends[at] as number,
     ends[at + 1] as number,
@@ -165,7 +187,7 @@ function addEdge(
   const [x1, y1] = to < 1 ? pointAt(...whole, to) : [whole[2], whole[3]];
   const bend = partialBulge(whole[4], to - from);
   let before = run * from;
-  flattenArc(x, y, x1, y1, bend, CHORD_TOLERANCE, (nextX, nextY, fraction) => {
+  flattenArc(x, y, x1, y1, bend, tolerance, (nextX, nextY, fraction) => {
     lines.add(x, y, nextX, nextY, colour, { along: before, dash, row });
     before = run * (from + (to - from) * fraction);
     x = nextX;

@@ -6,9 +6,11 @@ import {
   QueryClient,
   type QueryFilters,
   queryOptions,
+  skipToken,
   useInfiniteQuery,
   useQuery,
 } from "@tanstack/react-query";
+import { useEffect } from "react";
 import {
   type Board,
   type DrawingSummary,
@@ -26,6 +28,7 @@ import { ServiceError } from "../api/errors";
 import { openEventStream } from "../api/events";
 import type { Page } from "../api/restApi";
 import { type DeliveryState, webhookService } from "../api/webhooks";
+import { type DrawnEdges, type Edges, isComplete } from "../geometry/records";
 import { buildTimeline } from "../geometry/timeline";
 import { hasProgram, isFinal } from "./job/jobs";
 import { hasChanged } from "./job/queue";
@@ -64,6 +67,14 @@ async function refresh(filters: QueryFilters): Promise<void> {
 
 const getNextPageParam = ({ next }: Page<unknown>) => next;
 
+/** Fetch edges; of many, first what a picture needs, which is drawn meanwhile. */
+async function fetchEdgesAfterPicture(id: string, signal: AbortSignal): Promise<Edges> {
+  const drawn = await service.drawnEdges(id, signal);
+  if (isComplete(drawn)) return drawn;
+  queryClient.setQueryData(queries.drawnEdges(id).queryKey, drawn);
+  return service.edges(id, signal);
+}
+
 /** Key and fetch function of each query. */
 export const queries = {
   drawing: (id: string) =>
@@ -81,7 +92,17 @@ export const queries = {
   edges: (id: string) =>
     queryOptions({
       queryKey: ["edges", id],
-      queryFn: ({ signal }) => service.edges(id, signal),
+      queryFn: ({ signal }) =>
+        queryClient.getQueryData(["edges", id]) === undefined
+          ? fetchEdgesAfterPicture(id, signal)
+          : service.edges(id, signal),
+      structuralSharing: false,
+    }),
+  /** What a picture of many edges needs, until all of them are there; set by `edges`. */
+  drawnEdges: (id: string) =>
+    queryOptions<DrawnEdges | null>({
+      queryKey: ["drawn edges", id],
+      queryFn: skipToken,
       structuralSharing: false,
     }),
   importReports: (id: string) => ["importReport", id] as const,
@@ -348,6 +369,18 @@ export function useDrawing() {
 export function useEdges() {
   const id = useUiStore((ui) => ui.drawing);
   return useQuery({ ...queries.edges(id ?? ""), enabled: id !== null });
+}
+
+/** The edges of the open drawing, or what a picture of them needs while the rest is fetched. */
+export function useDrawnEdges(): DrawnEdges | Edges | undefined {
+  const id = useUiStore((ui) => ui.drawing);
+  const { data: edges } = useEdges();
+  const { data: drawn } = useQuery(queries.drawnEdges(id ?? ""));
+  const outdated = edges !== undefined && drawn != null;
+  useEffect(() => {
+    if (id !== null && outdated) queryClient.setQueryData(queries.drawnEdges(id).queryKey, null);
+  }, [id, outdated]);
+  return edges ?? drawn ?? undefined;
 }
 
 /** Entities of the open drawing with one import outcome; fetched if `wanted`. */

@@ -8,9 +8,16 @@ import {
   showDrawing,
   showHistory,
   showSettings,
+  showWork,
   syncWithAddress,
+  WORK_TABLE,
+  type WorkView,
+  workPath,
+  workViewOf,
 } from "./routes";
 import { type OpenDrawing, useUiStore } from "./store";
+import { NO_FILTER } from "./work/workFilter";
+import { NEWEST } from "./work/workOrder";
 
 const NOTHING: OpenDrawing = { drawing: null, step: null, job: null };
 
@@ -53,6 +60,30 @@ test.each([
 test("an address that is not encoded correctly opens nothing", () => {
   expect(drawingOf("#/drawings/%E0%A4%A")).toEqual(NOTHING);
 });
+
+const ALL_WORK: WorkView = { filter: NO_FILTER, order: NEWEST };
+const searched = (search: string): WorkView => ({ ...ALL_WORK, filter: { ...NO_FILTER, search } });
+
+test.each<[string, WorkView]>([
+  ["/", ALL_WORK],
+  ["/by/due/reversed", { ...ALL_WORK, order: { sort: "due", reverse: true } }],
+  ["/search/50%25%20a%2Fb", searched("50% a/b")],
+  [
+    "/state/ready/machine/my%20table/search/box/by/name",
+    {
+      filter: { progress: "ready", machine: "my table", search: "box" },
+      order: { sort: "name", reverse: false },
+    },
+  ],
+])("the work at %s and back", (path, view) => {
+  expect(workViewOf(`#${path}`)).toEqual(view);
+  expect(workPath(view)).toBe(path);
+});
+
+test.each(["/state", "/state/lost", "/machine/", "/search/a/b", "/by", "/by/colour", "/x/by/due"])(
+  "%s is no address of the work",
+  (path) => expect(WORK_TABLE.test(path)).toBe(false),
+);
 
 let stop = () => {};
 const place = { hash: "", href: "" };
@@ -138,6 +169,19 @@ test("the station page keeps its address while it follows a job", () => {
   useUiStore.getState().openJob("j2");
   expect(place.hash).toBe("#/station/table");
   expect(opened()).toBe("/drawings/d1/jobs/j2");
+});
+
+test("each condition on the work is an entry of the browser history, a search is one in all", () => {
+  goTo("#/");
+  const views = ["b", "bo", "box", ""].map(searched);
+  views.reduce((before, view) => {
+    showWork(view, before);
+    expect(place.hash).toBe(`#${workPath(view)}`);
+    return view;
+  }, ALL_WORK);
+  expect([pushState.mock.calls.length, replaceState.mock.calls.length]).toEqual([2, 2]);
+  showWork({ ...ALL_WORK, order: { sort: "due", reverse: false } }, ALL_WORK);
+  expect(pushState).toHaveBeenCalledTimes(3);
 });
 
 test("the tabs of the history and of the settings have addresses, and no others", () => {

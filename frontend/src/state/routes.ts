@@ -3,6 +3,8 @@
  *
  *     #/                                   drawings and their orders
  *     #/by/COLUMN, #/by/COLUMN/reversed    the same, sorted by a column
+ *     #/state/GROUP/machine/NAME/search/TEXT/by/COLUMN
+ *                                          the same, with conditions; each part can be missing
  *     #/drawings/ID                        a drawing, at the first step that needs the user
  *     #/drawings/ID/STEP                   a step of a drawing: lines, sheet, process or check
  *     #/drawings/ID/STEP/jobs/ID           the same, with a job of the drawing
@@ -27,13 +29,56 @@
 
 import { navigate } from "wouter/use-hash-location";
 import { type OpenDrawing, type Step, useUiStore } from "./store";
-import type { WorkOrder } from "./work/workOrder";
+import { NO_FILTER, type WorkFilter } from "./work/workFilter";
+import { NEWEST, type WorkOrder } from "./work/workOrder";
 
 export const WORK = "/";
 
-/** Addresses of the work, sorted by the newest drawing or by a column. */
-export const SORTED_WORK =
-  /^\/(?:by\/(?<column>name|customer|due|board|machine|state|time)(?<reversed>\/reversed)?)?$/;
+/** Addresses of the work, with conditions, sorted by the newest drawing or by a column. */
+export const WORK_TABLE = new RegExp(
+  [
+    "^(?:/|(?=/.)",
+    "(?:/state/(?<progress>prepare|ready|machine|ended))?",
+    "(?:/machine/(?<machine>[^/]+))?",
+    "(?:/search/(?<search>[^/]+))?",
+    "(?:/by/(?<column>name|customer|due|board|machine|state|time)(?<reversed>/reversed)?)?",
+    ")$",
+  ].join(""),
+);
+
+/** What the table of work shows: its conditions and its order. */
+export interface WorkView {
+  readonly filter: WorkFilter;
+  readonly order: WorkOrder;
+}
+
+/** What an address of the work shows; the router's own parts of it are decoded already. */
+export function workViewOf(hash: string): WorkView {
+  const { progress, machine, search, column, reversed } =
+    WORK_TABLE.exec(hash.slice(1))?.groups ?? {};
+  return {
+    filter: {
+      search: decodedPart(search),
+      progress: (progress ?? NO_FILTER.progress) as WorkFilter["progress"],
+      machine: decodedPart(machine),
+    },
+    order: {
+      sort: (column ?? NEWEST.sort) as WorkOrder["sort"],
+      reverse: reversed !== undefined,
+    },
+  };
+}
+
+export function workPath({ filter, order }: WorkView): string {
+  const { progress, machine, search } = filter;
+  const parts = [
+    progress === NO_FILTER.progress ? "" : `/state/${progress}`,
+    machine === "" ? "" : `/machine/${encodeURIComponent(machine)}`,
+    search === "" ? "" : `/search/${encodeURIComponent(search)}`,
+    order.sort === NEWEST.sort ? "" : `/by/${order.sort}${order.reverse ? "/reversed" : ""}`,
+  ];
+  return parts.join("") || WORK;
+}
 
 export const MACHINES = "/machines/:machine?";
 export const STATIONS = "/station";
@@ -121,11 +166,15 @@ export const showHistory = (view: HistoryView): void =>
 export const showSettings = (tab: AccountTab): void =>
   navigate(tab === "own" ? "/settings" : `/settings/${tab}`);
 
-/** Show the work in another order. */
-export const showWork = ({ sort, reverse }: WorkOrder): void =>
-  navigate(sort === "newest" ? WORK : `/by/${sort}${reverse ? "/reversed" : ""}`, {
-    replace: true,
-  });
+/**
+ * Show the work with other conditions or in another order.
+ *
+ * This adds an entry to the browser history, except for each further letter of a search.
+ */
+export function showWork(view: WorkView, before: WorkView): void {
+  const typed = view.filter.search !== before.filter.search && before.filter.search !== "";
+  navigate(workPath(view), { replace: typed && view.filter.search !== "" });
+}
 
 const layoutPath = (id: string): string => `/layouts/${encodeURIComponent(id)}/sheet`;
 export const layoutAddress = (id: string): string => `#${layoutPath(id)}`;

@@ -1,6 +1,6 @@
 /** Layers of the edges: drawing, selection, hover and previews of line types. */
 
-import type { Edges, LineType, Point, Segments } from "../geometry/records";
+import type { DrawnEdges, LineType, Point, Segments } from "../geometry/records";
 import {
   type DielineStyle,
   dielineLines,
@@ -28,19 +28,19 @@ export class DielineLayers {
 
   constructor(private readonly colours: ViewerColours) {}
 
-  show(edges: Edges | null, origin: Point, looks: DielineStyle): void {
+  show(edges: DrawnEdges | null, origin: Point, looks: DielineStyle): void {
     const { palette } = this.colours;
     this.nominal.show(edges === null ? null : dielineLines(edges, origin, palette, looks));
     this.showsFigures = (looks.colours ?? null) !== null;
   }
 
-  select(edges: Edges | null, origin: Point, rows: ReadonlySet<number>): void {
+  select(edges: DrawnEdges | null, origin: Point, rows: ReadonlySet<number>): void {
     const { chosen } = this.colours;
     this.chosen.show(edges === null ? null : highlightLines(edges, origin, rows, chosen));
   }
 
   /** Show edges in the line types that they would get. */
-  preview(edges: Edges | null, origin: Point, retypePreviews: readonly EdgePreview[]): void {
+  preview(edges: DrawnEdges | null, origin: Point, retypePreviews: readonly EdgePreview[]): void {
     const none = edges === null || retypePreviews.length === 0;
     this.retypePreviews.show(
       none ? null : retypePreviewLines(edges, origin, retypePreviews, this.colours.palette),

@@ -18,6 +18,7 @@ export class Picker {
   private moves: { segments: Segments; index: PickIndex } | null = null;
   private timeline: Timeline | null = null;
   private edges: Edges | null = null;
+  /** Built on first use, after the first picture. */
   private index: PickIndex | null = null;
   private visible: (row: number) => boolean = () => true;
 
@@ -25,7 +26,7 @@ export class Picker {
 
   setEdges(edges: Edges | null): void {
     this.edges = edges;
-    this.index = edges === null ? null : buildPickIndex(edges);
+    this.index = null;
   }
 
   setVisible(visible: (row: number) => boolean): void {
@@ -43,9 +44,10 @@ export class Picker {
   }
 
   edgeAt(at: Point, shown: VisibleLayers): number | null {
-    if (this.index === null || !shown.nominal) return null;
+    const index = this.edgeIndex();
+    if (index === null || !shown.nominal) return null;
     const place = this.camera.toPlane(at);
-    return this.index.at(place.x, place.y, REACH / this.camera.scale, this.visible);
+    return index.at(place.x, place.y, REACH / this.camera.scale, this.visible);
   }
 
   movesAt(at: Point, shown: VisibleLayers): readonly number[] {
@@ -64,11 +66,17 @@ export class Picker {
 
   /** Edges inside a polygon of points of the screen. */
   edgesInside(corners: readonly Point[]): readonly number[] {
-    if (this.index === null || this.edges === null) return [];
+    const index = this.edgeIndex();
+    if (index === null || this.edges === null) return [];
     const polygon = corners.map((corner) => this.camera.toPlane(corner));
     const xs = polygon.map(({ x }) => x);
     const ys = polygon.map(({ y }) => y);
     const box: Box = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
-    return rowsInside(this.edges, this.index.inside(box).filter(this.visible), polygon);
+    return rowsInside(this.edges, index.inside(box).filter(this.visible), polygon);
+  }
+
+  private edgeIndex(): PickIndex | null {
+    if (this.index === null && this.edges !== null) this.index = buildPickIndex(this.edges);
+    return this.index;
   }
 }

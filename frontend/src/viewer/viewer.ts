@@ -7,7 +7,7 @@
 
 import { Scene, WebGLRenderer } from "three";
 import { boundsOf, unionBox } from "../geometry/bounds";
-import type { Areas, Box, Edges, Point } from "../geometry/records";
+import { type Areas, type Box, type DrawnEdges, isComplete, type Point } from "../geometry/records";
 import type { Timeline } from "../geometry/timeline";
 import type { DielineStyle } from "../scene/dieline";
 import type { Tools } from "../scene/swept";
@@ -46,7 +46,7 @@ export class Viewer {
 
   /** Origin of all layers: the graphics card computes in single precision. */
   private origin: Point = { x: 0, y: 0 };
-  private edges: Edges | null = null;
+  private edges: DrawnEdges | null = null;
   private timeline: Timeline | null = null;
   private tools: Tools = { sweeps: new Map(), offsets: new Map(), caliper: 0 };
   private areas: Areas | null = null;
@@ -111,9 +111,13 @@ export class Viewer {
     this.resize();
   }
 
-  /** Show a drawing: `visible` filters its edges, `style` sets their style. */
+  /**
+   * Show a drawing: `visible` filters its edges, `style` sets their style.
+   *
+   * Edges are picked when all their columns are there.
+   */
   showEdges(
-    edges: Edges | null,
+    edges: DrawnEdges | null,
     visible: (row: number) => boolean,
     style: Omit<DielineStyle, "shown"> = {},
   ): void {
@@ -125,7 +129,7 @@ export class Viewer {
       const box = edges === null ? null : boundsOf(edges);
       this.origin =
         box === null ? { x: 0, y: 0 } : { x: (box[0] + box[2]) / 2, y: (box[1] + box[3]) / 2 };
-      this.picker.setEdges(edges);
+      this.picker.setEdges(edges !== null && isComplete(edges) ? edges : null);
       this.hoverRow = null;
       this.dieline.highlight(null, this.origin, []);
       this.surroundings.updateTable(this.origin);

@@ -13,6 +13,7 @@ COLUMNS = {
     "motion": np.array([0, 3, 255], np.uint8),
     "source": np.array([-1, 7], np.int32),
     "none": np.empty((0, 2, 2)),
+    "drawn": np.array([0.5, 1e-7], np.float32),
 }
 
 
@@ -35,11 +36,11 @@ def test_the_layout_is_as_the_browser_reads_it() -> None:
     assert start % 8 == 0
     header = json.loads(block[8:start].decode("utf-8"))
     # pose takes 64 bytes; motion 3, filled up to 8; source 8.
-    assert [column["offset"] for column in header["columns"]] == [0, 64, 72, 80]
-    assert [column["dtype"] for column in header["columns"]] == ["<f8", "|u1", "<i4", "<f8"]
+    assert [column["offset"] for column in header["columns"]] == [0, 64, 72, 80, 80]
+    assert [column["dtype"] for column in header["columns"]] == ["<f8", "|u1", "<i4", "<f8", "<f4"]
     assert struct.unpack_from("<d", block, start + 16) == (3.25,)
     assert struct.unpack_from("<i", block, start + 76) == (7,)
-    assert len(block) == start + 80
+    assert len(block) == start + 88
 
 
 def test_other_bytes_are_refused() -> None:

@@ -156,6 +156,15 @@ MESSAGES: Final[Entries] = {
         count="count",
         places="texts",
     ),
+    "lead.shortened": entry(
+        "{count:# contour has|# contours have} a lead-in or a lead-out of half its length, because "
+        "the tool would cut into another edge on the full length of {length:.3f} mm. X and Y on "
+        "the sheet in mm ({count:one contour|the first contours}): {places:; }.",
+        "For the full length, choose a thinner tool or leave more room between the edges.",
+        count="count",
+        length="number",
+        places="texts",
+    ),
     "groove.along-edge": entry(
         "The V-groove at edge {edge} meets the edge of the board at an angle of only "
         "{angle:.1f}°, so it would run along the edge of the board instead of ending there.",

@@ -367,4 +367,12 @@ MESSAGES: Final[Entries] = {
         station="count",
         found="count",
     ),
+    "verify.short-lead": entry(
+        "The contour of edge {edge} must have a lead-in of {length:.3f} mm, for which there is "
+        "room, but the program enters it on a lead-in of {found:.3f} mm.",
+        "Compile the job again.",
+        edge="edge",
+        length="number",
+        found="number",
+    ),
 }

@@ -109,6 +109,14 @@ TEXTS: Final[Texts] = {
         "Ein dünneres Werkzeug oder einen kürzeren Anlauf wählen, oder mehr Platz zwischen den "
         "Kanten lassen.",
     ),
+    "lead.shortened": Text(
+        "{count:# Kontur hat|# Konturen haben} einen Anlauf oder Auslauf von halber Länge, weil "
+        "das Werkzeug auf der vollen Länge von {length:.3f} mm in eine andere Kante schneiden "
+        "würde. X und Y auf dem Bogen in mm ({count:eine Kontur|die ersten Konturen}): "
+        "{places:; }.",
+        "Für die volle Länge ein dünneres Werkzeug wählen oder mehr Platz zwischen den Kanten "
+        "lassen.",
+    ),
     "groove.along-edge": Text(
         "Die V-Nut an Kante {edge} trifft den Rand des Kartons in einem Winkel von nur "
         "{angle:.1f}°, würde also am Rand entlanglaufen, statt dort zu enden.",

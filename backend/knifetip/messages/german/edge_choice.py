@@ -259,4 +259,9 @@ TEXTS: Final[Texts] = {
         "Programm bearbeitet sie mit dem von Station {found}.",
         "Den Auftrag neu berechnen.",
     ),
+    "verify.short-lead": Text(
+        "Die Kontur von Kante {edge} muss einen Anlauf von {length:.3f} mm haben, für den Platz "
+        "ist, aber das Programm kommt auf einem Anlauf von {found:.3f} mm zu ihr.",
+        "Den Auftrag neu berechnen.",
+    ),
 }

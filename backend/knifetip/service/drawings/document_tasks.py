@@ -13,6 +13,7 @@ from typing import Any, Final
 from pydantic import TypeAdapter
 
 from knifetip.model.stage import Progress
+from knifetip.presentation.drawn_edges import pack_drawn_edges
 from knifetip.presentation.edges import EdgeTable
 from knifetip.presentation.import_report import unpack_rows, with_defaults
 from knifetip.presentation.picture import svg_picture
@@ -46,6 +47,11 @@ def drawing_model(fields: Mapping[str, Any], rows: bytes) -> DrawingOut:
 def edges(_progress: Progress, block: bytes) -> bytes:
     """Return the JSON of the edges of a packed ``EdgeTable`` (schema ``EdgesOut``)."""
     return pack(EdgeTable.unpack(block).json_pieces())
+
+
+def drawn_edges(_progress: Progress, block: bytes) -> bytes:
+    """Return the columns that a picture of a packed ``EdgeTable`` needs."""
+    return pack([pack_drawn_edges(block)])
 
 
 def import_report(

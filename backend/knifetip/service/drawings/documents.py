@@ -45,6 +45,20 @@ def edges_document(service: Service) -> Document[Drawing]:
     )
 
 
+def drawn_edges_document(service: Service) -> Document[Drawing]:
+    """Return the document with the columns that a picture of the edges needs."""
+    return Document(
+        kind="drawn-edges",
+        read=service.store.drawings.get_with,
+        columns=("edges",),
+        version=lambda row: f"{row.version}-drawn",
+        is_large=_is_large,
+        task=document_tasks.drawn_edges,
+        arguments=_edges,
+        media="application/octet-stream",
+    )
+
+
 def import_report_document(service: Service, outcome: str | None) -> Document[Drawing]:
     """Return the document with an import report (schema ``ImportReportOut``).
 

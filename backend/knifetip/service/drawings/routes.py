@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import Depends, File, Form, Path, Query, Request, Response, UploadFile
+from fastapi import BackgroundTasks, Depends, File, Form, Path, Query, Request, Response, UploadFile
 from fastapi.concurrency import run_in_threadpool
 from pydantic.json_schema import SkipJsonSchema
 
@@ -17,15 +17,17 @@ from knifetip.library import custom_profiles
 from knifetip.messages import Message
 from knifetip.model.edit import edits_from_json
 from knifetip.model.interpretation import Interpretation
+from knifetip.presentation.drawn_edges import MANY_EDGES
 from knifetip.service.accounts.ownership import OwnDrawing
 from knifetip.service.components import ServiceDep
 from knifetip.service.database.tables import Drawing
-from knifetip.service.documents.responses import AnswerDep
+from knifetip.service.documents.responses import AnswerDep, make_document
 from knifetip.service.drawings.customer_profiles import customer_rules, require_customer_profile
 from knifetip.service.drawings.documents import (
     blanks_document,
     cleaning_document,
     drawing_document,
+    drawn_edges_document,
     edges_document,
     import_report_document,
     pages_document,
@@ -63,7 +65,7 @@ from knifetip.service.drawings.requests import (
 from knifetip.service.http.conditional import NOT_MODIFIED
 from knifetip.service.http.downloads import BINARY, bytes_response
 from knifetip.service.http.pages import set_next_page
-from knifetip.service.http.parameters import DataFormat, DrawingId, IdempotencyKey
+from knifetip.service.http.parameters import DrawingId, EdgesFormat, IdempotencyKey
 from knifetip.service.http.revisions import IfMatch, check_match
 from knifetip.service.http.routing import ScopedRouter, requires
 from knifetip.service.http.scopes import AccessScope
@@ -131,6 +133,7 @@ class UploadForm:
 def upload_drawing(
     service: ServiceDep,
     response: Response,
+    later: BackgroundTasks,
     file: Annotated[UploadFile, File(description="Drawing in a format that `GET /formats` lists")],
     form: Annotated[UploadForm, Depends()],
     key: IdempotencyKey = None,
@@ -144,7 +147,11 @@ def upload_drawing(
     content = file.file.read(service.settings.upload_bytes + 1)
     name = drawing_name(file.filename or "")
     upload = Upload(name, content, form.unit or "", form.profile, details=form.details())
-    return add_drawing(service, response, upload, key)
+    drawing = add_drawing(service, response, upload, key)
+    if drawing.segments >= MANY_EDGES:
+        # Most drawings are opened at once.
+        later.add_task(make_document, service, drawing.id, drawn_edges_document(service))
+    return drawing
 
 
 @router.get("", responses=NOT_MODIFIED)
@@ -254,10 +261,17 @@ async def get_edges(
     service: ServiceDep,
     answer: AnswerDep,
     id: DrawingId,
-    format: DataFormat = "json",
+    format: EdgesFormat = "json",
 ) -> Response:
-    """List the edges of a drawing, as JSON or as binary arrays (``format=columns``)."""
-    if format == "columns":
+    """List the edges of a drawing, as JSON or as binary arrays (``format=columns``).
+
+    With ``format=drawn`` the response has only what a picture needs if there are many edges.
+    """
+    if format == "drawn":
+        summary = (await run_in_threadpool(service.store.drawings.get_with, id)).summary
+        if int(summary["segments"]) >= MANY_EDGES:
+            return await answer.send(id, drawn_edges_document(service))
+    if format != "json":
         row = await run_in_threadpool(service.store.drawings.get_with, id, "edges")
         return bytes_response(row.edges, str(row.version), "application/octet-stream")
     return await answer.send(id, edges_document(service))

@@ -61,12 +61,22 @@ NAME_SCHEMA: Final[dict[str, JsonValue]] = {"pattern": f"^{NAME_PATTERN}$"}
 NewProfileName = Annotated[
     str, Path(description="Name of the classification profile", json_schema_extra=NAME_SCHEMA)
 ]
+_COLUMNS: Final = (
+    "`columns` for arrays in one block of bytes: KTIP, the length of the header (uint32, "
+    "little-endian), the header (JSON with name, dtype, shape and offset of each array), and the "
+    "arrays"
+)
 DataFormat = Annotated[
     Literal["json", "columns"],
     LISTED,
+    Query(description=f"Format of the response: `json`, or {_COLUMNS}"),
+]
+EdgesFormat = Annotated[
+    Literal["json", "columns", "drawn"],
+    LISTED,
     Query(
-        description="Format of the response: `json`, or `columns` for arrays in one block of "
-        "bytes: KTIP, the length of the header (uint32, little-endian), the header (JSON with "
-        "name, dtype, shape and offset of each array), and the arrays"
+        description=f"Format of the response: `json`; {_COLUMNS}; or `drawn` for arrays as well, "
+        "of which a drawing with many edges has only those that a picture needs: ends and bulges "
+        "in single precision about the point `origin`, line types and outcomes"
     ),
 ]

@@ -1,22 +1,17 @@
-/** Progress of the server's preparation, shown while it compiles itself after an installation. */
+/** Progress of the server's preparation, above the page while it compiles itself after an installation. */
 
 import { Progress } from "@mantine/core";
 import { translate } from "../../language/translate";
 import { useServiceStatus } from "../../state/queries";
 import notificationCss from "../shared/notifications.module.css";
 import { Hint } from "../shared/parts";
-import overlayCss from "./overlay.module.css";
 
 export function PreparationBanner() {
   const { data: status } = useServiceStatus();
   if (status === undefined || !status.preparing || status.parts === 0) return null;
   const { parts, parts_compiled: compiled } = status;
   return (
-    <div
-      className={`${overlayCss.float} ${notificationCss.preparation}`}
-      role="status"
-      data-testid="preparation"
-    >
+    <div className={notificationCss.preparation} role="status" data-testid="preparation">
       <div>{translate("preparationBanner.firstStartOfTheServer", { compiled, parts })}</div>
       <Progress
         value={(compiled / parts) * 100}

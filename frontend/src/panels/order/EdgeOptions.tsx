@@ -58,6 +58,7 @@ import {
   targetText,
   valueText,
 } from "./edgeOptionTexts";
+import { LeadPicture } from "./LeadPicture";
 
 interface SelectionProps {
   edges: Edges;
@@ -132,7 +133,14 @@ function OptionForm({ name, edges, rows }: SelectionProps & { name: EdgeOptionNa
             data-testid={`edge-scope-${name}`}
           />
         )}
-        {help !== null && <Note>{help}</Note>}
+        {name === "contour_leads" ? (
+          <Flex gap={10} align="center">
+            <LeadPicture />
+            <Note>{help}</Note>
+          </Flex>
+        ) : (
+          help !== null && <Note>{help}</Note>
+        )}
         {Object.entries(fields).map(([key, field]) => (
           <Field
             key={key}

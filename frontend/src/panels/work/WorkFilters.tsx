@@ -4,18 +4,10 @@ import { NativeSelect, SimpleGrid, TextInput } from "@mantine/core";
 import { IconSearch } from "@tabler/icons-react";
 import { translate } from "../../language/translate";
 import { useMachines } from "../../state/queries";
-import { showWork } from "../../state/routes";
+import { showWork, type WorkView } from "../../state/routes";
 import type { ProgressGroup } from "../../state/work/orders";
+import type { WorkFilter } from "../../state/work/workFilter";
 import type { WorkOrder } from "../../state/work/workOrder";
-
-export interface WorkFilter {
-  readonly search: string;
-  readonly progress: ProgressGroup;
-  /** "" for all machines */
-  readonly machine: string;
-}
-
-export const NO_FILTER: WorkFilter = { search: "", progress: "all", machine: "" };
 
 const PROGRESS_CHOICES: readonly { value: ProgressGroup; label: string }[] = [
   { value: "all", label: translate("workFilters.allStates") },
@@ -36,15 +28,11 @@ const SORTS: readonly { value: WorkOrder["sort"]; label: string }[] = [
   { value: "time", label: translate("workFilters.byTime") },
 ];
 
-interface Props {
-  readonly filter: WorkFilter;
-  readonly order: WorkOrder;
-  readonly onChange: (filter: WorkFilter) => void;
-}
-
-export function WorkFilters({ filter, order, onChange }: Props) {
+export function WorkFilters({ view }: { readonly view: WorkView }) {
   const { data: machines } = useMachines();
-  const change = (part: Partial<WorkFilter>) => onChange({ ...filter, ...part });
+  const { filter, order } = view;
+  const change = (part: Partial<WorkFilter>) =>
+    showWork({ ...view, filter: { ...filter, ...part } }, view);
   return (
     <SimpleGrid cols={{ base: 2, sm: 4 }} spacing={8} mb={12} role="search">
       <TextInput
@@ -77,7 +65,10 @@ export function WorkFilters({ filter, order, onChange }: Props) {
         data={[...SORTS]}
         value={order.sort}
         onChange={({ currentTarget }) =>
-          showWork({ sort: currentTarget.value as WorkOrder["sort"], reverse: false })
+          showWork(
+            { ...view, order: { sort: currentTarget.value as WorkOrder["sort"], reverse: false } },
+            view,
+          )
         }
         data-testid="work-sort"
       />

@@ -9,10 +9,10 @@ import { useRefusal } from "../../state/accounts/accounts";
 import { deleteDrawing } from "../../state/actions";
 import { formatDuration, formatSize, formatUnitless } from "../../state/format";
 import { useBoardTitles, useMachineTitles } from "../../state/queries";
-import { drawingPath, layoutAddress, showWork } from "../../state/routes";
+import { drawingPath, layoutAddress, showWork, type WorkView } from "../../state/routes";
 import { dateTimeText } from "../../state/times";
 import { nextAction, type RowGroup } from "../../state/work/orders";
-import { ariaSort, nextOrder, type WorkColumn, type WorkOrder } from "../../state/work/workOrder";
+import { ariaSort, nextOrder, type WorkColumn } from "../../state/work/workOrder";
 import { StateBadge } from "../job/StateBadge";
 import { ConfirmDialog } from "../shared/ConfirmDialog";
 import { DrawingPicture } from "../shared/DrawingPicture";
@@ -20,10 +20,10 @@ import css from "./work.module.css";
 
 interface TableProps {
   readonly groups: readonly RowGroup[];
-  readonly order: WorkOrder;
+  readonly view: WorkView;
 }
 
-export function WorkTable({ groups, order }: TableProps) {
+export function WorkTable({ groups, view }: TableProps) {
   const [unfolded, setUnfolded] = useState<ReadonlySet<string>>(new Set());
   const [asked, setAsked] = useState<OrderRow | null>(null);
   const toggle = (file: string) =>
@@ -38,7 +38,7 @@ export function WorkTable({ groups, order }: TableProps) {
         <Table.Thead>
           <Table.Tr>
             {COLUMNS.map((column) => (
-              <ColumnHead key={column.column} {...column} order={order} />
+              <ColumnHead key={column.column} {...column} view={view} />
             ))}
             <Table.Th>{translate("workTable.nextAction")}</Table.Th>
             <Table.Th className={css.state ?? ""}>
@@ -108,14 +108,14 @@ const COLUMNS: readonly Column[] = [
 ];
 
 /** The title of a column; a click sorts by it. */
-function ColumnHead({ column, title, shown, span, order }: Column & { order: WorkOrder }) {
-  const sorted = ariaSort(order, column);
+function ColumnHead({ column, title, shown, span, view }: Column & { view: WorkView }) {
+  const sorted = ariaSort(view.order, column);
   return (
     <Table.Th colSpan={span} className={shown ?? ""} aria-sort={sorted}>
       <button
         type="button"
         className={css.sort}
-        onClick={() => showWork(nextOrder(order, column))}
+        onClick={() => showWork({ ...view, order: nextOrder(view.order, column) }, view)}
         data-testid={`sort-${column}`}
       >
         {title}

@@ -113,5 +113,5 @@ export function summarizeReport(report: Report): string {
 }
 
 /** Whether an edge was dropped by the cleaning. */
-export const isDropped = (edges: Edges, row: number): boolean =>
+export const isDropped = (edges: Pick<Edges, "outcome">, row: number): boolean =>
   outcomeOf(edges.outcome[row]) === "dropped";

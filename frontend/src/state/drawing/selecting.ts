@@ -1,7 +1,13 @@
 /** Edges to select: those like others, those connected to others, and those that meet conditions. */
 
 import { chainOf } from "../../geometry/chain";
-import { type Edges, type LineType, lineTypeOf } from "../../geometry/records";
+import {
+  type DrawnEdges,
+  type Edges,
+  isComplete,
+  type LineType,
+  lineTypeOf,
+} from "../../geometry/records";
 import { isDropped } from "./importReport";
 import { layerKey, layerOf } from "./rows";
 
@@ -11,15 +17,21 @@ const SAME_LENGTH = 0.2;
 
 export type Accepts = (row: number) => boolean;
 
-/** Which edges are shown while some line types and layers are hidden. */
+/**
+ * Which edges are shown while some line types and layers are hidden.
+ *
+ * Edges whose layers are not known yet are shown by line type.
+ */
 export function shownEdges(
-  edges: Edges,
+  edges: DrawnEdges | Edges,
   hiddenTypes: ReadonlySet<string>,
   hiddenLayers: ReadonlySet<string>,
 ): Accepts {
+  const isShown: Accepts = (row) => !hiddenTypes.has(lineTypeOf(edges.lineType[row]));
+  if (hiddenLayers.size === 0 || !isComplete(edges))
+    return hiddenTypes.size === 0 ? () => true : isShown;
   return (row) =>
-    !hiddenTypes.has(lineTypeOf(edges.lineType[row])) &&
-    !hiddenLayers.has(layerKey(layerOf(edges, row), edges.colour[row] ?? 0));
+    isShown(row) && !hiddenLayers.has(layerKey(layerOf(edges, row), edges.colour[row] ?? 0));
 }
 
 const rowsWhere = (edges: Edges, accepts: Accepts): number[] =>

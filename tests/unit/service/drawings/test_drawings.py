@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import hashlib
+from queue import Queue
 from typing import Any
 
 import httpx
@@ -192,6 +193,49 @@ def test_an_override_of_unknown_or_ambiguous_edges_is_refused(
     assert answer.status_code == 422
     assert words in answer.json()["detail"]
     assert [edge["type"] for edge in edges(client, id)] == ["cut"] * 4
+
+
+def test_a_picture_of_many_edges_needs_a_part_of_the_columns(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    id = upload_drawing(client, square(extra=(MYSTERY,)))["id"]
+    url = f"/api/drawings/{id}/edges"
+    whole = client.get(url, params={"format": "columns"})
+    assert client.get(url, params={"format": "drawn"}).content == whole.content
+    monkeypatch.setattr("knifetip.service.drawings.routes.MANY_EDGES", 5)
+    answer = client.get(url, params={"format": "drawn"})
+    drawn, meta = unpack_columns(answer.content)
+    columns, _ = unpack_columns(whole.content)
+    assert drawn["ends"].dtype == np.float32
+    np.testing.assert_allclose(
+        drawn["ends"] + np.array(meta["origin"]), columns["ends"], rtol=0.0, atol=1e-5
+    )
+    assert meta["origin"] == [50.0, 50.0]
+    np.testing.assert_array_equal(drawn["bulge"], columns["bulge"])
+    for name in ("line_type", "outcome"):
+        np.testing.assert_array_equal(drawn[name], columns[name])
+    known = {"If-None-Match": answer.headers["etag"]}
+    assert client.get(url, params={"format": "drawn"}, headers=known).status_code == 304
+    override(client, id, {"type": "crease", "edges": [4]})
+    changed = client.get(url, params={"format": "drawn"}, headers=known)
+    assert changed.status_code == 200
+    assert unpack_columns(changed.content)[0]["line_type"][4] == 2
+
+
+def test_the_picture_of_an_uploaded_drawing_with_many_edges_is_made_at_once(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: Queue[str] = Queue()
+    monkeypatch.setattr(
+        "knifetip.service.drawings.routes.make_document",
+        lambda _service, id, document: made.put(f"{document.kind} {id}"),
+    )
+    upload_drawing(client, square())
+    monkeypatch.setattr("knifetip.service.drawings.routes.MANY_EDGES", 4)
+    id = upload_drawing(client, square())["id"]
+    # After the answer to the upload.
+    assert made.get(timeout=60.0) == f"drawn-edges {id}"
+    assert made.empty()
 
 
 def test_columns_have_the_same_values_as_json(client: httpx.Client) -> None:
