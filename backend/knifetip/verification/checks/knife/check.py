@@ -453,5 +453,5 @@ def _in_both_directions(overlaps: Overlaps) -> Overlaps:
     """Return those overlaps of tip paths with edges whose edge has overlaps in both directions."""
     ways = np.zeros((2, int(overlaps.edge.max(initial=-1)) + 1), np.bool_)
     ways[overlaps.is_forward.astype(np.int64), overlaps.edge] = True
-    both: Bool = ways.all(axis=0)
+    both = ways[0] & ways[1]
     return overlaps.select(both[overlaps.edge])
