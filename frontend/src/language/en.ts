@@ -367,7 +367,8 @@ export const en = {
     "No cut widths to show: every tool of this program cuts on the line itself.",
   "pathLegend.removesAStripWide": "removes a strip {radius} wide",
   "pathLegend.cutsAGrooveWideAt": "cuts a groove {depth} wide at the top face, {depth2} deep",
-  "pathLegend.pressesOnOfTheCrease": "presses a length of {radius} of the crease at a time, {depth} deep",
+  "pathLegend.pressesOnOfTheCrease":
+    "presses a length of {radius} of the crease at a time, {depth} deep",
   // panels/drawing/PreparationBanner.tsx
   "preparationBanner.firstStartOfTheServer":
     "First start of the server: {compiled, number} of {parts, number} software modules are ready",
