@@ -242,6 +242,16 @@ def test_dashes_may_be_rolled_as_one_crease() -> None:
     assert not verdict_of(rolled_creases((BACK, 105 - BACK, 0)), wide).accepted
 
 
+def test_a_crease_between_short_ones_may_be_rolled_alone() -> None:
+    # Their gaps are alike for one measure of regular gaps, and not for another one.
+    drawn = dieline((CREASE, -0.34, 0, -0.24, 0, 0.0), (CREASE, 0, 0, 87, 0, 0.0),
+                    (CREASE, 87.32, 0, 87.39, 0, 0.0))  # fmt: skip
+    alone = verdict_of(rolled_creases((BACK, 87 - BACK, 0)), drawn)
+    assert {finding.edge for finding in alone.findings if finding.refuses} == {0, 2}
+    together = verdict_of(rolled_creases((BACK - 0.34, 87.39 - BACK, 0)), drawn)
+    assert together.findings == ()
+
+
 def test_a_crease_drawn_twice_in_part_is_rolled_once() -> None:
     drawn = dieline((CREASE, 0, 0, 60, 0, 0.0), (CREASE, 100, 0, 57, 0, 0.0),
                     (CREASE, 0, 20, 50, 20, 0.0), (CREASE, 50, 20, 0, 20, 0.0))  # fmt: skip

@@ -228,8 +228,9 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float, stop
     as one crease if the wheel has rolled or pressed a gap between them.  They also do if the wheel
     has touched only one of the dashes, since a short crease is pressed at a single point, and the
     gap is as wide as the other gaps.  A gap that the wheel has left out separates two creases if
-    the wheel has worked on the dashes on both sides, unless it is as wide as the other gaps and the
-    wheel must stop before it in any case, because a cut crosses the dash beyond it.
+    the wheel has worked on the dashes on both sides, or has stopped before the gap as before a free
+    end, unless it is as wide as the other gaps and the wheel must stop before it in any case,
+    because a cut crosses the dash beyond it.
 
     Parameters
     ----------
@@ -261,12 +262,17 @@ def creased_gaps(edges: Edges, cuts: Edges, wheel_paths: F64, limit: float, stop
     if len(near) == 0:
         return edges.select(np.zeros(0, np.int64))
     curve = line_curves(dash.ends[near], dash.ends[far])
-    made, met = _gaps_made(dash, curve, wheel_paths, limit)
+    made, unworked = _gaps_made(dash, curve, wheel_paths, limit)
+    met = np.isfinite(unworked[::2])
     # The wheel stops before a gap because of a cut beyond it.
     beyond = np.minimum(to_cut[near], to_cut[far])
     hidden = ~made & (beyond + curve[:, 5] <= stop[plain][near // 2] + LIMIT_SLACK)
-    # A gap between two dashes that the wheel makes is made too, or separates two creases.
-    joins = made | hidden | ~(met[near // 2] & met[far // 2])
+    # A gap between two dashes that the wheel makes is made too, or separates two creases.  It also
+    # separates them if the wheel stops before it as before a free end.
+    apart = met[near // 2] & met[far // 2]
+    for end in (near, far):
+        apart |= met[end // 2] & (unworked[end] >= stop[plain][end // 2] - TOUCH_DISTANCE)
+    joins = made | hidden | ~apart
     near, far, curve = near[joins], far[joins], curve[joins]
     made, hidden = made[joins], hidden[joins]
     name = _group_dashes(len(dash), near // 2, far // 2)
@@ -323,9 +329,9 @@ def _are_alike(width: F64, run: I64, made: Bool) -> Bool:
     return np.asarray(np.abs(width - mean[run]) <= GAP_DIFFERENCE * mean[run] + JOIN_DISTANCE)
 
 
-def _gaps_made(dash: Edges, gaps: F64, wheel_paths: F64, limit: float) -> tuple[Bool, Bool]:
-    """Return the mask of the k gaps that the wheel rolls or presses, (k,), and of the n dashes on
-    which it does any work, (n,).
+def _gaps_made(dash: Edges, gaps: F64, wheel_paths: F64, limit: float) -> tuple[Bool, F64]:
+    """Return the mask of the k gaps that the wheel rolls or presses, (k,), and the distance of each
+    end of n dashes from the nearest work on the dash, (2n,) mm; inf if there is none.
 
     ``gaps`` and ``wheel_paths`` are lines and arcs as rows of six numbers (see ``curves.curve``).
     The wheel works on a gap or dash if it runs along it, or is pressed on it, within ``limit`` mm.
@@ -340,9 +346,11 @@ def _gaps_made(dash: Edges, gaps: F64, wheel_paths: F64, limit: float) -> tuple[
     made[found.edge[(length > JOIN_DISTANCE) | (is_press & inside)]] = True
     touched = dash.find_overlaps(wheel_paths, limit)
     along = np.abs(np.diff(touched.place)[:, 0]) >= 0.5 * np.diff(touched.along)[:, 0]
-    met = np.zeros(len(dash), np.bool_)
-    met[touched.edge[along]] = True
-    return made, met
+    edge, (low, high) = touched.edge[along].astype(np.int64), touched.place_range()
+    unworked = np.full(2 * len(dash), np.inf)
+    np.minimum.at(unworked, 2 * edge, low[along])
+    np.minimum.at(unworked, 2 * edge + 1, dash.curve[edge, 5] - high[along])
+    return made, unworked
 
 
 def _group_dashes(count: int, dash_a: I64, dash_b: I64) -> I64:
