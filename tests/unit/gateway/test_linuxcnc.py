@@ -389,8 +389,10 @@ class Limited(Shell):
 
 async def test_a_jog_after_a_refused_one_begins_at_the_reported_position() -> None:
     shell = Limited()
+    # A position that changes while the controller is watched counts as a move.
+    shell.values["rel_act_pos"] = "1.0 2.0 20.0 0.0 0.0 45.0"
     async with dialled(shell) as controller:
-        shell.values |= {"mode": "MDI", "rel_act_pos": "1.0 2.0 20.0 0.0 0.0 45.0"}
+        shell.values["mode"] = "MDI"
         with pytest.raises(ControllerRejected) as refused:
             await controller.jog("X", 5000.0, 600.0)
         for text in ("X's positive limit", "joint 0's positive limit", "invalid params"):

@@ -85,40 +85,23 @@ class Documents:
         making = self._making.get(key)
         if making is None:
             # It is made even if this client disconnects, because others may wait for it.
-            make = partial(make_document, self._service, row.id, document)
-            call = self._service.work.run(make, Client(client))
+            call = self._service.work.run(partial(self._make, row.id, document), Client(client))
             making = self._making[key] = asyncio.ensure_future(call)
             making.add_done_callback(lambda _: self._making.pop(key, None))
         return await asyncio.shield(making)
 
-
-def make_document(service: Service, id: str, document: Document[Row]) -> BuiltDocument:
-    """Make a document in a worker process, and store it if it is large.
-
-    Parameters
-    ----------
-    service
-        The server.
-    id
-        Id of the drawing or the job.
-    document
-        Kind of the document.
-
-    Raises
-    ------
-    KnifetipError
-        There is no drawing or job with this id, or the task failed.
-    """
-    row = document.read(id, *document.columns)
-    version = document.version(row)
-    content = service.run(document.task, *document.arguments(row))
-    if document.is_large(row):
-        try:
-            service.store.documents.keep(row, document.kind, version, content)
-        except SQLAlchemyError as error:
-            # The document is made again for the next request.
-            _log.warning("a document was not stored: %s", error)
-    return BuiltDocument(version, content)
+    def _make(self, id: str, document: Document[Row]) -> BuiltDocument:
+        """Make a document in a worker process, and store it if it is large."""
+        row = document.read(id, *document.columns)
+        version = document.version(row)
+        content = self._service.run(document.task, *document.arguments(row))
+        if document.is_large(row):
+            try:
+                self._service.store.documents.keep(row, document.kind, version, content)
+            except SQLAlchemyError as error:
+                # The document is made again for the next request.
+                _log.warning("a document was not stored: %s", error)
+        return BuiltDocument(version, content)
 
 
 def _make_here(id: str, document: Document[Row]) -> BuiltDocument:

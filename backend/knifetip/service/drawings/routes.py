@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import BackgroundTasks, Depends, File, Form, Path, Query, Request, Response, UploadFile
+from fastapi import Depends, File, Form, Path, Query, Request, Response, UploadFile
 from fastapi.concurrency import run_in_threadpool
 from pydantic.json_schema import SkipJsonSchema
 
@@ -21,7 +21,7 @@ from knifetip.presentation.drawn_edges import MANY_EDGES
 from knifetip.service.accounts.ownership import OwnDrawing
 from knifetip.service.components import ServiceDep
 from knifetip.service.database.tables import Drawing
-from knifetip.service.documents.responses import AnswerDep, make_document
+from knifetip.service.documents.responses import AnswerDep
 from knifetip.service.drawings.customer_profiles import customer_rules, require_customer_profile
 from knifetip.service.drawings.documents import (
     blanks_document,
@@ -133,7 +133,6 @@ class UploadForm:
 def upload_drawing(
     service: ServiceDep,
     response: Response,
-    later: BackgroundTasks,
     file: Annotated[UploadFile, File(description="Drawing in a format that `GET /formats` lists")],
     form: Annotated[UploadForm, Depends()],
     key: IdempotencyKey = None,
@@ -147,11 +146,7 @@ def upload_drawing(
     content = file.file.read(service.settings.upload_bytes + 1)
     name = drawing_name(file.filename or "")
     upload = Upload(name, content, form.unit or "", form.profile, details=form.details())
-    drawing = add_drawing(service, response, upload, key)
-    if drawing.segments >= MANY_EDGES:
-        # Most drawings are opened at once.
-        later.add_task(make_document, service, drawing.id, drawn_edges_document(service))
-    return drawing
+    return add_drawing(service, response, upload, key)
 
 
 @router.get("", responses=NOT_MODIFIED)

@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import hashlib
-from queue import Queue
 from typing import Any
 
 import httpx
@@ -220,22 +219,6 @@ def test_a_picture_of_many_edges_needs_a_part_of_the_columns(
     changed = client.get(url, params={"format": "drawn"}, headers=known)
     assert changed.status_code == 200
     assert unpack_columns(changed.content)[0]["line_type"][4] == 2
-
-
-def test_the_picture_of_an_uploaded_drawing_with_many_edges_is_made_at_once(
-    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    made: Queue[str] = Queue()
-    monkeypatch.setattr(
-        "knifetip.service.drawings.routes.make_document",
-        lambda _service, id, document: made.put(f"{document.kind} {id}"),
-    )
-    upload_drawing(client, square())
-    monkeypatch.setattr("knifetip.service.drawings.routes.MANY_EDGES", 4)
-    id = upload_drawing(client, square())["id"]
-    # After the answer to the upload.
-    assert made.get(timeout=60.0) == f"drawn-edges {id}"
-    assert made.empty()
 
 
 def test_columns_have_the_same_values_as_json(client: httpx.Client) -> None:

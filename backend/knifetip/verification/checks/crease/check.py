@@ -92,7 +92,7 @@ class CreaseCheck(StationCheck):
         self.low, self.high, self.depth = expected.low, expected.high, expected.press_depth
         curved = self.edges.curve[:, 0] != 0.0
         self.depth_tolerance[curved] = CURVED_DEPTH_TOLERANCE + self.context.height_resolution
-        self._report_short_creases(expected.refused, wheel)
+        self._report_short_creases(expected.refused & ~self._are_overshoots(parts), wheel)
         self._note_stops(parts)
         overlaps = self._drop_crossings(self.match_edges(), expected.pressed)
         self.check_position(overlaps)
@@ -147,6 +147,16 @@ class CreaseCheck(StationCheck):
             )
             size = float(self.size[edge])
             self.add_finding("uncut", edge, message, size, severity=Severity.SHORTFALL)
+
+    def _are_overshoots(self, split_ends: Bool) -> Bool:
+        """Return the mask of the n creases that end behind a cut, by no more than the board is
+        thick.
+
+        What the wheel leaves out there is less than what it leaves out before the cut, of which
+        ``_note_stops`` adds a note.  ``split_ends`` (2n,) is the mask that it gets.
+        """
+        behind: Bool = split_ends.reshape(-1, 2).any(axis=1)
+        return behind & (self.size <= self.context.board.caliper)
 
     def _note_stops(self, split_ends: Bool) -> None:
         """Add a note if the wheel stops at cuts that cross creases.
