@@ -155,7 +155,7 @@ class CreaseCheck(StationCheck):
         What the wheel leaves out there is less than what it leaves out before the cut, of which
         ``_note_stops`` adds a note.  ``split_ends`` (2n,) is the mask that it gets.
         """
-        behind: Bool = split_ends.reshape(-1, 2).any(axis=1)
+        behind = split_ends[::2] | split_ends[1::2]
         return behind & (self.size <= self.context.board.caliper)
 
     def _note_stops(self, split_ends: Bool) -> None:
