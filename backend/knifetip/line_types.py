@@ -40,7 +40,8 @@ def read(data: bytes, unit: str | None = None) -> Drawing:
     data
         The file; its format is detected from its content.
     unit
-        The unit of the drawing, whatever unit the file states: a key of ``model.unit.MILLIMETRES``.
+        The unit of the drawing, a key of ``model.unit.MILLIMETRES``.  It replaces the unit that
+        the file states.
         If it is None, the unit in the file is compared with the geometry.  It is replaced if
         another unit is far likelier.  If the evidence is not conclusive, ``Drawing.unit`` is empty.
 

@@ -97,7 +97,7 @@ def test_conditions_on_the_work_are_in_the_address(page: Page, server: Running) 
     typed = f"{server.url}/#/state/ended/machine/demo-table/search/no%20such%20100%25%20%2F%20job"
     expect(page).to_have_url(typed)
     expect(page.get_by_text("No drawing meets these conditions.")).to_be_visible()
-    # A search is one step back, and so is each condition.
+    # The history has one entry for the whole search, and one for each filter.
     page.go_back()
     expect(search).to_have_value("")
     expect(page.get_by_test_id("work-machine")).to_have_value("demo-table")

@@ -98,7 +98,7 @@ const isLineType = (word: string): word is LineType => LINE_TYPES.some((type) =>
 const lineTypeLists = (value: unknown): LineType[][] =>
   (Array.isArray(value) ? value : []).map((list) => strings(list).filter(isLineType));
 
-/** All columns of edges, or those that a picture needs. */
+/** Decode a block of edges, which has all columns or only those that are drawn. */
 export function drawnEdgesOf(bytes: ArrayBuffer): DrawnEdges | Edges {
   const from = decodeColumns(bytes);
   const { origin } = from.meta;

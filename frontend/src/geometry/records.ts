@@ -30,7 +30,7 @@ export type LineType = (typeof LINE_TYPES)[number];
 export const lineTypeOf = (code: number | undefined): LineType =>
   LINE_TYPES[code ?? 0] ?? "unclassified";
 
-/** What a picture of edges needs; of many edges, it arrives before the rest. */
+/** The columns of edges that are drawn. For large drawings they arrive before the others. */
 export interface DrawnEdges extends Segments {
   /** (n,) index into LINE_TYPES */
   readonly lineType: Uint8Array;

@@ -114,7 +114,7 @@ export class Viewer {
   /**
    * Show a drawing: `visible` filters its edges, `style` sets their style.
    *
-   * Edges are picked when all their columns are there.
+   * Edges can be selected once all of their columns have arrived.
    */
   showEdges(
     edges: DrawnEdges | null,

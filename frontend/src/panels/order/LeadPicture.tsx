@@ -1,4 +1,4 @@
-/** Picture of a lead-in: how far from the contour, and at which angle, a cutter arrives. */
+/** Picture of a lead-in: its length L, and its angle α to the contour. */
 
 import css from "./corners.module.css";
 
