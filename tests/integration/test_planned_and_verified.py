@@ -394,6 +394,18 @@ def test_creases_that_are_drawn_a_little_into_the_slots_between_them() -> None:
     assert verdict.accepted, verdict.findings[:2]
 
 
+@pytest.mark.parametrize(("behind", "stated"), [(0.3, False), (5.0, True)])
+def test_the_end_of_a_crease_behind_a_cut_is_a_shortfall_if_it_is_long(
+    behind: float, stated: bool
+) -> None:
+    crease = edges(((120, 150), (200 + behind, 150)))
+    cut = edges(((200, 130), (200, 170)))
+    verdict = verdict_of(dieline(OUTLINE, (CREASE, crease), (CUT, cut)), short_crease="refuse")
+    codes = {finding.message.code for finding in verdict.findings}
+    assert "verify.crease-stops-at-cut" in codes
+    assert ("verify.crease-too-short" in codes) == stated
+
+
 #: An S of two arcs and a half circle: the depth changes along them.
 CURVED = (
     CREASE,
