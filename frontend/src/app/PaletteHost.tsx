@@ -7,19 +7,26 @@ import { notifyError } from "../state/notifications";
 import { DRAWINGS } from "../state/routes";
 import { useUiStore } from "../state/store";
 
+type PaletteModule = typeof import("../panels/commands/Palette");
+
 export function PaletteHost() {
   const [path] = useLocation();
-  const [Palette, setPalette] = useState<ComponentType<{ onDrawing: boolean }> | null>(null);
+  const [palette, setPalette] = useState<PaletteModule | null>(null);
   const [Shortcuts, setShortcuts] = useState<ComponentType | null>(null);
-  const requests = usePaletteRequests((palette) => palette.requests);
   const helpOpen = useUiStore((ui) => ui.helpOpen);
-  useEffect(() => {
-    if (requests > 0)
-      import("../panels/commands/Palette").then((module) => {
-        setPalette(() => module.Palette);
-        module.togglePalette();
-      }, notifyError);
-  }, [requests]);
+  useEffect(
+    () =>
+      usePaletteRequests.subscribe(() => {
+        // At once if it is here: what is typed next belongs into its search.
+        if (palette !== null) palette.togglePalette();
+        else
+          import("../panels/commands/Palette").then((module) => {
+            setPalette(module);
+            module.togglePalette();
+          }, notifyError);
+      }),
+    [palette],
+  );
   useEffect(() => {
     if (helpOpen)
       import("../panels/commands/ShortcutsDialog").then(
@@ -40,7 +47,7 @@ export function PaletteHost() {
   }, []);
   return (
     <>
-      {Palette !== null && <Palette onDrawing={DRAWINGS.test(path)} />}
+      {palette !== null && <palette.Palette onDrawing={DRAWINGS.test(path)} />}
       {Shortcuts !== null && <Shortcuts />}
     </>
   );
