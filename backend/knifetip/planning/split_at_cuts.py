@@ -58,7 +58,8 @@ def split_at_cuts(paths: Paths, ends: F64, bulge: F64, closed: Bool) -> tuple[Pa
     middle = begin_of_segments(paths, size)[row] + 0.5 * (low + high) * size[row]
     owner = paths.path_of[row]
     passed, within = _locate_among_clusters(owner, middle, path, first, last)
-    kept = ~within & ((high > low) | ((low == 0.0) & (high == 1.0)))
+    # Two cuts that cross at one place leave no piece of the segment between them.
+    kept = ~within & (((high - low) * size[row] > POINT) | ((low == 0.0) & (high == 1.0)))
     row, low, high, owner, passed = (one[kept] for one in (row, low, high, owner, passed))
     near_end, far_end, bent = arc.sub_arc(
         paths.start[row], paths.end[row], paths.bulge[row], low, high
