@@ -39,6 +39,7 @@ from knifetip.service.nestings.store import NestingStore
 from knifetip.service.orders.command_keys import CommandKeys
 from knifetip.service.orders.interrupted_jobs import InterruptedJobs
 from knifetip.service.orders.operator_store import OperatorStore
+from knifetip.service.orders.program_store import ProgramStore
 from knifetip.service.orders.store import JobStore
 from knifetip.service.profiles.store import ProfileStore
 from knifetip.service.queues.store import QueueStore
@@ -83,9 +84,8 @@ class Store:
         gate = ToolGate(self.tools, self.library)
         keys = CommandKeys(self.database, transitions)
         self.checks = CheckList(self.library)
-        self.operators = OperatorStore(
-            self.database, self.contents, transitions, self.checks, gate, keys
-        )
+        self.programs = ProgramStore(self.database, self.contents, transitions, keys)
+        self.operators = OperatorStore(self.database, transitions, self.checks, gate, keys)
         self.interrupted = InterruptedJobs(self.database, transitions, keys)
         self.machines = MachineQueues(self.database)
         claimed = ClaimedJobs(self.database, transitions)

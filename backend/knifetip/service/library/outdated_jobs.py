@@ -47,6 +47,13 @@ def changes_since_compile(session: Session, jobs: Sequence[Job]) -> dict[str, li
     return {id: messages for id, messages in changes.items() if messages}
 
 
+def require_current(session: Session, row: Job) -> None:
+    """Raise ``WrongState`` if the machine or the board of a job has changed since its compile."""
+    changes = changes_since_compile(session, [row])
+    if changes:
+        raise WrongState("job.outdated", job=row.id, changes=changes[row.id])
+
+
 def newest_versions(session: Session, row: Job) -> tuple[int, int]:
     """Return the newest versions of the machine and the board of a job; 0 for shipped entries.
 

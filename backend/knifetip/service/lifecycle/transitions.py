@@ -213,6 +213,16 @@ class Transitions:
         session.add(event)
         enqueue_event(session, event, new_state=new_state)
 
+    def change(self, session: Session, id: str, **changes: Any) -> None:
+        """Set columns of a job that the transaction of the caller has locked.
+
+        ``**changes``: new values of columns, by name of the column.
+        """
+        statement = sa.update(Job).where(Job.id == id)
+        # Rows that this session has loaded keep their values; ``lock`` reloads them.
+        statement = statement.execution_options(synchronize_session=False)
+        session.execute(statement.values(updated=self._db.clock(), **changes))
+
     def lock(self, session: Session, id: str) -> Job:
         """Return the job with an id, locked for other writers until the transaction ends.
 

@@ -46,7 +46,7 @@ def accept_shortfalls(
     acceptance = Acceptance(
         credited_name(exceptions.by), exceptions.reason, service.store.database.clock()
     )
-    row = service.store.operators.accept(
+    row = service.store.programs.accept(
         id,
         partial(accept_in_block, chosen=chosen, acceptance=acceptance),
         Actor(ActorKind.OPERATOR, exceptions.by),
@@ -70,7 +70,7 @@ def release_job(service: ServiceDep, principal: PrincipalDep, id: JobId, key: Co
     is 200.  A key with the scope ``order`` releases the jobs that it has ordered.
     """
     check_own_job(service, principal, id, tuple(State))
-    return job_out(service.store, service.store.operators.release(id, key))
+    return job_out(service.store, service.store.programs.release(id, key))
 
 
 @router.post("/{id}/recompile")
@@ -85,7 +85,7 @@ def recompile_job(
     ``queued``, or if its machine or board was deleted.
     """
     check_withdrawal(service, principal, id)
-    return job_out(service.store, service.store.operators.recompile(id, key))
+    return job_out(service.store, service.store.programs.recompile(id, key))
 
 
 @router.post("/{id}/recheck")
@@ -96,7 +96,7 @@ def recheck_job(service: ServiceDep, id: JobId, key: CommandKey) -> JobOut:
     Such a job is ``queued`` and has a ``check_refusal``; other jobs of the queue go on.  Correct
     the cause first.  The status is 409 if no machine has refused the program of the job.
     """
-    return job_out(service.store, service.store.operators.recheck(id, key))
+    return job_out(service.store, service.store.programs.recheck(id, key))
 
 
 @router.post("/{id}/confirm")

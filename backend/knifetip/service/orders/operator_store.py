@@ -1,14 +1,13 @@
-"""Actions of operators on stored jobs, such as release, confirm, hold and cancel.
+"""Actions of operators at the machine on stored jobs: confirm, hold, resume, cancel.
 
-Actions on interrupted jobs are in ``interrupted_jobs``.
+Decisions about their programs are in ``program_store``, and actions on interrupted jobs in
+``interrupted_jobs``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
-from typing import Any
+from collections.abc import Collection
 
-import sqlalchemy as sa
 from sqlalchemy.orm import Session
 
 from knifetip.contract.job import (
@@ -24,12 +23,10 @@ from knifetip.contract.job import (
 )
 from knifetip.errors import WrongState
 from knifetip.messages import Message
-from knifetip.model.job_options import JobOptions
-from knifetip.service.content.store import ContentStore
 from knifetip.service.database.engine import Database
 from knifetip.service.database.request_key import RequestKey
 from knifetip.service.database.tables import Job
-from knifetip.service.library.outdated_jobs import changes_since_compile, newest_versions
+from knifetip.service.library.outdated_jobs import require_current
 from knifetip.service.lifecycle.transitions import Transitions, advice
 from knifetip.service.machines.station_store import (
     dry_run_on,
@@ -42,26 +39,9 @@ from knifetip.service.orders.operator_actions import (
     OperatorAction,
     allowed_actions,
     awaits_confirmation,
-    has_only_shortfalls,
 )
-from knifetip.service.processes.compile_result import VerdictColumns
 from knifetip.service.runs.checks import Check, CheckList, events_of_checks
 from knifetip.service.tools.check import NOTHING_STATED, ToolCheck, ToolGate
-
-#: Columns of a job that has no program yet.
-_WITHOUT_PROGRAM: Mapping[str, Any] = {
-    "program_address": None,
-    "program_sha256": "",
-    "toolpath_address": None,
-    "verdict_address": None,
-    "verdict_summary": None,
-    "lines": 0,
-    "seconds": 0.0,
-    "tools": [],
-    "facts": {},
-}
-#: States of a job that was released, and that its machine makes or has made.
-_RELEASED = (State.QUEUED, State.RUNNING, State.HELD, State.DONE)
 
 
 class OperatorStore:
@@ -74,220 +54,16 @@ class OperatorStore:
     def __init__(
         self,
         database: Database,
-        contents: ContentStore,
         transitions: Transitions,
         checks: CheckList,
         tools: ToolGate,
         keys: CommandKeys,
     ) -> None:
         self._db = database
-        self._contents = contents
         self._transitions = transitions
         self._checks = checks
         self._tools = tools
         self._keys = keys
-
-    def accept(
-        self,
-        id: str,
-        accepted: Callable[[bytes, Mapping[str, Any]], VerdictColumns],
-        actor: Actor,
-        event: Message,
-        key: RequestKey | None = None,
-    ) -> Job:
-        """Accept shortfalls of a refused job, and return the job.
-
-        If nothing else refuses its program, the job becomes ``ready``, or ``queued`` if it was
-        ordered with immediate release.
-
-        Parameters
-        ----------
-        id
-            Id of the job.
-        accepted
-            Returns the new verdict from the stored verdict and its summary.
-        actor
-            The user who accepts the shortfalls.
-        event
-            Description of the decision, for the log of events.
-
-        Raises
-        ------
-        WrongState
-            The job is not ``refused``, or not only because of shortfalls.
-        """
-        with self._db.writing() as session:
-            if (repeated := self._keys.repeated(session, id, key)) is not None:
-                return repeated
-            self._check_acceptable(session, self._transitions.lock(session, id))
-        # Outside of transactions, since the verdict may be in an object store.
-        before = self._contents.find(Job, Job.id == id, "verdict")
-        if before is None or before.verdict_address is None:
-            raise WrongState("job.no-shortfalls", job=id)
-        stored = accepted(before.verdict, before.verdict_summary or {})
-        staged = self._contents.stage(verdict=stored.verdict)
-        with self._db.writing() as session:
-            if (repeated := self._keys.repeated(session, id, key)) is not None:
-                return repeated
-            row = self._transitions.lock(session, id)
-            self._check_acceptable(session, row)
-            if row.verdict_address != before.verdict_address:
-                raise WrongState("job.verdict-changed", job=id)
-            columns: dict[str, Any] = {
-                "verdict_summary": stored.verdict_summary,
-                "message": stored.message,
-                "source": stored.source,
-                "edges": stored.edges,
-                **self._contents.keep(session, staged),
-            }
-            if stored.message is None:
-                self._transitions.move(session, id, Action.ACCEPT, actor, event, **columns)
-                if row.release:
-                    self._transitions.release_by_order(session, id)
-            else:
-                self._change(session, id, **columns)
-                self._transitions.write_job_event(session, id, State.REFUSED, actor, event)
-            return self._transitions.lock(session, id)
-
-    def _check_acceptable(self, session: Session, row: Job) -> None:
-        """Raise ``WrongState`` unless a job was refused only because of shortfalls."""
-        if row.state not in sources(Action.ACCEPT, ActorKind.OPERATOR):
-            raise self._transitions.refusal(session, row.id, State.READY)
-        if row.verdict_address is None or not has_only_shortfalls(row):
-            raise WrongState("job.no-shortfalls", job=row.id)
-
-    def release(self, id: str, key: RequestKey | None = None) -> Job:
-        """Move a ready job to the queue of its machine, and return it.
-
-        A job that is queued, on its machine or done was released before, and stays as it is.
-
-        Raises
-        ------
-        WrongState
-            The job was not released and is not ``ready``, or its machine or board has changed
-            since its compile.
-        """
-        with self._db.writing() as session:
-            if (repeated := self._keys.repeated(session, id, key)) is not None:
-                return repeated
-            row = self._transitions.lock(session, id)
-            if row.state in _RELEASED:
-                return row
-            _check_current(session, row)
-            self._transitions.release(session, id, OPERATOR, Message("job.released"))
-            return self._transitions.lock(session, id)
-
-    def recompile(self, id: str, key: RequestKey | None = None) -> Job:
-        """Have a job compiled again for the newest versions of its machine and board; return it.
-
-        A job that was queued is queued again when its new program is accepted.
-
-        Raises
-        ------
-        WrongState
-            The job is neither ``ready`` nor ``queued``, its machine or board was deleted, or it
-            continues a sheet, which must lie on the machine with which the sheet was begun.
-        """
-        with self._db.writing() as session:
-            if (repeated := self._keys.repeated(session, id, key)) is not None:
-                return repeated
-            row = self._transitions.lock(session, id)
-            # Offsets of stations may have changed with which the marks were measured.
-            self._compile_again(session, row, row.options.with_measured(()), OPERATOR)
-            return self._transitions.lock(session, id)
-
-    def register(
-        self,
-        id: str,
-        options: JobOptions,
-        event: Message,
-        by: str = "",
-        key: RequestKey | None = None,
-    ) -> Job:
-        """Have a job compiled again for a printed sheet as it lies on the table; return the job.
-
-        It is queued again when its new program is accepted, before the jobs that wait.
-
-        Parameters
-        ----------
-        id
-            Id of the job.
-        options
-            The options of the job with its measured marks.
-        event
-            Description of the measurement, for the log of events.
-        by
-            Name of the operator, for the log of events.
-
-        Raises
-        ------
-        WrongState
-            The job does not wait at its machine for its first confirmation, its machine or board
-            was deleted, its machine runs above the board, or it continues a sheet.
-        """
-        with self._db.writing() as session:
-            if (repeated := self._keys.repeated(session, id, key)) is not None:
-                return repeated
-            row = self._transitions.lock(session, id)
-            if row.state != State.QUEUED or not awaits_confirmation(row, self._db.clock()):
-                raise WrongState("registration.not-waiting", job=id)
-            if dry_run_on(session, row.machine, self._db.timer()):
-                raise WrongState("dry-run.in-progress", job=row.id)
-            actor = Actor(ActorKind.OPERATOR, by)
-            self._transitions.write_job_event(session, id, row.state, actor, event, row.machine)
-            self._compile_again(session, row, options, actor)
-            return self._transitions.lock(session, id)
-
-    def _compile_again(self, session: Session, row: Job, options: JobOptions, actor: Actor) -> None:
-        """Have a job compiled again with options; it is queued then if it was queued.
-
-        Raises ``WrongState``: the job is neither ``ready`` nor ``queued``, its machine or board was
-        deleted, or it continues a sheet.
-        """
-        if row.rest is not None:
-            raise WrongState("rest.bound-to-sheet", job=row.id, machine=row.machine)
-        machine, board = newest_versions(session, row)
-        self._transitions.move(
-            session,
-            row.id,
-            Action.RECOMPILE,
-            actor,
-            Message("job.recompiled"),
-            new_epoch=row.epoch + 1,
-            machine_version=machine,
-            board_version=board,
-            stored_options=options.model_dump(mode="json"),
-            release=row.release or row.state == State.QUEUED,
-            attempt=row.attempt + 1,
-            confirmation=Confirmation.NONE.value,
-            requested_action="",
-            owner="",
-            lease=0.0,
-            message=None,
-            check_refusal=None,
-            progress=0.0,
-            **_WITHOUT_PROGRAM,
-        )
-
-    def recheck(self, id: str, key: RequestKey | None = None) -> Job:
-        """Let the machine take a job again whose program it has refused, and return the job.
-
-        Raises
-        ------
-        WrongState
-            The job is not ``queued``, or no machine has refused its program.
-        """
-        with self._db.writing() as session:
-            if (repeated := self._keys.repeated(session, id, key)) is not None:
-                return repeated
-            row = self._transitions.lock(session, id)
-            if row.state != State.QUEUED or row.check_refusal is None:
-                raise WrongState("job.nothing-refused", job=id, state=row.state)
-            # A late repetition of the refusal is ignored.
-            self._change(session, id, check_refusal=None, epoch=row.epoch + 1)
-            event = Message("job.rechecked")
-            self._transitions.write_job_event(session, id, row.state, OPERATOR, event, row.machine)
-            return self._transitions.lock(session, id)
 
     def checks(self, row: Job) -> list[Check]:
         """Return what a person checks at the machine before the next start of a job."""
@@ -340,7 +116,7 @@ class OperatorStore:
             if confirmed and starts:
                 self._checks.require(session, row, checked)
                 return row
-            _check_current(session, row)
+            require_current(session, row)
             self._check_free(session, row)
             self._check_waiting(row)
             if dry_run_on(session, row.machine, self._db.timer()):
@@ -353,7 +129,7 @@ class OperatorStore:
             ]
             sheet = row.confirmation == Confirmation.SHEET
             action = "" if row.state == State.QUEUED else "resume"
-            self._change(
+            self._transitions.change(
                 session, id, confirmation=Confirmation.GIVEN.value, requested_action=action
             )
             end_hands_clear(session, row.machine)
@@ -526,27 +302,10 @@ class OperatorStore:
                 now = self._db.timer()
                 require_hands_clear(session, row.machine, action, now, stated=hands_clear)
                 end_hands_clear(session, row.machine)
-            self._change(session, id, requested_action=action.value)
+            self._transitions.change(session, id, requested_action=action.value)
             event = Message("job.action-requested", action=action)
             self._transitions.write_job_event(session, id, row.state, OPERATOR, event)
             return self._transitions.lock(session, id)
-
-    def _change(self, session: Session, id: str, **changes: Any) -> None:
-        """Set columns of a job that the transaction of the caller has locked.
-
-        ``**changes``: new values of columns, by name of the column.
-        """
-        statement = sa.update(Job).where(Job.id == id)
-        # Rows that this session has loaded keep their values; ``Transitions.lock`` reloads them.
-        statement = statement.execution_options(synchronize_session=False)
-        session.execute(statement.values(updated=self._db.clock(), **changes))
-
-
-def _check_current(session: Session, row: Job) -> None:
-    """Raise ``WrongState`` if the machine or the board of a job has changed since its compile."""
-    changes = changes_since_compile(session, [row])
-    if changes:
-        raise WrongState("job.outdated", job=row.id, changes=changes[row.id])
 
 
 def _is_held(row: Job) -> bool:

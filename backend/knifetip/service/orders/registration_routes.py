@@ -61,7 +61,7 @@ def register_job(service: ServiceDep, id: JobId, marks: MeasuredMarksIn, key: Co
     fit = checked_fit(_registration_of(options, id))
     return job_out(
         service.store,
-        service.store.operators.register(id, options, _event(fit), marks.by, key),
+        service.store.programs.register(id, options, _event(fit), marks.by, key),
     )
 
 

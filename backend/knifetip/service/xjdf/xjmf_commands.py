@@ -198,7 +198,7 @@ def _resume(context: MessageContext, row: Job) -> None:
     if row.on_hold:
         store.queues.change(row.id, WaitingChange(on_hold=False), OPERATOR)
     if row.state == State.READY:
-        store.operators.release(row.id)
+        store.programs.release(row.id)
 
 
 def _abort(context: MessageContext, row: Job) -> None:

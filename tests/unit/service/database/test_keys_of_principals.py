@@ -46,14 +46,14 @@ def test_each_principal_gets_a_drawing_and_a_job_of_its_own(store: Store) -> Non
 
 def test_a_command_of_another_principal_is_carried_out(store: Store) -> None:
     first, second = ready(store), ready(store)
-    store.operators.release(first.id, key_of("user", "u1", "release the first"))
+    store.programs.release(first.id, key_of("user", "u1", "release the first"))
     with pytest.raises(KeyReused):
-        store.operators.release(second.id, key_of("user", "u1", "release the second"))
-    released = store.operators.release(second.id, key_of("user", "u2", "release the second"))
+        store.programs.release(second.id, key_of("user", "u1", "release the second"))
+    released = store.programs.release(second.id, key_of("user", "u2", "release the second"))
     assert released.state == "queued"
     # A repetition by the same principal changes nothing.
     store.operators.cancel(second.id)
-    repeated = store.operators.release(second.id, key_of("user", "u2", "release the second"))
+    repeated = store.programs.release(second.id, key_of("user", "u2", "release the second"))
     assert repeated.state == "cancelled"
 
 
@@ -64,7 +64,7 @@ def test_two_commands_with_one_key_at_the_same_time(store: Store) -> None:
 
     def release_second() -> None:
         try:
-            store.operators.release(second.id, key_of("user", "u1", "release the second"))
+            store.programs.release(second.id, key_of("user", "u1", "release the second"))
         except Exception as reason:
             refused.append(reason)
 

@@ -65,7 +65,7 @@ def test_a_job_that_was_not_ordered_to_be_queued_waits_to_be_released(store: Sto
     store.compiles.save_result(job.id, job.epoch, RESULT)
     assert store.jobs.get(job.id).state == "ready"
     assert store.gateways.claim("table", "gateway", manual=False) is None
-    assert store.operators.release(job.id).state == "queued"
+    assert store.programs.release(job.id).state == "queued"
 
 
 def test_a_verdict_outside_tolerance_refuses_the_job_with_its_edges(store: Store) -> None:
@@ -92,14 +92,14 @@ def test_the_event_is_written_with_the_move_or_not_at_all(store: Store) -> None:
 def test_a_repeated_release_changes_nothing(store: Store, at: Callable[[Store], Job]) -> None:
     job = at(store)
     before = course(store, job.id)
-    assert store.operators.release(job.id).state == before[-1]
+    assert store.programs.release(job.id).state == before[-1]
     assert course(store, job.id) == before
 
 
 @pytest.mark.parametrize(
     "move",
     [
-        "operators.release",
+        "programs.release",
         "interrupted.requeue",
         "interrupted.scrap",
         "operators.hold",
@@ -129,7 +129,7 @@ def test_a_job_that_is_done_stays_done(store: Store, move: str) -> None:
     with pytest.raises(WrongState, match="is done"):
         attrgetter(move)(store)(job.id)
     # The answer to the release was lost, and it was sent again.
-    assert store.operators.release(job.id).state == "done"
+    assert store.programs.release(job.id).state == "done"
     assert course(store, job.id)[-1] == "done"
 
 
@@ -385,7 +385,7 @@ def test_a_refused_program_leaves_the_table_and_waits_for_a_person(store: Store)
     assert claimed.id == other.id
     store.gateways.finish(claimed.id, claimed.epoch, "done")
     assert "recheck" in allowed_actions(row, 0.0)
-    assert store.operators.recheck(job.id).check_refusal is None
+    assert store.programs.recheck(job.id).check_refusal is None
     again = store.gateways.claim("table", "gateway", manual=False)
     assert again is not None
     assert again.id == job.id
@@ -477,7 +477,7 @@ def test_a_late_refusal_lets_a_returned_job_wait_for_a_person(store: Store, cloc
     events = store.events.of_job(job.id)
     assert sum("Error 20." in str(event.message) for event in events) == 1
     # Not any more when a person has decided.
-    store.operators.recheck(job.id)
+    store.programs.recheck(job.id)
     with pytest.raises(StaleEpoch):
         store.gateways.finish(job.id, job.epoch, "refused", stored("Error 20."), line=0)
 
@@ -556,7 +556,7 @@ def test_a_line_of_the_last_heartbeat_keeps_a_job_from_the_queue(
 def test_a_job_that_no_machine_has_refused_is_not_checked_again(store: Store) -> None:
     job = queued(store)
     with pytest.raises(WrongState):
-        store.operators.recheck(job.id)
+        store.programs.recheck(job.id)
 
 
 # Where a job stopped

@@ -139,14 +139,14 @@ def test_a_job_keeps_the_version_for_which_it_was_compiled(shop: Store) -> None:
 
 def test_an_outdated_job_is_neither_released_nor_claimed(shop: Store) -> None:
     waiting, job = ready(shop), ready(shop)
-    shop.operators.release(job.id)
+    shop.programs.release(job.id)
     save(shop, 1, 1700)
     with pytest.raises(WrongState, match="out of date") as refused:
-        shop.operators.release(waiting.id)
+        shop.programs.release(waiting.id)
     assert "Compile the job again" in refused.value.hint
     assert shop.gateways.claim("table", "gateway", manual=False) is None
     fresh = ready(shop)
-    shop.operators.release(fresh.id)
+    shop.programs.release(fresh.id)
     claimed = shop.gateways.claim("table", "gateway", manual=False)
     assert claimed is not None
     assert claimed.id == fresh.id
@@ -154,7 +154,7 @@ def test_an_outdated_job_is_neither_released_nor_claimed(shop: Store) -> None:
 
 def test_an_outdated_job_is_not_confirmed(shop: Store) -> None:
     job = ready(shop)
-    shop.operators.release(job.id)
+    shop.programs.release(job.id)
     claimed = shop.gateways.claim("table", "gateway", manual=True)
     assert claimed is not None
     save_board(shop, 1)
@@ -167,11 +167,11 @@ def test_an_outdated_job_is_not_confirmed(shop: Store) -> None:
 
 def test_a_recompiled_job_gets_the_newest_versions_and_returns_to_the_queue(shop: Store) -> None:
     job = ready(shop)
-    shop.operators.release(job.id)
+    shop.programs.release(job.id)
     claimed = shop.gateways.claim("table", "gateway", manual=True)
     assert claimed is not None
     save(shop, 1, 1700)
-    again = shop.operators.recompile(job.id)
+    again = shop.programs.recompile(job.id)
     assert (again.state, again.machine_version, again.program_sha256) == ("received", 2, "")
     with pytest.raises(StaleEpoch):
         shop.gateways.heartbeat(job.id, claimed.epoch, job_states.WAITING)

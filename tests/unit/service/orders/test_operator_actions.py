@@ -67,13 +67,13 @@ def short(store: Store) -> str:
 
 def accept(store: Store, id: str) -> Job:
     columns = VerdictColumns(b"", {"seconds": 1.0, "accepted": True}, None, [], [])
-    return store.operators.accept(
+    return store.programs.accept(
         id, lambda _block, _summary: columns, OPERATOR, stored("Accepted.")
     )
 
 
 def queued(store: Store) -> str:
-    return store.operators.release(compiled(store)).id
+    return store.programs.release(compiled(store)).id
 
 
 def claimed(store: Store, *, manual: bool = True) -> str:
@@ -214,14 +214,14 @@ EXPECTED: dict[Make, tuple[State, str]] = {
 }
 METHODS: dict[OperatorAction, Callable[[Store, str], Job]] = {
     OperatorAction.ACCEPT: accept,
-    OperatorAction.RECOMPILE: lambda store, id: store.operators.recompile(id),
-    OperatorAction.RELEASE: lambda store, id: store.operators.release(id),
+    OperatorAction.RECOMPILE: lambda store, id: store.programs.recompile(id),
+    OperatorAction.RELEASE: lambda store, id: store.programs.release(id),
     OperatorAction.CONFIRM: lambda store, id: confirm(store, id),
     OperatorAction.HOLD: lambda store, id: store.operators.hold(id),
     OperatorAction.RESUME: lambda store, id: store.operators.resume(id, hands_clear=True),
     OperatorAction.END: lambda store, id: store.operators.confirm_end(id),
     OperatorAction.REST: lambda store, id: store.jobs.add_continuation(id, Continuation(None)),
-    OperatorAction.RECHECK: lambda store, id: store.operators.recheck(id),
+    OperatorAction.RECHECK: lambda store, id: store.programs.recheck(id),
     OperatorAction.REQUEUE: lambda store, id: store.interrupted.requeue(id),
     OperatorAction.FINISH: lambda store, id: store.interrupted.declare_finished(id),
     OperatorAction.SCRAP: lambda store, id: store.interrupted.scrap(id),
