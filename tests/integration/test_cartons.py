@@ -15,6 +15,7 @@ import pytest
 from knifetip import pipeline
 from knifetip.geometry.columns import F64
 from knifetip.library import load
+from knifetip.model.corners import Corners
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.model.interpretation import Interpretation
 from knifetip.model.job_options import JobOptions
@@ -330,3 +331,14 @@ def test_drawings_of_campaigns_that_were_refused_are_accepted(seed: int, number:
     # two arcs that meet at a slight angle; and a cut that ends 0.06 mm beside a groove.
     outcome = attempt_job(random_job(seed, number, bodies=True))
     assert outcome.fate in ("accepted", "excepted")
+
+
+def test_corners_of_type_d_between_rounded_chords_are_accepted() -> None:
+    # A disc in 360 chords, in hundredths: where two of them meet, the centre stays 0.0095 mm away
+    # from the path beside a third.
+    turns = np.linspace(0.0, 2.0 * np.pi, 360, endpoint=False)
+    x, y = 30.077 + 7.0 * np.cos(turns), 30.004 + 7.0 * np.sin(turns)
+    outline = closed(*np.round(np.stack([x, y], axis=1), 2).tolist())
+    options = JobOptions(corners=Corners(type="D", k=0.5))
+    made = compiled(dieline((CUT, outline)), "router-table", "greyboard-1.5", options)
+    assert refusals(made) == []

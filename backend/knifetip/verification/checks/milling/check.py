@@ -55,12 +55,8 @@ from knifetip.verification.expectation.expected_work import knife_ends
 from knifetip.verification.findings import MAX_FINDINGS
 from knifetip.verification.tools import expected_tool
 
-#: Greatest difference between the radius of the disc and the distance of its centre from a corner
-#: that it goes round (mm).
+#: Greatest depth by which the disc may cut into a corner that it goes round (mm).
 _CORNER_ERROR: Final = 5e-4
-#: Greatest distance of an arc's printed centre from the corner that it goes round (mm).  The centre
-#: of a short arc depends on the last digits of its ends, although the arc itself does not.
-_CENTRE_ERROR: Final = 0.02
 #: Longest stretch between two unreachable ones that counts as unreachable, too (mm).  In a slot as
 #: wide as the disc, hundredths decide whether the disc reaches the middle of the bottom.
 _NARROW_LENGTH: Final = 0.05
@@ -180,8 +176,8 @@ class _MillingCheck(MillingWork):
         runs = overlaps.best & (overlaps.distance < 0.99 * self.tolerance)
         # Round the corner of one edge the centre may pass the path beside another edge.  Such an
         # arc, or the line before or after it, does not count for the other edge.
-        passes = self._goes_round_corner(centres.curve)[overlaps.curve]
-        passes &= figure > self.tolerance
+        passes = runs & (figure > self.tolerance)
+        passes &= self._goes_round_corner(centres.curve, overlaps.curve[passes])[overlaps.curve]
         runs &= ~passes
         beside = np.flatnonzero(runs & (figure > self.tolerance))
         beside = beside[self._runs_past_ends(centres.curve, pieces, overlaps, beside)]
@@ -241,23 +237,29 @@ class _MillingCheck(MillingWork):
             self.size,
         )
 
-    def _goes_round_corner(self, centres: F64) -> Bool:
+    def _goes_round_corner(self, centres: F64, rows: I64) -> Bool:
         """Return the mask of those of n paths of the disc's centre that are arcs round an end of an
         edge, (n,).
 
-        On such an arc the disc touches the end of the edge.  ``centres`` (n, 6) are lines and arcs.
+        On such an arc the disc touches the end of the edge, or passes it by up to half the
+        tolerance, as the arc of a type D corner does where a curve is drawn as chords.  The other
+        half is left to the rounding of corners by the controller.
+
+        ``centres`` (n, 6) are lines and arcs.  Only those with the indices ``rows`` are examined.
         """
         result = np.zeros(len(centres), np.bool_)
         if not self.disc_is_round:
             return result
-        arcs = np.flatnonzero(centres[:, 0] != 0.0)
+        arcs = np.unique(rows[centres[rows, 0] != 0.0])
+        middle = point_at(centres[arcs], 0.5 * centres[arcs, 5])
         corners = self.edges.ends[np.repeat(self.bounds.closing, 2)]
-        arc, corner = pairs_within(centres[arcs, 1:3], corners, _CENTRE_ERROR)
+        farthest = self.reach[0] + 0.5 * self.tolerance
+        arc, corner = pairs_within(middle, corners, farthest)
         curve = centres[arcs[arc]]
         touches = np.ones(len(arc), np.bool_)
         for fraction in (0.0, 0.5, 1.0):
-            away = point_at(curve, fraction * curve[:, 5]) - corners[corner]
-            touches &= np.abs(np.hypot(*away.T) - self.reach[0]) <= _CORNER_ERROR
+            away = np.hypot(*(point_at(curve, fraction * curve[:, 5]) - corners[corner]).T)
+            touches &= (away >= self.reach[0] - _CORNER_ERROR) & (away <= farthest)
         result[arcs[arc[touches]]] = True
         return result
 
