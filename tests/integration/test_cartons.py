@@ -342,3 +342,16 @@ def test_corners_of_type_d_between_rounded_chords_are_accepted() -> None:
     options = JobOptions(corners=Corners(type="D", k=0.5))
     made = compiled(dieline((CUT, outline)), "router-table", "greyboard-1.5", options)
     assert refusals(made) == []
+
+
+def test_a_wheel_rolls_straight_over_a_short_gap_between_creases() -> None:
+    # Rounded to thousandths, the lines across the gaps turn by up to 0.2°; the contact of the
+    # wheel is 15 mm long.
+    folds = edges(
+        ((-8.711, 14.65), (-8.298, -42.006)),
+        ((-9.148, 74.543), (-8.713, 14.838)),
+        ((-8.297, -42.231), (-7.856, -102.698)),
+    )
+    panel = closed((-70, -103), (142, -103), (142, 76), (-70, 76))
+    made = compiled(dieline((CUT, panel), (CREASE, folds)), "demo-table", "eb-flute")
+    assert refusals(made) == []
