@@ -3,9 +3,8 @@
 import "@mantine/spotlight/styles.css";
 import { Kbd } from "@mantine/core";
 import { useDebouncedValue } from "@mantine/hooks";
-import { createSpotlight, Spotlight } from "@mantine/spotlight";
+import { createSpotlight, Spotlight, useSpotlight } from "@mantine/spotlight";
 import { useInfiniteQuery } from "@tanstack/react-query";
-import { useState } from "react";
 import { translate } from "../../language/translate";
 import { type Command, commandsOf, GROUPS } from "../../state/commands/commands";
 import { GROUP_TITLES, keyTexts } from "../../state/commands/commandTexts";
@@ -21,11 +20,16 @@ const DRAWINGS = 6;
 
 const [store, palette] = createSpotlight();
 
-export const togglePalette = palette.toggle;
+/** Opens the palette with an empty search, or closes it. */
+export function togglePalette(): void {
+  // Emptied here and not after closing: what is typed while the last one fades out is kept.
+  if (!store.getState().opened) store.updateState((state) => ({ ...state, query: "" }));
+  palette.toggle();
+}
 
 /** `onDrawing`: whether the page of a drawing is shown, where its commands work. */
 export function Palette({ onDrawing }: { onDrawing: boolean }) {
-  const [query, setQuery] = useState("");
+  const { query } = useSpotlight(store);
   const step = useUiStore((ui) => ui.step);
   const open = useUiStore((ui) => ui.drawing !== null);
   const drawings = useFoundDrawings(query.trim());
@@ -40,8 +44,7 @@ export function Palette({ onDrawing }: { onDrawing: boolean }) {
     <Spotlight.Root
       store={store}
       shortcut={null}
-      query={query}
-      onQueryChange={setQuery}
+      clearQueryOnClose={false}
       scrollable
       maxHeight={420}
       attributes={{ content: { "aria-label": translate("palette.commands") } }}
