@@ -16,7 +16,7 @@ SPEED  ?= 4
 DATA   ?= .data/knifetip.sqlite
 
 .PHONY: help install dev page wheel image shop run test test-page test-modules test-all failed slowest lint \
-	lint-python lint-page bench system lock licences tables sbom audit client clean
+	lint-python lint-page bench pictures system lock licences tables sbom audit client clean
 
 help:
 	@echo "make run      build what is missing and serve http://$(HOST):$(PORT)"
@@ -26,6 +26,7 @@ help:
 	@echo "make install  $(BIN)/knifetip, the command"
 	@echo "make lint     ruff, mypy, import-linter, TypeScript, Biome"
 	@echo "make bench    side by side with the peers, to build/bench.json"
+	@echo "make pictures the pictures of backend/docs/page.md, with Chromium"
 	@echo "make lock     resolve the dependencies anew"
 	@echo "make wheel    build/wheel/knifetip-*.whl, with the page inside"
 	@echo "make client   build/client/knifetip_client-*.whl, the typed Python client of the REST API"
@@ -128,6 +129,10 @@ failed:
 
 bench: dev
 	$(BIN)/python -m tests.benchmarks
+
+# `python -m tests.browser.pictures --all DIR` makes those of all sizes, schemes and languages.
+pictures: dev page
+	$(BIN)/python -m tests.browser.pictures
 
 lock: dev
 	cd backend && ../$(BIN)/uv pip compile -q --universal --generate-hashes --no-header \

@@ -1,17 +1,18 @@
 """Benchmark of nesting: board use beside rectangles in columns and beside plain sparrow.
 
-    python -m tests.benchmarks.nesting [SECONDS]      prints the table of backend/docs/nesting.md
+    python -m tests.benchmarks.nesting [SECONDS]           the tables of backend/docs/nesting.md
+    python -m tests.benchmarks.nesting [SECONDS] --holes   the second of them, of parts with holes
 
-Plain sparrow gets the same outlines, time, seed and gap, and one strip without
-end that is as high as the sheet; its use is that of the strip up to its last blank.
+Plain sparrow gets the same outlines, time, seed and gap, and one strip without end that is as high
+as the sheet; its use is that of the strip up to its last blank.  It knows no holes.
 """
 
 from __future__ import annotations
 
+import argparse
 import os
-import sys
-import time
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from datetime import timedelta
 from functools import cache
 from pathlib import Path
@@ -88,6 +89,9 @@ CASES = (
     Case((("PaperBox_100x40x140.dxf", 8),), (1200.0, 800.0), QUARTERS),
     Case((("mailer_120x80x40_all_layers.dxf", 4), (TUCK, 4)), (1200.0, 800.0), QUARTERS),
     Case((("PaperBox_100x40x140.dxf", 6), (TUCK, 3)), (1200.0, 800.0), GRAIN),
+)
+#: Layouts of large parts with holes, and of small parts that fit into them.
+WITH_HOLES = (
     Case(((FRAME, 3), (TAG, 24)), (1200.0, 800.0), GRAIN),
     Case(((FRAME, 2), (ANGLE, 12)), (1200.0, 800.0), QUARTERS),
     Case(((RING, 3), (TAG, 15)), (1200.0, 800.0), QUARTERS),
@@ -135,35 +139,51 @@ def plain_use(parts: Sequence[Part], height: float, seconds: float) -> float:
     return float(100.0 * sum(one.area.area * one.quantity for one in parts) / (length * height))
 
 
-def rows(seconds: float) -> Iterator[str]:
-    """Yield the rows of the table."""
-    for case in CASES:
+def rows(cases: Sequence[Case], seconds: float, *, holes: bool) -> Iterator[str]:
+    """Yield the rows of a table; those of parts with ``holes`` have two columns more."""
+    for case in cases:
         parts = parts_of(case)
         if parts is None:
             continue
         width, height = case.sheet
         window = (MARGIN, MARGIN, width - MARGIN, height - MARGIN)
-        begun = time.monotonic()
-        found = nest(
-            Problem(parts, [Board(width, height, window, None)], GAP, seconds), lambda _: None
-        )
-        taken = time.monotonic() - begun
+        problem = Problem(parts, [Board(width, height, window, None)], GAP, seconds)
+        found = nest(problem, lambda _: None)
         names = ", ".join(f"{count} × {Path(name).stem}" for name, count in case.drawings)
         turns = "0, 180°" if case.turns == GRAIN else "0 … 270°"
         plain = plain_use(parts, height, seconds)
-        yield (
-            f"| {names} | {width:g} × {height:g} | {turns} | {len(found.arrangement.sheets)} "
-            f"| {found.columns_use:.1f} | {found.use:.1f} | {plain:.1f} | {taken:.0f} |"
-        )
+        figures = [f"{found.columns_use:.1f}", f"{found.use:.1f}", f"{plain:.1f}"]
+        if holes:
+            empty = nest(replace(problem, in_holes=False), lambda _: None)
+            figures[1:1] = [f"{len(empty.arrangement.sheets)}", f"{empty.use:.1f}"]
+            figures.append(str(found.in_holes))
+        sheets = len(found.arrangement.sheets)
+        columns = [names, f"{width:g} × {height:g}", turns, str(sheets), *figures]
+        yield f"| {' | '.join(columns)} |"
+
+
+HEAD = ("drawings", "sheet (mm)", "turns", "sheets", "rectangles", "knifetip", "plain sparrow")
+HOLES_HEAD = (*HEAD[:5], "sheets, holes empty", "holes empty", *HEAD[5:], "in holes")
+
+
+def print_table(head: Sequence[str], cases: Sequence[Case], seconds: float) -> None:
+    """Print a table, row by row."""
+    print(f"| {' | '.join(head)} |")
+    print("|---" * len(head) + "|")
+    for row in rows(cases, seconds, holes=head is HOLES_HEAD):
+        print(row, flush=True)
 
 
 def main() -> None:
-    """Print the table."""
-    seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 20.0
-    print("| drawings | sheet (mm) | turns | sheets | rectangles | knifetip | plain sparrow | s |")
-    print("|---|---|---|---|---|---|---|---|")
-    for row in rows(seconds):
-        print(row, flush=True)
+    """Print the tables."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("seconds", type=float, nargs="?", default=20.0)
+    parser.add_argument("--holes", action="store_true")
+    chosen = parser.parse_args()
+    if not chosen.holes:
+        print_table(HEAD, CASES, chosen.seconds)
+        print()
+    print_table(HOLES_HEAD, WITH_HOLES, chosen.seconds)
 
 
 if __name__ == "__main__":

@@ -23,6 +23,7 @@ from playwright.sync_api import (
     ConsoleMessage,
     Error,
     Page,
+    Playwright,
     ViewportSize,
     expect,
     sync_playwright,
@@ -62,10 +63,24 @@ class Running(NamedTuple):
     log: Path
 
 
+def find_chromium() -> str:
+    """Return the path of a Chromium; empty if there is none."""
+    return os.environ.get("KNIFETIP_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), "")
+
+
+def start_browser(playwright: Playwright, chromium: str) -> Browser:
+    """Start a browser with software rendering."""
+    # Chromium's sandbox does not work for root, who runs the tests in most containers.
+    sandbox = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
+    return playwright.chromium.launch(
+        executable_path=chromium, args=[*sandbox, *SOFTWARE_GL, FEATURES_OFF]
+    )
+
+
 @pytest.fixture(scope="session")
 def chromium() -> str:
     """Return the path of a Chromium; skip the test if there is none."""
-    named = os.environ.get("KNIFETIP_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), "")
+    named = find_chromium()
     if not named:
         pytest.skip("there is no Chromium here (install it, or set KNIFETIP_CHROMIUM)")
     return named
@@ -76,11 +91,7 @@ def chromium() -> str:
 def browser(chromium: str) -> Iterator[Browser]:
     """Start a browser with software rendering."""
     with sync_playwright() as playwright:
-        # Chromium's sandbox does not work for root, who runs the tests in most containers.
-        sandbox = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
-        started = playwright.chromium.launch(
-            executable_path=chromium, args=[*sandbox, *SOFTWARE_GL, FEATURES_OFF]
-        )
+        started = start_browser(playwright, chromium)
         yield started
         started.close()
 

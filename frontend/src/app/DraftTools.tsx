@@ -15,12 +15,12 @@ import { type ComponentType, useEffect, useRef } from "react";
 import { translate } from "../language/translate";
 import overlayCss from "../panels/drawing/overlay.module.css";
 import { SelectMenu } from "../panels/drawing/SelectMenu";
+import { useRovingFocus } from "../panels/shared/roving";
 import { useRefusal } from "../state/accounts/accounts";
 import { useDimensions } from "../state/drafting/dimensions";
 import { type Tool, useDrafting } from "../state/drafting/drafting";
 import { useDrawing } from "../state/queries";
 import css from "./app.module.css";
-import { useRovingFocus } from "./roving";
 
 const BUTTONS: readonly {
   tool: Tool | null;

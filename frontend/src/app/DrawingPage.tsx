@@ -1,12 +1,13 @@
 /** The page of a drawing: four steps from its lines to a job, each with a panel beside the canvas. */
 
 import "../messages/load";
-import { Suspense, useEffect } from "react";
+import { Suspense, useEffect, useRef } from "react";
 import { translate } from "../language/translate";
 import { ProfileEditor } from "../panels/drawing/ProfileEditor";
 import { MainAction } from "../panels/steps/MainAction";
 import { STEP_PANELS } from "../panels/steps/panels";
 import { StepBar } from "../panels/steps/StepBar";
+import { useKeptFocus } from "../panels/steps/useKeptFocus";
 import { setPicture } from "../state/commands/picture";
 import { useEdgeList } from "../state/drawing/edgeList";
 import { useFirstStep, useOrderChoices } from "../state/drawing/useSteps";
@@ -24,6 +25,8 @@ export function DrawingPage() {
   const editing = useUiStore((ui) => ui.editedProfile);
   const panelOpen = useUiStore((ui) => ui.panelOpen);
   const listOpen = useEdgeList((list) => list.open) && step === "lines" && editing === null;
+  const action = useRef<HTMLDivElement>(null);
+  useKeptFocus(action);
   useFirstStep();
   useOrderChoices();
   useEffect(() => listenToKeys(), []);
@@ -37,7 +40,7 @@ export function DrawingPage() {
   return (
     <main className={css.drawing} data-panel={panelOpen}>
       {/* First for the keyboard. */}
-      <div className={css.action}>
+      <div ref={action} className={css.action} data-main-action>
         <MainAction />
       </div>
       <header className={css.top}>

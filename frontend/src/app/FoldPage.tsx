@@ -69,7 +69,9 @@ export function FoldPage({ drawing }: { drawing: string }) {
     <div className={css.page} data-testid="fold-page">
       <main className={css.stage}>
         {folding === undefined ? (
-          error === null && <Loader m={24} aria-label={translate("foldPage.folding")} />
+          error === null && (
+            <Loader pos="absolute" inset={0} m="auto" aria-label={translate("foldPage.folding")} />
+          )
         ) : (
           <>
             <FoldCanvas

@@ -44,7 +44,7 @@ export function WorkPage({ view }: { readonly view: WorkView }) {
   const none = rows?.length === 0;
   const isUnfiltered =
     wanted.search.trim() === "" && wanted.progress === "all" && wanted.machine === "";
-  if (none && isUnfiltered && !list.isFetching)
+  if (none && isUnfiltered && !list.isPlaceholderData)
     return (
       <main className={panels.page}>
         <Welcome />

@@ -11,12 +11,12 @@ import {
 import { type ReactNode, useRef } from "react";
 import { translate } from "../language/translate";
 import overlayCss from "../panels/drawing/overlay.module.css";
+import { useRovingFocus } from "../panels/shared/roving";
 import { redo, undo } from "../state/actions";
 import { useProfileDraft } from "../state/drawing/profileDraft";
 import { useUiStore } from "../state/store";
 import type { Viewer } from "../viewer/viewer";
 import css from "./app.module.css";
-import { useRovingFocus } from "./roving";
 
 export function ZoomControls({ viewer }: { viewer: Viewer | null }) {
   const bar = useRef<HTMLDivElement>(null);

@@ -8,25 +8,42 @@ const WRITES = "input, textarea, select, [role=listbox], [role=menu], [role=slid
 /** Controls that Enter presses. */
 const PRESSES = "button, a, summary";
 
-const isTaken = ({ target, key }: KeyboardEvent): boolean =>
-  target instanceof HTMLElement &&
-  (target.isContentEditable ||
+/** Ctrl Enter, which fields do not write. */
+const leavesFields = ({ key, ctrlKey, metaKey }: KeyboardEvent): boolean =>
+  key === "Enter" && (ctrlKey || metaKey);
+
+function isTaken(event: KeyboardEvent): boolean {
+  const { target, key } = event;
+  if (!(target instanceof HTMLElement)) return false;
+  // A dialog is in front of the drawing.
+  if (key !== "?" && target.closest("[role=dialog]") !== null) return true;
+  if (leavesFields(event)) return false;
+  return (
+    target.isContentEditable ||
     target.closest(WRITES) !== null ||
-    // A dialog is in front of the drawing.
-    (target.closest("[role=dialog]") !== null && key !== "?") ||
-    (key === "Enter" && target.closest(PRESSES) !== null));
+    (key === "Enter" && target.closest(PRESSES) !== null)
+  );
+}
+
+function runCommand(event: KeyboardEvent): void {
+  if (event.defaultPrevented || isTaken(event)) return;
+  const found = commandsOf(useUiStore.getState().step).find(
+    ({ keys, ready }) => keys.some((one) => matches(one, event)) && ready(),
+  );
+  if (found === undefined) return;
+  event.preventDefault();
+  event.stopPropagation();
+  found.run();
+}
 
 /** Run the commands whose keys are pressed, until the returned function is called. */
 export function listenToKeys(): () => void {
-  const listener = (event: KeyboardEvent) => {
-    if (event.defaultPrevented || isTaken(event)) return;
-    const found = commandsOf(useUiStore.getState().step).find(
-      ({ keys, ready }) => keys.some((one) => matches(one, event)) && ready(),
-    );
-    if (found === undefined) return;
-    event.preventDefault();
-    found.run();
+  // Lists open on Enter, whatever else is pressed: they do not receive this key.
+  const early = (event: KeyboardEvent) => leavesFields(event) && runCommand(event);
+  window.addEventListener("keydown", runCommand);
+  window.addEventListener("keydown", early, { capture: true });
+  return () => {
+    window.removeEventListener("keydown", runCommand);
+    window.removeEventListener("keydown", early, { capture: true });
   };
-  window.addEventListener("keydown", listener);
-  return () => window.removeEventListener("keydown", listener);
 }

@@ -1692,6 +1692,7 @@ export const de = {
   "commands.view": "Ansicht",
   "commands.page": "Seite",
   "commands.goToStep": "Zum Schritt {step}",
+  "commands.mainAction": "Zur Haupttaste des Schritts",
   "commands.acceptLikely": "Die wahrscheinlichste Linienart annehmen",
   "commands.selectSimilar": "Ähnliche Kanten auswählen: Linienart, Layer und Länge",
   "commands.selectConnected": "Den zusammenhängenden Zug auswählen",

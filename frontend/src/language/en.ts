@@ -1611,6 +1611,7 @@ export const en = {
   "commands.view": "View",
   "commands.page": "Page",
   "commands.goToStep": "Go to the step {step}",
+  "commands.mainAction": "Go to the main button of the step",
   "commands.acceptLikely": "Accept the most likely line type",
   "commands.selectSimilar": "Select similar edges: line type, layer and length",
   "commands.selectConnected": "Select the connected run",

@@ -70,7 +70,8 @@ export function dielineLines(
     dropped = () => false,
   }: DielineStyle = {},
 ): Lines {
-  const lines = new LineBuilder(origin);
+  // Most drawings have few arcs.
+  const lines = new LineBuilder(origin, edges.bulge.length);
   for (let row = 0; row < edges.bulge.length; row++) {
     if (!shown(row)) continue;
     if (dropped(row)) {

@@ -36,15 +36,25 @@ export const NEVER = 3e38;
 /** Growable buffers of segments. */
 export class LineBuilder {
   private count = 0;
-  private capacity = 256;
-  private ends = new Float32Array(this.capacity * 4);
-  private colour = new Uint8Array(this.capacity * 4);
-  private along = new Float32Array(this.capacity);
-  private dash = new Uint8Array(this.capacity);
-  private time = new Float32Array(this.capacity * 2);
-  private row = new Int32Array(this.capacity);
+  private ends: Float32Array;
+  private colour: Uint8Array;
+  private along: Float32Array;
+  private dash: Uint8Array;
+  private time: Float32Array;
+  private row: Int32Array;
 
-  constructor(private readonly origin: Point) {}
+  /** `capacity`: number of segments for which there is room before the buffers grow. */
+  constructor(
+    private readonly origin: Point,
+    private capacity = 256,
+  ) {
+    this.ends = new Float32Array(capacity * 4);
+    this.colour = new Uint8Array(capacity * 4);
+    this.along = new Float32Array(capacity);
+    this.dash = new Uint8Array(capacity);
+    this.time = new Float32Array(capacity * 2);
+    this.row = new Int32Array(capacity);
+  }
 
   add(
     x0: number,
@@ -75,21 +85,24 @@ export class LineBuilder {
     this.row[at] = row;
   }
 
+  /** The lines; nothing can be added later, because full buffers are not copied. */
   build(): Lines {
     const { count } = this;
+    const used = <T extends Float32Array | Uint8Array | Int32Array>(all: T, each: number): T =>
+      all.length === count * each ? all : (all.slice(0, count * each) as T);
     return {
       count,
-      ends: this.ends.slice(0, count * 4),
-      colour: this.colour.slice(0, count * 4),
-      along: this.along.slice(0, count),
-      dash: this.dash.slice(0, count),
-      time: this.time.slice(0, count * 2),
-      row: this.row.slice(0, count),
+      ends: used(this.ends, 4),
+      colour: used(this.colour, 4),
+      along: used(this.along, 1),
+      dash: used(this.dash, 1),
+      time: used(this.time, 2),
+      row: used(this.row, 1),
     };
   }
 
   private grow(): void {
-    this.capacity *= 2;
+    this.capacity = Math.max(256, this.capacity * 2);
     const larger = <T extends Float32Array | Uint8Array | Int32Array>(old: T, next: T): T => {
       next.set(old);
       return next;

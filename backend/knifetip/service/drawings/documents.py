@@ -7,7 +7,7 @@ from collections.abc import Callable
 from knifetip.service.components import Service
 from knifetip.service.database.tables import Drawing
 from knifetip.service.documents.responses import LARGE, Document
-from knifetip.service.drawings import document_tasks
+from knifetip.service.drawings import document_tasks, first_picture
 from knifetip.service.drawings.requests import drawing_fields, profile_state
 from knifetip.service.http.revisions import revision_tag
 
@@ -48,10 +48,10 @@ def edges_document(service: Service) -> Document[Drawing]:
 def drawn_edges_document(service: Service) -> Document[Drawing]:
     """Return the document with the columns that a picture of the edges needs."""
     return Document(
-        kind="drawn-edges",
+        kind=first_picture.KIND,
         read=service.store.drawings.get_with,
         columns=("edges",),
-        version=lambda row: f"{row.version}-drawn",
+        version=first_picture.document_version,
         is_large=_is_large,
         task=document_tasks.drawn_edges,
         arguments=_edges,

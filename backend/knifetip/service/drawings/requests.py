@@ -29,6 +29,7 @@ from knifetip.service.database.request_key import RequestKey, fingerprint
 from knifetip.service.database.tables import Drawing
 from knifetip.service.drawings.customer_profiles import customer_rules
 from knifetip.service.drawings.document_tasks import drawing_model
+from knifetip.service.drawings.first_picture import keep_first_picture
 from knifetip.service.drawings.interpretations import drawing_columns
 from knifetip.service.drawings.models import DrawingOut, DrawingSummary
 from knifetip.service.drawings.store import NewDrawing
@@ -145,6 +146,7 @@ def store_upload(service: Service, upload: Upload, key: str | None = None) -> Dr
         unit_learned=() if unit is None else unit.drawings,
     )
     row = service.store.drawings.add(new, request)
+    keep_first_picture(service, row, reading)
     record_uses(service, row, reading)
     return row
 
@@ -286,6 +288,7 @@ def apply_change(
             import_report=reading.import_report,
             **change.details,
         )
+        keep_first_picture(service, changed, reading)
         record_uses(service, changed, reading)
         return changed
 

@@ -34,6 +34,7 @@ class Reading:
     import_report: bytes  #: JSON, deflated
     overrides: bytes  #: (n,) ``NO_OVERRIDE`` or a LineType
     uses: list[dict[str, Any]]  #: what the drawing teaches, see ``customer_answers.use_json``
+    drawn_edges: bytes = b""  #: what a first picture of many edges needs, gzip; empty of fewer
 
 
 @dataclass(frozen=True, slots=True)

@@ -33,6 +33,7 @@ from knifetip.model.program_facts import ProgramFacts
 from knifetip.model.rest import Rest
 from knifetip.model.stage import Progress, Stage
 from knifetip.presentation.drawing import classified_json
+from knifetip.presentation.drawn_edges import MANY_EDGES, pack_drawn_edges
 from knifetip.presentation.edges import EdgeTable, restore_drawing
 from knifetip.presentation.import_report import import_report_rows, pack_rows
 from knifetip.presentation.outcomes import edge_outcomes
@@ -51,6 +52,7 @@ from knifetip.presentation.verdict import (
     refused_handles,
     verdict_summary,
 )
+from knifetip.service.http.compression import pack
 from knifetip.service.processes.compile_result import CompileResult
 from knifetip.service.processes.kernel_groups import (
     Part,
@@ -177,15 +179,17 @@ def _read(
     outcomes = edge_outcomes(drawing, dieline, _clean_or_none(drawing, dieline))
     progress(Stage.STORE, 0.9)
     questions = pipeline.questions(drawing, dieline)
+    edges = EdgeTable.from_drawing(drawing, dieline, outcomes).pack()
     return Reading(
         {
             **classified_json(drawing, dieline, outcomes, questions, overrides),
             "learned": learned_json(drawing, dieline, interpretation.learned),
         },
-        EdgeTable.from_drawing(drawing, dieline, outcomes).pack(),
+        edges,
         pack_rows(import_report_rows(drawing)),
         overrides.tobytes(),
         [use_json(use) for use in collect_uses(drawing, classified, overrides)],
+        pack([pack_drawn_edges(edges)]) if len(drawing) >= MANY_EDGES else b"",
     )
 
 

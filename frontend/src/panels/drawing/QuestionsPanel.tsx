@@ -6,6 +6,7 @@ import { type ReactNode, useEffect, useRef } from "react";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
 import { retypeEach } from "../../state/actions";
+import { focusMainAction } from "../../state/commands/mainAction";
 import { useAsked } from "../../state/drawing/asked";
 import { LINE_STYLES } from "../../state/drawing/palette";
 import { suggestions } from "../../state/drawing/questions";
@@ -49,7 +50,11 @@ export function QuestionsPanel() {
   const undecided = lineTypeQuestions.flatMap(({ edges }) => edges);
   // The next question is enabled one frame later.
   const focusNextAnswer = () =>
-    requestAnimationFrame(() => list.current?.querySelector<HTMLElement>("[data-answer]")?.focus());
+    requestAnimationFrame(() => {
+      const next = list.current?.querySelector<HTMLElement>("[data-answer]");
+      if (next) next.focus();
+      else focusMainAction();
+    });
   return (
     <Section
       title={
@@ -79,7 +84,12 @@ export function QuestionsPanel() {
         )}
         {settled.length > 0 && <Settled count={settled.length} />}
         {question.kind === "unit" ? (
-          <UnitQuestion key={key} question={question} drawing={drawing} />
+          <UnitQuestion
+            key={key}
+            question={question}
+            drawing={drawing}
+            onAnswered={focusNextAnswer}
+          />
         ) : (
           <EdgeQuestion key={key} question={question} onAnswered={focusNextAnswer} />
         )}

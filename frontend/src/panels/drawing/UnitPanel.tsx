@@ -80,8 +80,15 @@ const CHOICE = {
   padding: "8px 10px",
 } as const;
 
+interface ChoicesProps {
+  readonly drawing: Drawing;
+  readonly units?: readonly Unit[];
+  /** Given where the unit is asked for: called after an answer by keyboard. */
+  readonly onAnswered?: () => void;
+}
+
 /** One button per unit, with the size that it gives and the evidence for it. */
-export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: readonly Unit[] }) {
+export function UnitChoices({ drawing, units, onAnswered }: ChoicesProps) {
   const busy = useUiStore((ui) => ui.busy);
   const refusal = useRefusal("PATCH /api/v1/drawings/{id}");
   const offered = units ?? offeredUnits(drawing);
@@ -114,10 +121,12 @@ export function UnitChoices({ drawing, units }: { drawing: Drawing; units?: read
             aria-pressed={chosen}
             disabled={busy || refusal !== null}
             title={refusal ?? undefined}
+            data-answer={onAnswered && unit}
             data-likely={likely}
             data-testid={`unit-${unit}`}
-            onClick={() => {
-              if (!chosen) void patchDrawing({ unit });
+            onClick={(event) => {
+              const byKey = event.detail === 0;
+              if (!chosen) void patchDrawing({ unit }).then(() => byKey && onAnswered?.());
             }}
           >
             <Flex component="span" align="center" wrap="wrap" gap="0 6px" fw={600} w="100%">

@@ -9,7 +9,14 @@ import { isUnit } from "../../state/drawing/sizes";
 import css from "../shared/panels.module.css";
 import { UnitChoices } from "./UnitPanel";
 
-export function UnitQuestion({ question, drawing }: { question: Question; drawing: Drawing }) {
+interface Props {
+  readonly question: Question;
+  readonly drawing: Drawing;
+  /** Called after an answer by keyboard, to move the focus to the next question. */
+  readonly onAnswered: () => void;
+}
+
+export function UnitQuestion({ question, drawing, onAnswered }: Props) {
   return (
     <article className={css.callout} data-tone="open">
       <Text component="div" mb={4} c="ink.0" fw={600}>
@@ -18,7 +25,11 @@ export function UnitQuestion({ question, drawing }: { question: Question; drawin
       <Text mb={10} fz={12} c="ink.2" title={messageText(question)}>
         {unitQuestionText(question)}
       </Text>
-      <UnitChoices drawing={drawing} units={question.choices.filter(isUnit)} />
+      <UnitChoices
+        drawing={drawing}
+        units={question.choices.filter(isUnit)}
+        onAnswered={onAnswered}
+      />
     </article>
   );
 }

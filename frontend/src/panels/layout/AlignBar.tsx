@@ -9,7 +9,9 @@ import {
   IconLayoutAlignRight,
   IconLayoutAlignTop,
 } from "@tabler/icons-react";
+import { useRef } from "react";
 import { translate } from "../../language/translate";
+import { useRovingFocus } from "../shared/roving";
 import css from "./layout.module.css";
 import { ALIGNMENTS, type Alignment } from "./placing";
 
@@ -28,8 +30,15 @@ const LOOKS = {
 } as const;
 
 export function AlignBar({ disabled, onAlign }: Props) {
+  const bar = useRef<HTMLDivElement>(null);
+  useRovingFocus(bar);
   return (
-    <div className={css.align} role="toolbar" aria-label={translate("layoutEditor.align")}>
+    <div
+      ref={bar}
+      className={css.align}
+      role="toolbar"
+      aria-label={translate("layoutEditor.align")}
+    >
       {ALIGNMENTS.map((alignment) => {
         const { label, Icon } = LOOKS[alignment];
         return (

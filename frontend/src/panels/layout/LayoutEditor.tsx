@@ -125,11 +125,11 @@ function Editor({ layout }: { readonly layout: Layout }) {
     put({ ...draft, placed: [...placed, one] });
     setChosen(new Set([placed.length]));
   };
-  const steps = (event: KeyboardEvent): boolean => {
-    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return false;
+  const undoOrRedo = (event: KeyboardEvent) => {
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
     if (event.shiftKey) edited.redo();
     else edited.undo();
-    return true;
+    event.preventDefault();
   };
   const press = (event: KeyboardEvent) => {
     const step = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
@@ -146,7 +146,7 @@ function Editor({ layout }: { readonly layout: Layout }) {
       edit(({ turn }) => ({ turn: normalTurn(turn + (event.altKey ? -90 : 90)) }));
     else if (event.key === "m") edit(({ mirror }) => ({ mirror: !mirror }));
     else if (event.key === "Delete" || event.key === "Backspace") remove(chosen);
-    else if (!steps(event)) return;
+    else return;
     event.preventDefault();
   };
   const fill = (index: number) => {
@@ -188,12 +188,7 @@ function Editor({ layout }: { readonly layout: Layout }) {
     });
   const shown = fault || (error === null ? "" : errorText(error));
   return (
-    <main
-      className={css.page}
-      data-touch
-      data-testid="layout-editor"
-      onKeyDown={(event) => steps(event) && event.preventDefault()}
-    >
+    <main className={css.page} data-touch data-testid="layout-editor" onKeyDown={undoOrRedo}>
       <LayoutHead
         name={layout.name}
         edited={edited}

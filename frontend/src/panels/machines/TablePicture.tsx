@@ -24,6 +24,7 @@ export function TablePicture({ machine, title }: Props) {
   return (
     <svg
       className={css.table}
+      preserveAspectRatio="xMinYMid"
       data-idle={job === undefined}
       viewBox={`0 ${-height} ${width} ${height}`}
       role="img"

@@ -7,11 +7,13 @@ import {
   IconCircle,
   IconCircleDotFilled,
 } from "@tabler/icons-react";
+import { useRef } from "react";
 import { translate } from "../../language/translate";
 import type { StepStatus } from "../../state/drawing/steps";
 import { useStepStatuses } from "../../state/drawing/useSteps";
 import { drawingPath } from "../../state/routes";
 import { STEPS, type Step, useUiStore } from "../../state/store";
+import { useRovingFocus } from "../shared/roving";
 import css from "./steps.module.css";
 
 const TITLES: Readonly<Record<Step, string>> = {
@@ -34,8 +36,10 @@ export function StepBar() {
   const drawing = useUiStore((ui) => ui.drawing);
   const job = useUiStore((ui) => ui.job);
   const current = useUiStore((ui) => ui.step);
+  const bar = useRef<HTMLElement>(null);
+  useRovingFocus(bar);
   return (
-    <nav className={css.bar} aria-label={translate("stepBar.stepsOfThisDrawing")}>
+    <nav ref={bar} className={css.bar} aria-label={translate("stepBar.stepsOfThisDrawing")}>
       <ol>
         {STEPS.map((step) => (
           <li key={step}>

@@ -184,7 +184,7 @@ function Row({ row, aside = null, isCopy = false, onDelete }: RowProps) {
       <Table.Td className={css.pictureCell ?? ""}>
         <DrawingPicture className={css.picture} src={service.pictureUrl(drawing.id)} />
       </Table.Td>
-      <Table.Td>
+      <Table.Td className={css.nameCell ?? ""}>
         <a href={open} className={css.name} data-testid="open-drawing">
           {drawing.name}
         </a>

@@ -21,6 +21,7 @@ import {
 } from "../drawing/selectionActions";
 import { COLOUR_MODES, type Layer, STEPS, type Step, useUiStore } from "../store";
 import { type Shortcut, shortcut } from "./keys";
+import { focusMainAction } from "./mainAction";
 import { picture } from "./picture";
 
 export const GROUPS = ["steps", "questions", "select", "types", "tools", "view", "page"] as const;
@@ -82,15 +83,20 @@ const STEP_TITLES: Readonly<Record<Step, string>> = {
   check: translate("stepBar.check"),
 };
 
-const stepCommands = STEPS.map((step) =>
-  command(
-    "steps",
-    `step-${step}`,
-    translate("commands.goToStep", { step: STEP_TITLES[step] }),
-    () => ui().set({ step, panelOpen: true }),
-    { ready: () => ui().step !== step },
+const stepCommands = [
+  ...STEPS.map((step) =>
+    command(
+      "steps",
+      `step-${step}`,
+      translate("commands.goToStep", { step: STEP_TITLES[step] }),
+      () => ui().set({ step, panelOpen: true }),
+      { ready: () => ui().step !== step },
+    ),
   ),
-);
+  command("steps", "main-action", translate("commands.mainAction"), focusMainAction, {
+    keys: "Ctrl+Enter",
+  }),
+];
 
 const LINES: Part = { steps: ["lines"] };
 const SEVERAL: Part = { ...LINES, ready: () => openQuestionsNow().length > 1 };

@@ -6,15 +6,21 @@ import gzip
 import json
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from typing import Any
 
 import pytest
 from pydantic import BaseModel
 
+from knifetip.model.interpretation import Interpretation
+from knifetip.presentation.columns import unpack_columns
+from knifetip.presentation.drawn_edges import pack_drawn_edges
 from knifetip.service.database.tables import Drawing
+from knifetip.service.drawings import document_tasks, first_picture
 from knifetip.service.drawings import models as schemas
 from knifetip.service.drawings import report_models as reports
 from knifetip.service.orders.verdict_models import VerdictOut
+from knifetip.service.processes import tasks
 from tests.support.serving.server import (
     LocalClient,
     order_job,
@@ -212,6 +218,50 @@ def test_requests_for_the_same_answer_wait_for_one_worker(
         )
     assert answers == [answers[0]] * 4
     assert len(tasks_of_workers) == 1
+
+
+def nothing(*_: object) -> None:
+    """Ignore progress."""
+
+
+def test_what_a_first_picture_needs_is_made_while_many_edges_are_read(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert tasks.read(nothing, CONTENT, Interpretation(), None).drawn_edges == b""
+    monkeypatch.setattr(tasks, "MANY_EDGES", 4)
+    reading = tasks.read(nothing, CONTENT, Interpretation(), None)
+    assert gzip.decompress(reading.drawn_edges) == pack_drawn_edges(reading.edges)
+
+
+def test_the_first_picture_of_many_edges_is_stored_with_each_revision_of_the_drawing(
+    client: LocalClient,
+    tasks_of_workers: list[Callable[..., Any]],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("knifetip.service.drawings.routes.MANY_EDGES", 4)
+    run = client.service.pool.run
+
+    # As if the worker process had read many edges.
+    def run_as_many(task: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
+        result = run(task, *arguments, **named)
+        if task is not tasks.read:
+            return result
+        return replace(result, drawn_edges=document_tasks.drawn_edges(nothing, result.edges))
+
+    monkeypatch.setattr(client.service.pool, "run", run_as_many)
+    id = upload_drawing(client, CONTENT)["id"]
+    url = f"/api/drawings/{id}/edges?format=drawn"
+    tasks_of_workers.clear()
+    first = client.get(url)
+    assert unpack_columns(first.content)[0]["line_type"].tolist() == [1] * 4
+    client.patch(f"/api/drawings/{id}/edges", json=_CREASE).raise_for_status()
+    assert unpack_columns(client.get(url).content)[0]["line_type"][1] == 2
+    assert document_tasks.drawn_edges not in tasks_of_workers
+    # Without the stored document, for example after a restore, it is made for the request.
+    row = client.service.store.drawings.get(id)
+    client.service.store.documents.keep(row, first_picture.KIND, "other", b"")
+    assert unpack_columns(client.get(url).content)[0]["line_type"][1] == 2
+    assert document_tasks.drawn_edges in tasks_of_workers
 
 
 def test_a_deleted_drawing_leaves_no_document(

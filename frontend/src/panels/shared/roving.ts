@@ -26,10 +26,17 @@ export function movedTo<T>(key: string, controls: readonly T[], from: T): T | nu
   return at === undefined ? null : (controls[at] ?? null);
 }
 
-/** Controls may appear, vanish and be disabled: one of those that remain is the Tab stop. */
+/**
+ * Controls may appear, vanish and be disabled: one of those that remain is the Tab stop.
+ *
+ * It is the one that had the focus last, or that which is current where the focus is elsewhere.
+ */
 function keepOneStop(bar: HTMLElement): void {
   const controls = controlsOf(bar);
-  const stop = controls.find((one) => one.dataset.stop === "") ?? controls[0];
+  const kept = controls.find((one) => one.dataset.stop === "");
+  const current = controls.find((one) => one.ariaCurrent !== null);
+  const first = bar.contains(document.activeElement) ? kept : current;
+  const stop = first ?? kept ?? current ?? controls[0];
   for (const one of bar.querySelectorAll<HTMLElement>(CONTROLS)) {
     const index = one === stop ? 0 : -1;
     if (one.getAttribute("tabindex") !== String(index)) one.tabIndex = index;
@@ -60,7 +67,8 @@ export function useRovingFocus(ref: RefObject<HTMLElement | null>): void {
     };
     keepOneStop(bar);
     const watch = new MutationObserver(() => keepOneStop(bar));
-    watch.observe(bar, { childList: true, subtree: true, attributeFilter: ["disabled", "href"] });
+    const attributes = ["disabled", "href", "aria-current"];
+    watch.observe(bar, { childList: true, subtree: true, attributeFilter: attributes });
     bar.addEventListener("focusin", focused);
     bar.addEventListener("keydown", pressed);
     return () => {

@@ -1,0 +1,6 @@
+/** The main button of a step, which the keyboard reaches from everywhere. */
+
+/** Give the focus to the main button of the step. */
+export function focusMainAction(): void {
+  document.querySelector<HTMLElement>("[data-main-action] :is(button, a)")?.focus();
+}
