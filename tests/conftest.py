@@ -13,6 +13,7 @@ import pytest
 from hypothesis import settings
 
 from knifetip.cli import main
+from tests.support.certificates import share_certificates
 from tests.support.command import Command
 from tests.support.databases import leave_half_to_long_runs
 from tests.support.examples import LEAST, QUICK
@@ -42,11 +43,12 @@ CORPUS = Path(os.environ.get("KNIFETIP_CORPUS", ROOT.parent / "shared" / "corpus
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Let tests use the statements and routes that others have prepared."""
+    """Let tests use the statements, routes and certificates that others have prepared."""
     patch = pytest.MonkeyPatch()
     config.add_cleanup(patch.undo)
     share_compiled_statements(patch)
     share_prepared_routes(patch)
+    share_certificates(patch)
 
 
 # What is imported and collected lives until the end.

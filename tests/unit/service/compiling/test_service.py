@@ -32,8 +32,8 @@ pytestmark = pytest.mark.xdist_group("crew")
 
 
 @pytest.fixture
-def store(tmp_path: Path) -> Iterator[Store]:
-    with migrated_store(f"sqlite:///{tmp_path}/shop.sqlite") as store:
+def store(migrated_sqlite: str) -> Iterator[Store]:
+    with migrated_store(migrated_sqlite) as store:
         yield store
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -34,8 +33,8 @@ def clock() -> Clock:
 
 
 @pytest.fixture
-def store(tmp_path: Path, clock: Clock) -> Iterator[Store]:
-    with migrated_store(f"sqlite:///{tmp_path}/shop.sqlite", clock) as store:
+def store(migrated_sqlite: str, clock: Clock) -> Iterator[Store]:
+    with migrated_store(migrated_sqlite, clock) as store:
         yield store
 
 
