@@ -9,6 +9,8 @@ from functools import cache
 import pytest
 from httpx._transports import default
 
+from tests.support.modules import original
+
 
 def share_certificates(patch: pytest.MonkeyPatch) -> None:
     """Let all HTTP clients of this process use the certificates that the first one has loaded.
@@ -16,17 +18,19 @@ def share_certificates(patch: pytest.MonkeyPatch) -> None:
     httpx loads all certificates of authorities for each client, also if it speaks HTTP only: 0.04 s
     of CPU time.
     """
-    original = default.create_ssl_context
+    create = original(default, "create_ssl_context")
 
     @cache
     def load(trust_env: bool, file: str | None, folder: str | None) -> ssl.SSLContext:
-        return original(trust_env=trust_env)
+        made: ssl.SSLContext = create(trust_env=trust_env)
+        return made
 
     def create_ssl_context(
         verify: ssl.SSLContext | str | bool = True, cert: None = None, trust_env: bool = True
     ) -> ssl.SSLContext:
         if verify is not True or cert is not None:
-            return original(verify, cert, trust_env)
+            other: ssl.SSLContext = create(verify, cert, trust_env)
+            return other
         # What httpx reads in the environment, which tests change.
         return load(trust_env, *map(os.environ.get, ("SSL_CERT_FILE", "SSL_CERT_DIR")))
 

@@ -32,7 +32,7 @@ const ALLOWED: readonly RegExp[] = [
   /^(GET|POST|PUT|PATCH|DELETE) \/api\//,
   /^(?:[A-Z+−?[\]]|\s)+$/,
   /^(Arrow(Left|Right|Up|Down)|Escape|Enter|Home|End|Tab|Shift|Files|Backspace|Delete)$/,
-  /^(Ctrl|((Ctrl\+)?(Shift\+)?[A-Z]\b ?)+)$/,
+  /^(Ctrl|((Ctrl\+)?(Shift\+)?([A-Z]|Enter)\b ?)+)$/,
   /^(If-Match|Accept-Language|Link|ETag|Content-Type|Retry-After|X-Knifetip|NFKD|\w+Error)$/,
   /^(Inter Variable|ui-monospace|"?Inter)/,
   /^https:\/\/erp\.example/,

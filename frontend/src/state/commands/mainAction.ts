@@ -2,5 +2,5 @@
 
 /** Give the focus to the main button of the step. */
 export function focusMainAction(): void {
-  document.querySelector<HTMLElement>("[data-main-action] :is(button, a)")?.focus();
+  document.querySelector("[data-main-action]")?.querySelector<HTMLElement>("button, a")?.focus();
 }

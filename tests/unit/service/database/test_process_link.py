@@ -105,8 +105,11 @@ def until(condition: object) -> None:
         time.sleep(0.01)
 
 
-def test_a_change_wakes_its_subscribers_in_another_process(postgresql_url: str) -> None:
-    with linked_store(postgresql_url, "a") as here, linked_store(postgresql_url, "b") as there:
+def test_a_change_wakes_its_subscribers_in_another_process(migrated_postgresql: str) -> None:
+    with (
+        linked_store(migrated_postgresql, "a") as here,
+        linked_store(migrated_postgresql, "b") as there,
+    ):
         received, table, router = (threading.Event() for _ in range(3))
         with (
             there.changes.subscribed(received.set, RECEIVED),
@@ -123,8 +126,11 @@ def test_a_change_wakes_its_subscribers_in_another_process(postgresql_url: str) 
             assert received.wait(10.0)
 
 
-def test_a_notification_does_not_come_back_to_its_sender(postgresql_url: str) -> None:
-    with linked_store(postgresql_url, "a") as here, linked_store(postgresql_url, "b") as there:
+def test_a_notification_does_not_come_back_to_its_sender(migrated_postgresql: str) -> None:
+    with (
+        linked_store(migrated_postgresql, "a") as here,
+        linked_store(migrated_postgresql, "b") as there,
+    ):
         calls: list[int] = []
         with here.changes.subscribed(lambda: calls.append(1), RECEIVED):
             here.changes.notify([RECEIVED])
@@ -137,12 +143,15 @@ def test_a_notification_does_not_come_back_to_its_sender(postgresql_url: str) ->
             assert len(calls) == 1
 
 
-def test_a_lost_connection_is_made_again_and_wakes_all(postgresql_url: str) -> None:
-    with linked_store(postgresql_url, "a") as here, linked_store(postgresql_url, "b") as there:
+def test_a_lost_connection_is_made_again_and_wakes_all(migrated_postgresql: str) -> None:
+    with (
+        linked_store(migrated_postgresql, "a") as here,
+        linked_store(migrated_postgresql, "b") as there,
+    ):
         woken = threading.Event()
         with there.changes.subscribed(woken.set, machine_topic("a table")):
             woken.clear()
-            url = postgresql_url.replace("+psycopg", "")
+            url = migrated_postgresql.replace("+psycopg", "")
             with psycopg.connect(url, autocommit=True) as admin:
                 admin.execute(
                     "SELECT pg_terminate_backend(pid) FROM pg_stat_activity"
@@ -156,7 +165,7 @@ def test_a_lost_connection_is_made_again_and_wakes_all(postgresql_url: str) -> N
 
 
 def test_a_notification_that_was_not_sent_is_sent_by_the_next_connection(
-    postgresql_url: str, monkeypatch: pytest.MonkeyPatch
+    migrated_postgresql: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     send, failed = postgres_link.PostgresLink._send, threading.Event()
 
@@ -166,7 +175,10 @@ def test_a_notification_that_was_not_sent_is_sent_by_the_next_connection(
             connection.close()
         send(link, connection)
 
-    with linked_store(postgresql_url, "a") as here, linked_store(postgresql_url, "b") as there:
+    with (
+        linked_store(migrated_postgresql, "a") as here,
+        linked_store(migrated_postgresql, "b") as there,
+    ):
         monkeypatch.setattr(postgres_link.PostgresLink, "_send", fail_once)
         woken = threading.Event()
         with there.changes.subscribed(woken.set, machine_topic("a table")):
@@ -175,8 +187,8 @@ def test_a_notification_that_was_not_sent_is_sent_by_the_next_connection(
         assert failed.is_set()
 
 
-def test_a_waiting_link_uses_no_processor_time(postgresql_url: str) -> None:
-    with linked_store(postgresql_url, "a"):
+def test_a_waiting_link_uses_no_processor_time(migrated_postgresql: str) -> None:
+    with linked_store(migrated_postgresql, "a"):
         before, began = time.process_time(), time.monotonic()
         time.sleep(1.0)
         assert time.process_time() - before < 0.2 * (time.monotonic() - began)

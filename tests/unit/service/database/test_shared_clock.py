@@ -88,12 +88,12 @@ def test_threads_do_not_wait_for_one_that_reads_the_server() -> None:
 
 
 def test_a_computer_whose_clock_is_ahead_takes_no_job_from_a_gateway(
-    postgresql_url: str, monkeypatch: pytest.MonkeyPatch
+    migrated_postgresql: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     true_time = time.time
     with (
-        migrated_store(postgresql_url, None) as office,
-        migrated_store(postgresql_url, None) as workshop,
+        migrated_store(migrated_postgresql, None) as office,
+        migrated_store(migrated_postgresql, None) as workshop,
     ):
         job = running(office)
         monkeypatch.setattr(time, "time", lambda: true_time() + 10.0 * LEASE)

@@ -14,8 +14,8 @@ from tests.support.stored import Clock, add_job, migrated_store
 
 
 @pytest.fixture
-def store(postgresql_url: str) -> Iterator[Store]:
-    with migrated_store(postgresql_url) as store:
+def store(migrated_postgresql: str) -> Iterator[Store]:
+    with migrated_store(migrated_postgresql) as store:
         yield store
 
 

@@ -41,7 +41,7 @@ from knifetip.verification.checks.milling.shortfalls import (
 )
 from knifetip.verification.checks.milling.unreached_areas import unreached_areas
 from knifetip.verification.checks.milling.work import MilledCuts, MilledPaths, MillingWork
-from knifetip.verification.columns import F64, I64, Bool
+from knifetip.verification.columns import F64, I32, I64, Bool
 from knifetip.verification.curves.curve import azimuth_at, left_distance, line_curves, point_at
 from knifetip.verification.curves.intervals import (
     EPSILON,
@@ -237,7 +237,7 @@ class _MillingCheck(MillingWork):
             self.size,
         )
 
-    def _goes_round_corner(self, centres: F64, rows: I64) -> Bool:
+    def _goes_round_corner(self, centres: F64, rows: I32) -> Bool:
         """Return the mask of those of n paths of the disc's centre that are arcs round an end of an
         edge, (n,).
 
