@@ -55,6 +55,7 @@ def test_a_click_near_an_edge_chooses_a_point_of_it(page: Page) -> None:
     assert box is not None
     page.get_by_test_id("tool-measure").click()
     bar = page.get_by_test_id("draft")
+    expect(bar).to_contain_text("Click the first point.")
     page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     expect(bar).to_contain_text("Click the second point.")
     page.mouse.click(box["x"] + box["width"] / 2 + 60, box["y"] + box["height"] / 2)

@@ -79,9 +79,7 @@ export function Rail() {
         <IconCommand />
         <span>{translate("palette.commands")}</span>
       </button>
-      <span className={css.account}>
-        <AccountButton />
-      </span>
+      <AccountButton className={`${css.railPlace} ${css.account}`} />
       <Place
         href="/settings"
         at={path.startsWith("/settings") || path === "/webhooks"}

@@ -1,6 +1,6 @@
 /** Button and section that show the account of the person who uses the page. */
 
-import { ActionIcon, Indicator, Paper, Text, Tooltip } from "@mantine/core";
+import { Indicator, Paper, Text, Tooltip } from "@mantine/core";
 import { IconShieldLock } from "@tabler/icons-react";
 import { lazy, Suspense, useEffect, useRef, useState } from "react";
 import { translate } from "../../language/translate";
@@ -12,7 +12,7 @@ import { Dialog } from "../shared/Dialog";
 const Account = lazy(() => import("./Account").then((module) => ({ default: module.Account })));
 
 /** Opens the dialog; a mark shows that there is no administrator. */
-export function AccountButton() {
+export function AccountButton({ className }: { readonly className: string | undefined }) {
   const me = useMe();
   const [opened, setOpened] = useState(false);
   const [tab, setTab] = useState<AccountTab>("own");
@@ -24,18 +24,18 @@ export function AccountButton() {
   return (
     <>
       <Tooltip label={label}>
-        <Indicator disabled={me.has_admin} color="orange" size={9} offset={9} withBorder>
-          <ActionIcon
-            variant="subtle"
-            color="gray"
-            size={44}
-            aria-label={label}
-            onClick={() => setOpened(true)}
-            data-testid="account"
-          >
-            <IconShieldLock size={18} stroke={1.6} />
-          </ActionIcon>
-        </Indicator>
+        <button
+          type="button"
+          className={className}
+          aria-label={label}
+          onClick={() => setOpened(true)}
+          data-testid="account"
+        >
+          <Indicator disabled={me.has_admin} color="orange" size={9} offset={2} withBorder>
+            <IconShieldLock />
+          </Indicator>
+          <span>{translate("accountDialog.account2")}</span>
+        </button>
       </Tooltip>
       <Dialog
         opened={opened}
