@@ -19,7 +19,7 @@ import { useRovingFocus } from "../panels/shared/roving";
 import { useRefusal } from "../state/accounts/accounts";
 import { useDimensions } from "../state/drafting/dimensions";
 import { type Tool, useDrafting } from "../state/drafting/drafting";
-import { useDrawing } from "../state/queries";
+import { useDrawing, useEdges } from "../state/queries";
 import css from "./app.module.css";
 
 const BUTTONS: readonly {
@@ -41,11 +41,13 @@ export function DraftTools() {
   const chosen = useDrafting((draft) => draft.tool);
   const choose = useDrafting((draft) => draft.choose);
   const { data: drawing } = useDrawing();
+  const { data: edges } = useEdges();
   const refusal = useRefusal("PATCH /api/v1/drawings/{id}");
   useRovingFocus(bar);
   // Other steps have no drawing tools.
   useEffect(() => () => choose(null), [choose]);
   const noUnit = drawing?.unit === null ? translate("draftTools.chooseTheUnitFirst") : null;
+  const loading = edges === undefined ? translate("draftTools.edgesAreLoading") : null;
   return (
     <div
       ref={bar}
@@ -56,7 +58,7 @@ export function DraftTools() {
     >
       {BUTTONS.map(({ tool, label, Icon }) => {
         const changes = tool === "line" || tool === "circle" || tool === "move";
-        const why = changes ? (refusal ?? noUnit) : null;
+        const why = (changes ? (refusal ?? noUnit) : null) ?? (tool === null ? null : loading);
         return (
           <Tooltip key={label} label={why ?? label} position="right">
             <ActionIcon

@@ -202,6 +202,7 @@ export const de = {
   "draftTools.drawACircle": "Kreis zeichnen",
   "draftTools.moveEnds": "Enden von Kanten verschieben oder eine Lücke schließen",
   "draftTools.chooseTheUnitFirst": "Zuerst die Einheit der Zeichnung wählen.",
+  "draftTools.edgesAreLoading": "Die Kanten werden noch geladen.",
   "draftTools.selectEdgesKey": "Kanten auswählen (V)",
   "draftTools.selectByBoxKey": "Kanten in einem Rahmen auswählen (B)",
   "draftTools.selectByLassoKey": "Kanten mit dem Lasso auswählen (Q)",

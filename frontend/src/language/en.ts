@@ -200,6 +200,7 @@ export const en = {
   "draftTools.drawACircle": "Draw a circle",
   "draftTools.moveEnds": "Move ends of edges, or close a gap",
   "draftTools.chooseTheUnitFirst": "Choose the unit of the drawing first.",
+  "draftTools.edgesAreLoading": "The edges are still being loaded.",
   "draftTools.selectEdgesKey": "Select edges (V)",
   "draftTools.selectByBoxKey": "Select edges in a box (B)",
   "draftTools.selectByLassoKey": "Select edges with a lasso (Q)",

@@ -144,7 +144,12 @@ function PointFields() {
           onChange={set}
         />
       ))}
-      <Button size="compact-xs" variant="default" type="submit" disabled={!complete}>
+      <Button
+        size="compact-xs"
+        variant="default"
+        type="submit"
+        disabled={!complete || edges === undefined}
+      >
         {translate("draftBar.setPoint")}
       </Button>
     </Group>

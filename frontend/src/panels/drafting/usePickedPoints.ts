@@ -19,7 +19,7 @@ export function choosePoint(point: Parameters<ReturnType<typeof useDrafting.getS
 }
 
 export function usePickedPoints(scale: number): {
-  /** Returns false if no drawing tool is active. */
+  /** Returns false if no drawing tool is active.  No point is chosen before the edges are there. */
   pickPoint(at: Point): boolean;
   draftCursor(at: Point | null): void;
 } {
@@ -32,7 +32,7 @@ export function usePickedPoints(scale: number): {
   const reach = REACH / scale;
   return {
     pickPoint: (at) => {
-      if (snap === null || edges === undefined) return false;
+      if (snap === null || edges === undefined) return active;
       const done = choosePoint(snap(at, reach));
       if (done !== null) {
         const { selection } = useUiStore.getState();
