@@ -104,7 +104,7 @@ function Machines({ at }: { at: boolean }) {
         hint={text}
         testId="to-machines"
       >
-        <Indicator color={colour} size={9} offset={2} withBorder disabled={word === ""}>
+        <Indicator lh={0} color={colour} size={9} offset={2} withBorder disabled={word === ""}>
           <IconWashMachine />
         </Indicator>
       </Place>

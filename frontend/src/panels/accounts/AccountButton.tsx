@@ -31,7 +31,7 @@ export function AccountButton({ className }: { readonly className: string | unde
           onClick={() => setOpened(true)}
           data-testid="account"
         >
-          <Indicator disabled={me.has_admin} color="orange" size={9} offset={2} withBorder>
+          <Indicator lh={0} disabled={me.has_admin} color="orange" size={9} offset={2} withBorder>
             <IconShieldLock />
           </Indicator>
           <span>{translate("accountDialog.account2")}</span>
