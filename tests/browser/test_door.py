@@ -189,7 +189,7 @@ def test_another_machine_signs_in_by_link_or_by_key_and_then_works(
                 page.wait_for_url("**again=1")
                 page.get_by_label("Key").fill(key)
                 page.get_by_role("button", name="Sign in").click()
-            # The field for files is another one when the list of work is there.
+            # The page replaces the file input when the list of work has arrived.
             welcome = page.get_by_role("heading", name="Drop a dieline file here")
             expect(welcome.or_(page.get_by_role("table"))).to_be_visible()
             page.get_by_test_id("file-input").set_input_files(

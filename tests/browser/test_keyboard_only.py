@@ -184,7 +184,7 @@ def test_questions_of_an_uploaded_file_are_answered_by_keys_only(
 
 def test_the_palette_keeps_what_is_typed_at_once_after_it_was_closed(page: Page) -> None:
     search = page.get_by_test_id("palette")
-    # The page hears keys as soon as it shows its rail.
+    # The page listens to keys as soon as it shows its rail.
     expect(page.get_by_test_id("open-palette")).to_be_visible()
     page.keyboard.press("Control+k")
     expect(search).to_be_focused()

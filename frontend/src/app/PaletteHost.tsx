@@ -17,7 +17,7 @@ export function PaletteHost() {
   useEffect(
     () =>
       usePaletteRequests.subscribe(() => {
-        // At once if it is here: what is typed next belongs into its search.
+        // Opened at once if it is loaded, so that its search receives the next keys.
         if (palette !== null) palette.togglePalette();
         else
           import("../panels/commands/Palette").then((module) => {

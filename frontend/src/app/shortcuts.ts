@@ -38,7 +38,7 @@ function runCommand(event: KeyboardEvent): void {
 
 /** Run the commands whose keys are pressed, until the returned function is called. */
 export function listenToKeys(): () => void {
-  // Lists open on Enter, whatever else is pressed: they do not receive this key.
+  // Before fields receive it: lists open on Enter, with Ctrl as well.
   const early = (event: KeyboardEvent) => leavesFields(event) && runCommand(event);
   window.addEventListener("keydown", runCommand);
   window.addEventListener("keydown", early, { capture: true });

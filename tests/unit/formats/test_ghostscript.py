@@ -325,7 +325,7 @@ def test_a_program_cannot_reach_files_outside_its_folder(
     ("program", "seconds", "codes"),
     [
         ("{} loop", 0.7, {"conversion.too-slow"}),
-        # The memory ends first, also where it is slow.
+        # The limit of memory is reached before that of time, also on a slow computer.
         ("{ 10000000 string } loop", 60.0, {"conversion.too-much-memory"}),
         (
             "/s 65535 string def { s print } loop",
