@@ -66,7 +66,7 @@ def test_a_rest_is_measured_with_what_earlier_programs_have_cut() -> None:
         ("crease, linuxcnc", b"M64 P1", b"M64 P2", "beside [2]"),
         ("V-groove, grblhal", b"C0.0000", b"C2.0000", "is off by"),
         ("router B, linuxcnc", b"S18000", b"S9000", "spindle at 9000"),
-        ("router B, linuxcnc", b"G64 P0.0050", b"G64 P0.0500", "rounded by 0.05 mm"),
+        ("router B, linuxcnc", b"G64 P0.0005", b"G64 P0.0500", "rounded by 0.05 mm"),
         ("flat cutter, hpgl", b"FS12;", b"FS30;", "force 30"),
     ],
 )

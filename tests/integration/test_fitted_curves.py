@@ -69,7 +69,7 @@ def test_the_verdict_states_the_fit_and_accepts_the_program(dialect: str) -> Non
     table, board = load.machine("demo-table"), load.board("greyboard-2.0")
     verdict = pipeline.compile(drawing, dieline, table, board, dialect=dialect).verdict
     assert verdict.accepted, verdict.findings[:2]
-    np.testing.assert_allclose(verdict.blending, 0.005 if dialect == "linuxcnc" else 0.0)
+    np.testing.assert_allclose(verdict.blending, 0.0005 if dialect == "linuxcnc" else 0.0)
     # Cleaning merges arcs of one circle; the merged arc has the greatest distance of its parts.
     assert (verdict.fit_error >= drawing.fit_error).all()
     # Cleaning may join fitted arcs, up to 0.0035 mm from the curve.

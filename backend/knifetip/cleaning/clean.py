@@ -21,7 +21,7 @@ from typing import Final
 
 import numpy as np
 
-from knifetip.cleaning.merge_collinear import FINE
+from knifetip.cleaning.fit_curves import FINE
 from knifetip.cleaning.outcomes import report_outcomes
 from knifetip.cleaning.priority import PRIORITY
 from knifetip.cleaning.state import CleaningState

@@ -1,9 +1,10 @@
 """fit_curves: fit lines, arcs and circles to runs of chords.
 
 Many programs write a curve as a polyline: a run of chords whose vertices lie on the curve.  A run
-is *smooth* where each of its joints turns by at most ``SMOOTH_TURN`` (20°) and the chords are short
-enough for their turn: where a run turns by θ at each joint, a chord of length l lies l θ / 8 inside
-the curve.  A regular polygon with large sides is therefore no smooth run.
+is *smooth* where each of its joints turns by at most ``SMOOTH_TURN`` (20°; more between very short
+chords) and the chords are short enough for their turn: where a run turns by θ at each joint, a
+chord of length l lies l θ / 8 inside the curve.  A regular polygon with large sides is therefore no
+smooth run.
 
 The distance of a run from the arc that replaces it is measured at every vertex, and at the point of
 every chord that is nearest to the centre, where the chord is farthest inside the arc.  So the
@@ -15,13 +16,20 @@ from __future__ import annotations
 import math
 from typing import Final
 
-from knifetip.geometry.tolerance import BULGE
+from knifetip.geometry.tolerance import BULGE, GAP
 from knifetip.kernels import F64_1, F64_2, Bool_1, OutF64_2, OutI64_1, inline_kernel, kernel
 
 #: Least number of chords that are replaced by an arc.
 FEW_CHORDS: Final = 4
-#: Least number of edges shorter than the gap tolerance that are replaced by a line or an arc.
+#: Segments shorter than this belong to a flattened curve (mm).
+FINE: Final = GAP
+#: Least number of edges shorter than ``FINE`` that are replaced by a line or an arc.
 FEW_FINE: Final = 3
+#: Between two segments shorter than this, a turn is smooth if the joint lies within twice the
+#: tolerance of the line from end to end (mm): rounded vertices make such turns.
+SHORT: Final = 5.0 * FINE
+#: Number of rough segments by which an arc may be longer than one that does not fit.
+_FARTHER: Final = 32
 #: Least number of chords of a circle.
 _CIRCLE_CHORDS: Final = 8
 #: Tangent of the greatest turn at a joint of a smooth run (20°).
@@ -89,10 +97,15 @@ def _is_smooth(
             return False
     if both:
         return True
+    short = max(size[segment_a], size[segment_b]) < SHORT
     ax, ay = run[segment_a, 2] - run[segment_a, 0], run[segment_a, 3] - run[segment_a, 1]
     bx, by = run[segment_b, 2] - run[segment_b, 0], run[segment_b, 3] - run[segment_b, 1]
     along, across = ax * bx + ay * by, abs(ax * by - ay * bx)
-    if along <= 0.0 or across > SMOOTH_TURN * along:
+    if along <= 0.0:
+        return False
+    if short and across <= 2.0 * tolerance * math.hypot(ax + bx, ay + by):
+        return True
+    if across > SMOOTH_TURN * along:
         return False
     return bool(
         across * min(size[segment_a], size[segment_b]) <= 8.0 * _ESTIMATE * tolerance * along
@@ -136,7 +149,7 @@ def longest_line(run: F64_2, i: int, limit: int, tolerance: float) -> int:
 
 @kernel(allocates=False)
 def longest_arc(
-    run: F64_2, along: F64_1, i: int, limit: int, tolerance: float
+    run: F64_2, along: F64_1, i: int, limit: int, tolerance: float, rough: bool
 ) -> tuple[int, float, float]:
     """Fit the longest arc that starts where segment ``i`` of ``run`` starts.
 
@@ -150,6 +163,9 @@ def longest_arc(
         Segments in order: x0, y0, x1, y1, bulge.
     along : (k + 1,)
         Length of the run before each segment (mm).
+    rough
+        Whether the vertices lie beside the curve, so that an arc that ends at one of them may fit
+        although another one that is shorter does not.
 
     Returns
     -------
@@ -162,7 +178,7 @@ def longest_arc(
     bad = limit + 1
     while True:
         end = min(i + step, limit)
-        b, far = fit_arc(run, along, i, end, tolerance)
+        b, far = fit_arc(run, along, i, end, tolerance, rough)
         if far <= tolerance:
             good, code, off = end, b, far
             if end == limit:
@@ -174,21 +190,46 @@ def longest_arc(
     low = good if good > i else i + 2
     while bad - low > 1:
         end = (low + bad) // 2
-        b, far = fit_arc(run, along, i, end, tolerance)
+        b, far = fit_arc(run, along, i, end, tolerance, rough)
         if far <= tolerance:
             low, good, code, off = end, end, b, far
         else:
             bad = end
+    if rough:
+        for end in range(bad + 1, min(bad + _FARTHER, limit) + 1):
+            b, far = fit_arc(run, along, i, end, tolerance, rough)
+            if far <= tolerance:
+                good, code, off = end, b, far
     return good, code, off
 
 
 @kernel(allocates=False)
-def fit_arc(run: F64_2, along: F64_1, i: int, end: int, tolerance: float) -> tuple[float, float]:
+def fit_arc(
+    run: F64_2, along: F64_1, i: int, end: int, tolerance: float, rough: bool
+) -> tuple[float, float]:
     """Return the bulge of the arc that replaces segments ``i`` … ``end - 1`` of ``run``, and their
     greatest distance from it (mm), which is infinite if it exceeds ``tolerance``.
 
     The arc passes through the start of the first segment, the end of the last segment, and the
-    joint near the middle of their length.  ``along`` is the length of the run before each segment.
+    joint near the middle of their length.  If it is too far and the vertices are ``rough``, it is
+    the arc through both ends that is nearest to all joints.  ``along`` is the length of the run
+    before each segment.
+    """
+    bulge = _bulge_through_middle(run, along, i, end)
+    far = math.inf
+    if bulge != 0.0:
+        far = _distance_from_arc(run, i, end, bulge, tolerance)
+    if rough and far > tolerance:
+        bulge = _nearest_bulge(run, i, end)
+        if bulge != 0.0:
+            far = _distance_from_arc(run, i, end, bulge, tolerance)
+    return bulge, far
+
+
+@kernel(allocates=False)
+def _bulge_through_middle(run: F64_2, along: F64_1, i: int, end: int) -> float:
+    """Return the bulge of the arc through both ends of some segments and the joint near the middle
+    of their length, as for ``fit_arc``; 0 if it is a line or more than half a circle.
     """
     middle = 0.5 * (along[i] + along[end])
     low, high = i, end - 1
@@ -205,11 +246,39 @@ def fit_arc(run: F64_2, along: F64_1, i: int, end: int, tolerance: float) -> tup
     angle = math.atan2(ax * by - ay * bx, ax * bx + ay * by)
     bulge = math.tan(0.5 * (math.pi - abs(angle)))
     if bulge > 1.0 + 1e-9 or bulge < _SHALLOW:
-        return 0.0, math.inf
+        return 0.0
     bulge = min(bulge, 1.0)
-    if angle > 0.0:
-        bulge = -bulge
-    return bulge, _distance_from_arc(run, i, end, bulge, tolerance)
+    return -bulge if angle > 0.0 else bulge
+
+
+@kernel(allocates=False)
+def _nearest_bulge(run: F64_2, i: int, end: int) -> float:
+    """Return the bulge of the arc through both ends of segments ``i`` … ``end - 1`` that is nearest
+    to their joints; 0 if it is a line or more than half a circle.
+
+    With the chord from (-a, 0) to (a, 0), a circle through both ends has its centre at (0, h), and
+    u² + v² - a² = 2hv holds for each point (u, v) of it.  h is the least-squares solution.
+    """
+    x0, y0 = run[i, 0], run[i, 1]
+    dx, dy = run[end - 1, 2] - x0, run[end - 1, 3] - y0
+    chord = math.hypot(dx, dy)
+    if chord == 0.0:
+        return 0.0
+    half = 0.5 * chord
+    squares = moments = rise = 0.0
+    for s in range(i, end - 1):
+        x, y = run[s, 2] - x0, run[s, 3] - y0
+        u, v = (x * dx + y * dy) / chord - half, (y * dx - x * dy) / chord
+        squares += v * v
+        moments += v * (u * u + v * v - half * half)
+        rise += v
+    if rise == 0.0 or squares == 0.0:
+        return 0.0
+    # An arc that bulges to the right of its chord turns to the left.
+    height = 0.5 * moments / squares
+    side = 1.0 if rise < 0.0 else -1.0
+    bulge = (math.hypot(height, half) - side * height) / half
+    return side * bulge if _SHALLOW <= bulge <= 1.0 + 1e-9 else 0.0
 
 
 @kernel(allocates=False)
@@ -383,11 +452,16 @@ def fit_circle(run: F64_2, count: int, tolerance: float) -> tuple[float, float, 
         vertex, last = math.hypot(ax, ay), math.hypot(bx, by)
         total += vertex
         near, far = min(near, vertex, last), max(far, vertex, last)
-        inside = min(inside, abs(across) / math.hypot(bx - ax, by - ay))
+        # Where the foot of the centre is beyond the chord, a vertex is nearer.
+        dx, dy = bx - ax, by - ay
+        square = dx * dx + dy * dy
+        if 0.0 < -(ax * dx + ay * dy) < square:
+            inside = min(inside, abs(across) / math.sqrt(square))
     if rounds != 1:
         return 0.0, 0.0, 0.0, math.inf
     radius = total / count
-    off = max(far - radius, radius - near, radius - inside)
+    inside = min(inside, near)
+    off = max(far - radius, radius - inside)
     if off > tolerance:
         radius = 0.5 * (far + inside)
         off = 0.5 * (far - inside)

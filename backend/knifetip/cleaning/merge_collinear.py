@@ -4,10 +4,7 @@ Two edges are merged only if they have the same line type and no third edge ends
 they meet or near it (within ``GAP``).  Lines become one line if every joint is within ``JOIN``
 (0.002 mm) of it; arcs that turn in the same direction become one arc within the same distance.
 Chords of a curve are replaced by lines, arcs or a circle (``fit_curves``): four or more, or three
-or more edges shorter than ``FINE`` (0.05 mm).  The distance of the chords from the edge that
-replaces them, and the distance of the edges from the curve of the file that import has
-approximated, are together at most ``CURVE`` (0.0035 mm): the part of a program's tolerance that
-fitted curves may use.
+or more edges shorter than ``FINE`` (0.05 mm).
 """
 
 from __future__ import annotations
@@ -19,41 +16,14 @@ from typing import Any, Final
 import numpy as np
 
 from knifetip.cleaning.end_points import EndPoints
-from knifetip.cleaning.fit_curves import (
-    FEW_CHORDS,
-    FEW_FINE,
-    SMOOTH_TURN,
-    divide_circle,
-    fit_arc,
-    fit_circle,
-    greatest_distance,
-    longest_arc,
-    longest_line,
-    mark_smooth,
-)
+from knifetip.cleaning.fit_curves import FINE, SHORT, SMOOTH_TURN
+from knifetip.cleaning.replace_runs import direction, replace_runs
 from knifetip.geometry import arc
 from knifetip.geometry.chain import follow_links
 from knifetip.geometry.columns import F64, I32, U8, Bool
-from knifetip.geometry.tolerance import BULGE, CURVE, GAP, JOIN, POINT
-from knifetip.kernels import (
-    F64_1,
-    F64_2,
-    I32_1,
-    I64_1,
-    I64_2,
-    U8_1,
-    Bool_1,
-    OutBool_1,
-    OutF64_1,
-    OutI32_1,
-    inline_kernel,
-    kernel,
-)
+from knifetip.geometry.tolerance import BULGE
+from knifetip.kernels import F64_1, F64_2, I32_1, I64_1, I64_2, U8_1, Bool_1, inline_kernel, kernel
 
-#: Segments shorter than this belong to a flattened curve (mm).
-FINE: Final = GAP
-#: Cosine of a turn that is none (0.0026°).
-_STRAIGHT: Final = 1.0 - 1e-9
 #: Cosine of the angle between the sides of an acute corner (30°).
 _ACUTE: Final = math.cos(math.radians(30.0))
 
@@ -98,12 +68,12 @@ def merge_collinear(
     end_points
         Points that the ends of the edges share, and pairs of ends that are near each other.
     curves_only
-        Whether only edges shorter than ``FINE`` are merged.
+        Whether only edges shorter than ``SHORT`` are merged.
     """
     count = len(bulge)
     length = arc.length(ends[:, 0], ends[:, 1], bulge)
-    fine = length < FINE
-    link = _continuations(end_points.place, end_points.pairs, kind, fine, curves_only)
+    joined = length < (SHORT if curves_only else math.inf)
+    link = _continuations(end_points.place, end_points.pairs, kind, length < FINE, joined)
     order, flipped, first, round_ = follow_links(link)
     edges = np.ascontiguousarray(ends.reshape(-1, 4))
     changeable = _in_changeable_runs(edges, bulge, length, order, flipped, first, round_)
@@ -112,7 +82,7 @@ def merge_collinear(
         return MergedEdges(ends, bulge, kind, every, fit_error, np.zeros(count, np.bool_))
     rows = np.column_stack([edges, bulge, fit_error])
     acute = _at_acute_corners(rows, end_points.place, changeable)
-    begin, new, is_curve = _split_runs(
+    begin, new, is_curve = replace_runs(
         rows, length, changeable, acute, order, flipped, first, round_
     )
     size = np.diff(np.append(begin, count))
@@ -142,7 +112,7 @@ def merge_collinear(
 
 @kernel
 def _continuations(
-    place: I64_1, near_pairs: I64_2, kind: U8_1, fine: Bool_1, curves_only: bool
+    place: I64_1, near_pairs: I64_2, kind: U8_1, fine: Bool_1, joined: Bool_1
 ) -> Any:
     """Return for each end of k edges the end of another edge with which it may be merged, (2k,).
 
@@ -154,7 +124,7 @@ def _continuations(
     ``place`` (2k,): index of the point of each end; ends that meet have the same point.
     ``near_pairs`` (q, 2): pairs of ends at different points that are near each other.
     ``kind``, ``fine`` (k,): line type of each edge, and whether it is shorter than ``FINE``.
-    ``curves_only``: whether only edges shorter than ``FINE`` are merged.
+    ``joined`` (k,): mask of the edges that may be merged.
     """
     count = np.zeros(len(place), np.int64)
     short = np.zeros(len(place), np.bool_)
@@ -181,7 +151,8 @@ def _continuations(
         elif (
             other // 2 != end // 2
             and kind[other // 2] == kind[end // 2]
-            and (not curves_only or (fine[other // 2] and fine[end // 2]))
+            and joined[other // 2]
+            and joined[end // 2]
         ):
             link[other] = end
             link[end] = other
@@ -204,7 +175,7 @@ def _in_changeable_runs(
 
     ``ends`` (k, 4): ends of the edges: x0, y0, x1, y1 (mm).
     ``bulge``, ``length`` (k,): bulges and lengths (mm) of the edges.
-    ``order``, ``flipped``, ``first``, ``closed``: the runs, as for ``_split_runs``.
+    ``order``, ``flipped``, ``first``, ``closed``: the runs, as for ``replace_runs``.
     """
     changeable = np.zeros(len(order), np.bool_)
     for r in range(len(first) - 1):
@@ -273,299 +244,10 @@ def _at_acute_corners(rows: F64_2, place: I64_1, wanted: Bool_1) -> Any:
             continue
         if not wanted[end // 2] and not wanted[other // 2]:
             continue
-        ax, ay = _direction(rows[end // 2], end % 2 == 1)
-        bx, by = _direction(rows[other // 2], other % 2 == 1)
+        ax, ay = direction(rows[end // 2], end % 2 == 1)
+        bx, by = direction(rows[other // 2], other % 2 == 1)
         # Both directions point along their edges: an end at the start leaves the corner.
         if (ax * bx + ay * by) * (1.0 if end % 2 == other % 2 else -1.0) > _ACUTE:
             acute[end // 2] = True
             acute[other // 2] = True
     return acute
-
-
-@kernel
-def _oriented(row: F64_1, back: bool, out: OutF64_1) -> None:
-    if back:
-        out[0], out[1], out[2], out[3], out[4] = row[2], row[3], row[0], row[1], -row[4]
-        out[5] = row[5]
-    else:
-        out[:] = row
-
-
-@kernel
-def _split_runs(
-    rows: F64_2,
-    length: F64_1,
-    changeable: Bool_1,
-    acute: Bool_1,
-    order: OutI32_1,
-    flipped: OutBool_1,
-    first: I32_1,
-    closed: Bool_1,
-) -> Any:
-    """Split runs of connected edges into groups that are each replaced by one line or one arc.
-
-    A run is a chain of edges that continue each other.
-
-    ``rows`` (k, 6): edges: x0, y0, x1, y1, bulge, and distance from the curve of the file (mm).
-    ``length`` (k,): lengths of the edges (mm).
-    ``changeable`` (k,): whether each edge belongs to a run of which edges may be merged or
-    replaced.
-    ``acute`` (k,): whether each edge ends at an acute corner, so that it belongs to no fitted
-    curve.
-    ``order``, ``flipped`` (k,): edges in the order of the runs, and whether each is traversed from
-    its end to its start. In both arrays the edges of a closed run are rotated in place, so that the
-    run starts at its sharpest corner, or with its longest line.
-    ``first`` (r + 1,): index into ``order`` of the first edge of each of r runs, followed by the
-    number k.
-    ``closed`` (r,): whether each run is closed.
-    Returns begin, new, is_curve: for each of m groups: index into ``order`` of its first edge,
-    (m,); the edge that replaces it, in the direction of the run, as a row like those of ``rows``,
-    (m, 6); and whether it replaces chords of a curve, (m,).
-    """
-    count = len(order)
-    begin = np.empty(count, np.int64)
-    new = np.empty((count, 6))
-    is_curve = np.zeros(count, np.bool_)
-    run, size, along = np.empty((count, 6)), np.empty(count), np.empty(count + 1)
-    stays, turned, again = (
-        np.empty(count, np.bool_),
-        np.empty(count, np.int32),
-        np.empty(count, np.bool_),
-    )
-    until, part, arcs = np.empty(count, np.int64), np.empty(3, np.int64), np.empty((3, 5))
-    groups = 0
-    for r in range(len(first) - 1):
-        low, high = first[r], first[r + 1]
-        many = high - low
-        if not changeable[order[low]]:
-            for i in range(low, high):
-                begin[groups] = i
-                groups += 1
-            continue
-        for i in range(many):
-            _oriented(rows[order[low + i]], flipped[low + i], run[i])
-            size[i] = length[order[low + i]]
-        if closed[r]:
-            shift = _first_segment(run, size, many)
-            if shift:
-                for i in range(many):
-                    turned[i] = order[low + i]
-                    again[i] = flipped[low + i]
-                for i in range(many):
-                    order[low + i] = turned[(i + shift) % many]
-                    flipped[low + i] = again[(i + shift) % many]
-                    _oriented(rows[order[low + i]], flipped[low + i], run[i])
-                    size[i] = length[order[low + i]]
-        along[0] = 0.0
-        for i in range(many):
-            along[i + 1] = along[i] + size[i]
-            stays[i] = acute[order[low + i]]
-        is_smooth = mark_smooth(run, size, stays, many, CURVE, FINE, until)
-        if closed[r] and is_smooth and until[0] == many:
-            carried = run[:many, 5].max()
-            x, y, radius, far = fit_circle(run, many, CURVE - carried)
-            number = 0
-            if far < math.inf:
-                number = divide_circle(run, many, x, y, radius, part, arcs)
-            for k in range(number):
-                begin[groups] = low + part[k]
-                new[groups, :5] = arcs[k]
-                new[groups, 5] = carried + far
-                is_curve[groups] = True
-                groups += 1
-            if number:
-                continue
-        i = 0
-        while i < many:
-            begin[groups] = low + i
-            j = _longest_fit(run, size, along, until, i, many, new[groups])
-            if i == 0 and j == many and closed[r]:
-                # A whole circle stays in parts: one edge cannot start where it ends.
-                for k in range(many):
-                    begin[groups] = low + k
-                    new[groups] = run[k]
-                    groups += 1
-                break
-            is_curve[groups] = j < 0
-            j = abs(j)
-            groups += 1
-            if is_curve[groups - 1]:
-                rest = _balance(run, along, i, j, until[i], new[groups - 1], new[groups])
-                if rest > 0:
-                    begin[groups] = low + (i + rest) // 2
-                    is_curve[groups] = True
-                    groups += 1
-                    j = rest
-            i = j
-    return begin[:groups], new[:groups], is_curve[:groups]
-
-
-@kernel
-def _first_segment(run: F64_2, size: F64_1, count: int) -> int:
-    """Return the index of the segment with which a closed run starts.
-
-    It is the one after the sharpest corner.  If there are only smooth joints, it is the first one
-    of the line that contains the longest segment, so that no arc is divided there.
-
-    ``run`` (k, 6): the first ``count`` rows are the segments of the closed run: x0, y0, x1, y1,
-    bulge, distance from the curve of the file (mm).
-    ``size`` (k,): lengths of the segments (mm).
-    """
-    best, longest = 0, 0
-    least = 2.0
-    for i in range(count):
-        cosine = _turn(run, i, count)
-        if cosine < least - 1e-6:
-            least = cosine
-            best = i
-        if size[i] > size[longest] + POINT:
-            longest = i
-    if least < 1.0 / math.hypot(1.0, SMOOTH_TURN):
-        return best
-    for _ in range(count):
-        if _turn(run, longest, count) < _STRAIGHT:
-            break
-        longest = (longest - 1) % count
-    return longest
-
-
-@kernel(allocates=False)
-def _turn(run: F64_2, i: int, count: int) -> float:
-    """Return the cosine of the turn at the start of segment ``i`` of a closed run."""
-    ax, ay = _direction(run[i - 1] if i else run[count - 1], True)
-    bx, by = _direction(run[i], False)
-    return ax * bx + ay * by
-
-
-@kernel
-def _direction(row: F64_1, last: bool) -> tuple[float, float]:
-    half = 2.0 * math.atan(row[4])
-    if not last:
-        half = -half
-    dx, dy = row[2] - row[0], row[3] - row[1]
-    size = math.hypot(dx, dy)
-    c, s = math.cos(half) / size, math.sin(half) / size
-    return dx * c - dy * s, dx * s + dy * c
-
-
-@kernel
-def _longest_fit(
-    run: F64_2,
-    size: F64_1,
-    along: F64_1,
-    until: I64_1,
-    i: int,
-    count: int,
-    out: OutF64_1,
-) -> int:
-    """Fit the longest possible line or arc to the segments of a run, from segment ``i`` on.
-
-    A run is a chain of segments.  Returns the index of the first segment that the line or arc does
-    not replace; it is negative if the line or arc replaces chords of a curve.
-
-    ``run`` (k, 6): segments in order: x0, y0, x1, y1, bulge, distance from the curve of the file
-    (mm); only the first ``count`` rows are used.
-    ``size``, ``along`` (k,) and (k + 1,): lengths of the segments, and length of the run before
-    each of them (mm).
-    ``until`` (k,): for each segment, the index after the last segment of its smooth run.
-    ``i``: index of the first segment to replace.
-    ``out`` (6,): receives the line or arc, as a row like those of ``run``.
-    """
-    best = i + 1
-    bulge = run[i, 4]
-    far = 0.0
-    if i + 1 < count:
-        carried = run[i, 5]
-        if abs(bulge) < BULGE:
-            end = longest_line(run, i, count, _permitted_move(carried))
-            if end > best:
-                best, bulge, far = end, 0.0, greatest_distance(run, i, end, 0.0)
-        else:
-            turn = run[i, 4] > 0.0
-            end = i + 1
-            sum_ = math.atan(run[i, 4])
-            code = 0.0
-            while end < count and abs(run[end, 4]) >= BULGE and (run[end, 4] > 0.0) == turn:
-                sum_ += math.atan(run[end, 4])
-                if abs(sum_) > math.pi / 4.0 + 1e-9:
-                    break
-                code = math.tan(sum_)
-                off = greatest_distance(run, i, end + 1, code)
-                carried = max(carried, run[end, 5])
-                if off > _permitted_move(carried):
-                    break
-                end += 1
-                best, bulge, far = end, code, off
-    is_curve = False
-    limit = until[i]
-    few = FEW_FINE if size[i] < FINE else FEW_CHORDS
-    if limit >= i + few and limit > best:
-        carried = run[i:limit, 5].max()
-        tolerance = CURVE - carried
-        end = longest_line(run, i, limit, tolerance) if tolerance > JOIN else best
-        if end >= i + few and end > best:
-            off = greatest_distance(run, i, end, 0.0)
-            if off <= tolerance:
-                best, bulge, far, is_curve = end, 0.0, off, True
-        end, code, off = longest_arc(run, along, i, limit, tolerance)
-        # Chords at the end of a curve are no line, although one would be near enough.
-        is_nearer = is_curve and end == best and off < 0.5 * far
-        if end >= i + few and (end > best or is_nearer):
-            best, bulge, far, is_curve = end, code, off, True
-    out[0], out[1], out[2], out[3] = run[i, 0], run[i, 1], run[best - 1, 2], run[best - 1, 3]
-    out[4] = bulge
-    out[5] = run[i:best, 5].max()
-    if far > POINT:
-        out[5] += far
-    return -best if is_curve else best
-
-
-@inline_kernel
-def _permitted_move(carried: float) -> float:
-    """Return the distance by which an edge may still be moved (mm).  ``carried`` is its distance
-    from the curve that it replaces (mm).
-    """
-    return min(JOIN, CURVE - carried) if carried > 0.0 else JOIN
-
-
-@kernel
-def _balance(
-    run: F64_2,
-    along: F64_1,
-    i: int,
-    j: int,
-    limit: int,
-    first_arc: OutF64_1,
-    second_arc: OutF64_1,
-) -> int:
-    """Divide the last chords of a smooth run equally between two arcs.
-
-    The chords ``i`` … ``j - 1`` are replaced by one arc, which leaves fewer than ``FEW_CHORDS`` of
-    the run, too few for an arc of their own.  A smooth run may end with a line that is no chord:
-    the last segment is left out if no two arcs fit otherwise.
-
-    ``run``, ``along``: segments, and length of the run before each of them (mm), as for
-    ``_longest_fit``.
-    ``limit``: index after the last segment of the smooth run.
-    ``first_arc``, ``second_arc`` (6,): receive the two arcs, which meet after half of the chords.
-    Returns the index of the first segment that the two arcs do not replace; 0 if there are no such
-    arcs.
-    """
-    if not 0 < limit - j < FEW_CHORDS:
-        return 0
-    carried = run[i:limit, 5].max()
-    for last in range(limit, max(j, limit - 2), -1):
-        middle = (i + last) // 2
-        b, far = fit_arc(run, along, i, middle, CURVE - carried)
-        if far == math.inf:
-            continue
-        code, off = fit_arc(run, along, middle, last, CURVE - carried)
-        if off == math.inf:
-            continue
-        first_arc[2:4] = run[middle - 1, 2:4]
-        first_arc[4], first_arc[5] = b, carried + far
-        second_arc[:2] = run[middle, :2]
-        second_arc[2:4] = run[last - 1, 2:4]
-        second_arc[4], second_arc[5] = code, carried + off
-        return last
-    return 0

@@ -28,9 +28,12 @@ SAME: Final = 0.01
 #: Lines nearer in direction than this are one line for a leaning blade (degrees): its tip moves by
 #: less than 0.001 mm.
 COLLINEAR: Final = 0.005
-#: Largest distance of a fitted curve from the exact one (mm).  A program may deviate from the
-#: drawing by 0.01 mm, of which the controller's rounding of corners uses up to 0.005 mm, and the
-#: chords, fits and digits of the program up to 0.0015 mm.
+#: Largest distance of a fitted curve from the exact one (mm).
 CURVE: Final = 0.0035
+#: Largest distance of a curve from chords with rounded vertices (mm): vertices that are rounded to
+#: 0.01 mm lie up to 0.0071 mm beside their curve.  A program may deviate from the drawing by
+#: 0.01 mm, of which the controller's rounding of corners uses up to 0.0005 mm, and the chords, fits
+#: and digits of the program up to 0.0015 mm.
+FIT: Final = 0.008
 #: A smaller bulge is a line; over a metre such an arc deviates from its chord by less than POINT.
 BULGE: Final = 1e-9

@@ -25,8 +25,9 @@ from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.sequencing.moves import STILL, Arcs, Limits, Moves
 
-#: Deviation of the tip, at the start or the end of a turn of C, above which the program halts (mm).
-BLENDED: Final = 0.005
+#: Tolerance of the program, ``G64 P``; the program halts where the tip would deviate by more at the
+#: start or the end of a turn of C (mm).
+BLENDED: Final = 0.0005
 #: Time that a halt takes after the machine has come to rest (s): measured.
 HALT: Final = 0.003
 #: Time that a blend arc takes beside the moves, which it hardly shortens (s): measured.
@@ -36,8 +37,6 @@ START: Final = 0.25
 #: Time that a change of the station takes beside its dwell (s): measured.
 CHANGE: Final = 0.1
 
-#: Tolerance of the program, ``G64 P`` (mm).
-_TOLERANCE: Final = 0.005
 #: Servo period (s).
 _PERIOD: Final = 0.001
 #: Periods that the shortest move takes.
@@ -248,7 +247,7 @@ def _join(
     # Half the angle between the two moves.
     half = math.acos(min(max(-cosine, -1.0), 1.0)) / 2.0
     reach = _REPLACED * min(plan.length[before], plan.length[row])
-    reach = min(reach, math.cos(half) * _TOLERANCE / (1.0 - math.sin(half)))
+    reach = min(reach, math.cos(half) * BLENDED / (1.0 - math.sin(half)))
     thrust = _CENTRIPETAL * min(plan.full[before], plan.full[row])
     rounded = min(math.sqrt(thrust * math.tan(half) * reach), fastest)
     straight = fastest * _KINK / kink
@@ -322,5 +321,5 @@ def _overlap(row: int, after: int, tangents: _Tangents, plan: _Plan) -> float:
     cosine *= plan.full[after] / math.hypot(plan.full[after], inward)
     beside = math.cos(math.acos(min(max(-cosine, -1.0), 1.0)) / 2.0)
     if beside > _ALONG:
-        speed = min(speed, 2.0 * math.sqrt(plan.acceleration[row] * _TOLERANCE / beside))
+        speed = min(speed, 2.0 * math.sqrt(plan.acceleration[row] * BLENDED / beside))
     return float(speed / plan.acceleration[row])

@@ -16,7 +16,7 @@ from knifetip.cleaning import merge_collinear
 from knifetip.cleaning.clean import clean
 from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64, Bool
-from knifetip.geometry.tolerance import CURVE
+from knifetip.geometry.tolerance import CURVE, FIT
 from knifetip.model.cleaned import Cleaned, CleaningReason
 from knifetip.model.dieline import Dieline, LineType
 from knifetip.verification.checks.cleaning.check import check_cleaning
@@ -98,7 +98,7 @@ def test_a_circle_whose_chords_are_a_little_too_long_is_drawn_through_their_midd
     ("sides", "radius"), [(6, 2.0), (8, 5.0), (12, 20.0), (24, 10.0), (36, 10.0), (90, 30.0)]
 )
 def test_a_polygon_whose_sides_leave_the_circle_stays(sides: int, radius: float) -> None:
-    assert radius * (1.0 - math.cos(math.pi / sides)) > 2.0 * CURVE
+    assert radius * (1.0 - math.cos(math.pi / sides)) > 2.0 * FIT
     line = cut(on_circle(radius, np.arange(sides) * 360.0 / sides), close=True)
     made = clean(line)
     np.testing.assert_array_equal(made.dieline.ends, line.ends)
@@ -208,8 +208,39 @@ def test_the_error_of_the_file_and_of_the_fit_are_added_and_limited() -> None:
     near = clean(replace(line, fit_error=np.full(90, 0.002)))
     assert len(worked(near)) == 1
     assert near.dieline.fit_error[worked(near)] == pytest.approx([0.002 + sagitta], abs=1e-9)
-    far = clean(replace(line, fit_error=np.full(90, 0.003)))
+    far = clean(replace(line, fit_error=np.full(90, 0.0075)))
     assert len(worked(far)) == 90
+
+
+@pytest.mark.parametrize(
+    ("radius", "count"),
+    [(3.7, 500), (7.0, 360), (9.2, 120), (30.0, 360), (80.0, 720), (100.0, 360)],
+)
+def test_a_circle_of_vertices_rounded_to_hundredths_is_a_circle(radius: float, count: int) -> None:
+    points = on_circle(radius, np.arange(count) * 360.0 / count, (150.1234, 150.4567)).round(2)
+    line = cut(points, close=True)
+    made = clean(line)
+    assert len(worked(made)) in (2, 3)
+    np.testing.assert_allclose(radii(made), radius, atol=0.004)
+    assert CURVE < made.dieline.fit_error.max() <= FIT
+    assert check_cleaning(line, made) == []
+
+
+@pytest.mark.parametrize("radius", [3.0, 7.0, 30.0])
+def test_rounded_corners_with_vertices_in_hundredths_become_few_arcs(radius: float) -> None:
+    line = cut((rounded(radius, 90) + 0.1234).round(2), close=True)
+    made = clean(line)
+    curves = made.dieline.bulge[worked(made)] != 0.0
+    assert np.count_nonzero(curves) <= 12
+    assert np.count_nonzero(~curves) == 4
+    assert made.dieline.fit_error.max() <= FIT
+    assert check_cleaning(line, made) == []
+
+
+def test_exact_chords_are_replaced_within_the_smaller_tolerance() -> None:
+    turn = np.linspace(0.0, 2.0 * np.pi, 721)[:-1]
+    made = clean(cut(np.column_stack([60.0 * np.cos(turn), 30.0 * np.sin(turn)]), close=True))
+    assert made.dieline.fit_error.max() <= CURVE
 
 
 def test_small_steps_of_a_curve_with_rounded_vertices_are_fitted() -> None:
@@ -241,7 +272,7 @@ def test_no_point_of_a_random_curve_moves_by_more_than_stated(
     line = cut(points)
     made = clean(line)
     assert check_cleaning(line, made) == []
-    assert made.dieline.fit_error.max() <= CURVE + 1e-9
+    assert made.dieline.fit_error.max() <= FIT + 1e-9
     if not (made.moved.any() or made.merged.any() or made.dropped.any()):
         way = outline(made.dieline, worked(made))
         middles = 0.5 * (points[1:] + points[:-1])

@@ -88,7 +88,7 @@ def test_a_program_for_linuxcnc_leaves_datums_to_the_tool_table() -> None:
     assert program.text.decode().splitlines() == [
         "(placement X20.0000 Y20.0000)",
         "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1",
-        "G64 P0.0050 Q0.0050",
+        "G64 P0.0005 Q0.0005",
         "G0 Z20.0000",
         "M65 P0",
         "M65 P1",
@@ -358,9 +358,9 @@ def test_linuxcnc_stops_exactly_between_arcs_that_bend_to_different_sides() -> N
 
 def test_linuxcnc_blends_slow_and_slight_bends() -> None:
     # From a line into an arc of r = 1,000 mm at v: aside = (v² / a)² / 2r, a = 8,000 mm/s².
-    # 5 micrometres, half the tolerance, are reached at 159.05 mm/s.
+    # 0.5 micrometres, a twentieth of the tolerance, are reached at 89.44 mm/s.
     c = np.degrees(4 * np.arctan(0.1))
-    for speed, expected in ((159.0, []), (159.2, [2])):
+    for speed, expected in ((89.4, []), (89.5, [2])):
         rows = [rapid(0, 0), (1, Motion.PLUNGE, (0, 0, -0.3, 0), 0.0, 6000.0)]
         rows.append((1, Motion.FEED, (100, 0, -0.3, 0), 0.0, speed * 60))
         end = (100 + 1000 * np.sin(np.radians(c)), 1000 * (1 - np.cos(np.radians(c))), -0.3, c)
@@ -418,9 +418,10 @@ def test_the_same_input_gives_the_same_bytes() -> None:
 
 
 @pytest.mark.parametrize(
-    ("tolerance", "word"), [(0.004, "0.0020"), (0.01, "0.0050"), (1.0, "0.0050")]
+    ("tolerance", "word"),
+    [(0.001, "0.0001"), (0.004, "0.0002"), (0.01, "0.0005"), (1.0, "0.0005")],
 )
-def test_blending_takes_half_the_tolerance_and_never_more_than_five_micrometres(
+def test_blending_takes_a_twentieth_of_the_tolerance_and_at_most_half_a_micrometre(
     tolerance: float, word: str
 ) -> None:
     text = process(toolpath(rapid(1, 1)), TABLE, "linuxcnc", tolerance=tolerance).text.decode()

@@ -37,6 +37,11 @@ HEADER: Final = "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1"
 WAIT_FOR_REST: Final = "G4 P0"
 #: Largest tolerance from which the permitted blending is computed (mm).
 MAX_BLENDING: Final = 0.01
+#: Part of the tolerance that blending by the controller may use.  A larger one hardly saves time,
+#: and leaves less of the tolerance to curves that are drawn as chords.
+_BLENDING_SHARE: Final = 0.05
+#: Least tolerance that is left to blending (mm): LinuxCNC reads P0 as no limit.
+_MIN_BLENDING: Final = 0.0001
 
 
 def write_program(
@@ -58,7 +63,8 @@ def write_program(
     dialect : Dialect
         Dialect of RS274/NGC that the controller reads.
     tolerance : float, mm
-        Greatest deviation of the tip from the path; blending by the controller may use half of it.
+        Greatest deviation of the tip from the path; blending by the controller may use a
+        twentieth of it.
     notes : sequence of str
         Comments at the top.  One of them is ``placement X… Y…``, the shift of the drawing on the
         table.
@@ -114,11 +120,10 @@ def _blending_deviation(tolerance: float) -> float:
 
     Raises ``ProgramError``: the tolerance is too small for the controller.
     """
-    half = min(tolerance, MAX_BLENDING) / 2.0
-    # LinuxCNC reads P0 as no limit.
-    if not half >= 0.5e-3:
+    blending = _BLENDING_SHARE * min(tolerance, MAX_BLENDING)
+    if not blending >= 0.5 * _MIN_BLENDING:
         raise ProgramError("program.bad-tolerance", tolerance=tolerance)
-    return half
+    return max(blending, _MIN_BLENDING)
 
 
 def _header(

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import ssl
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Final
 from urllib.parse import quote
 
@@ -58,6 +60,11 @@ class Provider:
         self._asked = -_PAUSE
         self._lock = asyncio.Lock()
         self._exchanges = asyncio.Semaphore(_AT_ONCE)
+
+    @cached_property
+    def _tls(self) -> ssl.SSLContext:
+        """Settings of TLS for all requests: loading the certificates takes 0.04 s."""
+        return httpx.create_ssl_context()
 
     async def sign_in_url(self, attempt: SignInAttempt, redirect: str) -> str:
         """Return the URL at which a user signs in.
@@ -180,7 +187,7 @@ class Provider:
         """Send a request to the provider and return the JSON object in its answer."""
         issuer = self.settings.issuer
         try:
-            async with httpx.AsyncClient(timeout=_TIMEOUT) as client:
+            async with httpx.AsyncClient(timeout=_TIMEOUT, verify=self._tls) as client:
                 answer = await client.request(
                     method, url, data=fields, auth=auth, headers={"Accept": "application/json"}
                 )
