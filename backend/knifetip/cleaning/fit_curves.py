@@ -28,7 +28,8 @@ FEW_FINE: Final = 3
 #: Between two segments shorter than this, a turn is smooth if the joint lies within twice the
 #: tolerance of the line from end to end (mm): rounded vertices make such turns.
 SHORT: Final = 5.0 * FINE
-#: Number of rough segments by which an arc may be longer than one that does not fit.
+#: Number of longer arcs that are tried after the first one that does not fit, if the vertices are
+#: rounded.
 _FARTHER: Final = 32
 #: Least number of chords of a circle.
 _CIRCLE_CHORDS: Final = 8
@@ -452,7 +453,7 @@ def fit_circle(run: F64_2, count: int, tolerance: float) -> tuple[float, float, 
         vertex, last = math.hypot(ax, ay), math.hypot(bx, by)
         total += vertex
         near, far = min(near, vertex, last), max(far, vertex, last)
-        # Where the foot of the centre is beyond the chord, a vertex is nearer.
+        # A chord is nearest to the centre at its inside only if the perpendicular meets it there.
         dx, dy = bx - ax, by - ay
         square = dx * dx + dy * dy
         if 0.0 < -(ax * dx + ay * dy) < square:

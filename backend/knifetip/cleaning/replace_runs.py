@@ -181,8 +181,8 @@ def _replace_run(
 
     The run has ``count`` segments; its array ``until`` is computed here.  ``closed`` is whether it
     is closed, and ``tolerance`` the greatest distance of a segment from the curve of the file (mm).
-    The groups are written to ``groups`` from index ``place`` on, with the index of their first
-    segment.  Returns their number.
+    The result is written to ``groups`` from index ``place`` on; ``begin`` is an index into the run.
+    Returns the number of groups.
     """
     at = place
     is_smooth = mark_smooth(run.rows, run.size, run.stays, count, tolerance, FINE, run.until)

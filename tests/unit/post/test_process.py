@@ -15,6 +15,7 @@ from knifetip.model.program import Program
 from knifetip.model.tool import Cutter
 from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.post.emit import process
+from knifetip.sequencing.linuxcnc import BLENDED
 from tests.controllers.grbl_words import read_grbl
 from tests.support.examples import examples
 from tests.support.shapes import toolpath as toolpath_of
@@ -428,7 +429,12 @@ def test_blending_takes_a_twentieth_of_the_tolerance_and_at_most_half_a_micromet
     assert f"G64 P{word} Q{word}\n" in text
 
 
-@pytest.mark.parametrize("tolerance", [0.0, -1.0, 0.0001, float("nan")])
+def test_stated_times_and_programs_have_the_same_blending() -> None:
+    text = process(toolpath(rapid(1, 1)), TABLE, "linuxcnc").text.decode()
+    assert f"G64 P{BLENDED:.4f} Q{BLENDED:.4f}\n" in text
+
+
+@pytest.mark.parametrize("tolerance", [0.0, -1.0, 0.0001, 0.0009, float("nan")])
 def test_a_tolerance_too_small_is_refused_because_p0_means_no_limit(tolerance: float) -> None:
     with pytest.raises(ProgramError, match="tolerance"):
         process(toolpath(rapid(1, 1)), TABLE, "linuxcnc", tolerance=tolerance)

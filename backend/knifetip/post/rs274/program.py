@@ -37,11 +37,13 @@ HEADER: Final = "G21 G90 G91.1 G17 G40 G49 G94 G54 G92.1"
 WAIT_FOR_REST: Final = "G4 P0"
 #: Largest tolerance from which the permitted blending is computed (mm).
 MAX_BLENDING: Final = 0.01
-#: Part of the tolerance that blending by the controller may use.  A larger one hardly saves time,
-#: and leaves less of the tolerance to curves that are drawn as chords.
+#: Part of the tolerance that the controller may use to round corners.  A larger part hardly saves
+#: time, and the fit of curves needs the rest (``tolerance.FIT``).
 _BLENDING_SHARE: Final = 0.05
-#: Least tolerance that is left to blending (mm): LinuxCNC reads P0 as no limit.
+#: Smallest P and Q that a program states (mm): LinuxCNC reads P0 as no limit.
 _MIN_BLENDING: Final = 0.0001
+#: Smallest tolerance of a program (mm).
+_MIN_TOLERANCE: Final = 0.001
 
 
 def write_program(
@@ -120,10 +122,9 @@ def _blending_deviation(tolerance: float) -> float:
 
     Raises ``ProgramError``: the tolerance is too small for the controller.
     """
-    blending = _BLENDING_SHARE * min(tolerance, MAX_BLENDING)
-    if not blending >= 0.5 * _MIN_BLENDING:
+    if not tolerance >= _MIN_TOLERANCE:
         raise ProgramError("program.bad-tolerance", tolerance=tolerance)
-    return max(blending, _MIN_BLENDING)
+    return max(_BLENDING_SHARE * min(tolerance, MAX_BLENDING), _MIN_BLENDING)
 
 
 def _header(

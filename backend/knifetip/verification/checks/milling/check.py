@@ -242,8 +242,8 @@ class _MillingCheck(MillingWork):
         edge, (n,).
 
         On such an arc the disc touches the end of the edge, or passes it by up to half the
-        tolerance, as the arc of a type D corner does where a curve is drawn as chords.  The other
-        half is left to the rounding of corners by the controller.
+        tolerance, as the arc of a type D corner does where a curve is drawn as chords.  It is less
+        if rounding by the controller and the fit of the edge leave less of the tolerance.
 
         ``centres`` (n, 6) are lines and arcs.  Only those with the indices ``rows`` are examined.
         """
@@ -252,16 +252,26 @@ class _MillingCheck(MillingWork):
             return result
         arcs = np.unique(rows[centres[rows, 0] != 0.0])
         middle = point_at(centres[arcs], 0.5 * centres[arcs, 5])
-        corners = self.edges.ends[np.repeat(self.bounds.closing, 2)]
-        farthest = self.reach[0] + 0.5 * self.tolerance
-        arc, corner = pairs_within(middle, corners, farthest)
+        closing = np.repeat(self.bounds.closing, 2)
+        corners = self.edges.ends[closing]
+        farthest = self.reach[0] + self._passing_distance(np.flatnonzero(closing) // 2)
+        arc, corner = pairs_within(middle, corners, self.reach[0] + 0.5 * self.tolerance)
         curve = centres[arcs[arc]]
         touches = np.ones(len(arc), np.bool_)
         for fraction in (0.0, 0.5, 1.0):
             away = np.hypot(*(point_at(curve, fraction * curve[:, 5]) - corners[corner]).T)
-            touches &= (away >= self.reach[0] - _CORNER_ERROR) & (away <= farthest)
+            touches &= (away >= self.reach[0] - _CORNER_ERROR) & (away <= farthest[corner])
         result[arcs[arc[touches]]] = True
         return result
+
+    def _passing_distance(self, edges: I64) -> F64:
+        """Return the distance by which the disc may pass each of n edges, (n,) mm.
+
+        It is half the tolerance, or what the controller and the fit of the edge leave of it.
+        """
+        used = self.rounds.max(initial=0.0) + self.context.fit_error[self.edges.row[edges]]
+        left: F64 = np.clip(self.tolerance - used, 0.0, 0.5 * self.tolerance)
+        return left
 
     def _runs_past_ends(
         self, centres: F64, pieces: CutterPaths, overlaps: Overlaps, rows: I64
@@ -299,8 +309,7 @@ class _MillingCheck(MillingWork):
 
         Beside such an arc the centre stays at one point, or crosses from side to side on a line, so
         it has no path to follow.  The disc lies along the arc if no point of the arc is farther
-        from it than half the tolerance; the other half is left to the rounding of corners by the
-        controller.
+        from it than ``_passing_distance``.
 
         ``centres`` are the paths of the disc's centre through the board, (n, 6).
         """
@@ -318,7 +327,7 @@ class _MillingCheck(MillingWork):
         ]
         distance = distance_from_disc(np.concatenate(points), centres, self.reach)
         farthest = distance.reshape(len(points), -1).max(axis=0)
-        result: I64 = arcs[farthest <= 0.5 * self.tolerance]
+        result: I64 = arcs[farthest <= self._passing_distance(arcs)]
         return result
 
     def _blocked_beyond_ends(self, edge: I64, low: F64, high: F64) -> Bool:
