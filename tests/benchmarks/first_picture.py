@@ -9,6 +9,7 @@ of the browser, which compare on a busy computer, too.
 
 from __future__ import annotations
 
+import math
 import sys
 import time
 from collections.abc import Iterator
@@ -24,9 +25,8 @@ from tests.support.serving.server import Running
 from tests.support.writers import dxf_text as text
 
 LAYERS: Final = ("CUT", "CREASE", "PERFORATION", "HALF-CUT", "V-GROOVE")
-#: Edges of a polyline, and polylines side by side.
+#: Edges of a polyline.
 EDGES: Final = 250
-COLUMNS: Final = 80
 #: Notes when the first call is made that draws most of the edges, and when its frame is shown.
 WATCH: Final = """(wanted) => {
   const note = () => {
@@ -53,18 +53,23 @@ REQUESTS: Final = """performance.getEntriesByType("resource")
      encodedBodySize])"""
 
 
+def outlines(edges: int) -> np.ndarray:
+    """Return the vertices of closed polylines side by side (n × EDGES × 2, mm)."""
+    number = np.arange(edges // EDGES)[:, np.newaxis]
+    row, column = np.divmod(number, math.ceil(math.sqrt(1.6 * len(number))))
+    angle = np.linspace(0.0, 2.0 * np.pi, EDGES, endpoint=False)
+    radius = 10.0 + 1.5 * np.sin(angle * (3 + number % 17))
+    x = 25.0 * column + 12.0 + radius * np.cos(angle)
+    y = 28.0 * row + 12.0 + radius * np.sin(angle)
+    return np.stack([x, y], axis=-1).round(4)
+
+
 def drawing(edges: int) -> bytes:
     """Return a DXF file of closed polylines on several layers."""
 
     def polylines() -> Iterator[str]:
-        angle = np.linspace(0.0, 2.0 * np.pi, EDGES, endpoint=False)
-        for number in range(edges // EDGES):
-            row, column = divmod(number, COLUMNS)
-            radius = 10.0 + 1.5 * np.sin(angle * (3 + number % 17))
-            x = 25.0 * column + 12.0 + radius * np.cos(angle)
-            y = 28.0 * row + 12.0 + radius * np.sin(angle)
+        for number, places in enumerate(outlines(edges).tolist()):
             head = ((8, LAYERS[number % 5]), (90, EDGES), (70, 1))
-            places = zip(x.round(4).tolist(), y.round(4).tolist(), strict=True)
             corners = (pair for place in places for pair in zip((10, 20), place, strict=True))
             yield text.entity("LWPOLYLINE", *head, *corners)
 
