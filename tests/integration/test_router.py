@@ -450,6 +450,28 @@ def test_a_round_hole_beside_which_the_cutter_plunges_is_refused(
     assert {one.edge for one in verdict_of(line).findings if one.refuses} & {4, 5}
 
 
+@pytest.mark.parametrize(
+    ("shift", "fit_error", "is_refused"),
+    [(0.004, 0.0, False), (0.001, 0.0075, False), (0.004, 0.0075, True)],
+)
+def test_the_cutter_passes_a_round_hole_by_what_the_fit_of_its_arcs_leaves(
+    monkeypatch: pytest.MonkeyPatch, shift: float, fit_error: float, is_refused: bool
+) -> None:
+    hole = edges(((150, 150), (156, 150)), ((156, 150), (150, 150)))
+    line = dieline(FRAME, (CUT, hole), bulge={4: 1.0, 5: 1.0})
+    line = replace(line, fit_error=np.repeat([0.0, fit_error], [4, 2]))
+    widened = original(centre_paths, "_widen_round_holes")
+
+    def moved(paths: Paths, distance: float, side: int) -> Paths:
+        paths = widened(paths, distance, side)
+        by = np.where((np.abs(paths.bulge) > 0.5)[:, None], (shift, 0.0), 0.0)
+        return replace(paths, start=paths.start + by, end=paths.end + by)
+
+    monkeypatch.setattr(centre_paths, "_widen_round_holes", moved)
+    refused = {one.edge for one in verdict_of(line).findings if one.refuses}
+    assert bool(refused & {4, 5}) == is_refused
+
+
 def test_an_arc_round_a_corner_beside_another_edge_is_no_deviation_from_it() -> None:
     # The slot is as wide as the cutter at its mouth and narrower inside.  The centre goes in by
     # 0.04 mm along the slanted side, and back on the arc round the corner of the other side.
