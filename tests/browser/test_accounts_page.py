@@ -33,13 +33,8 @@ def shop(built: None, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shop
 
 
 # What the other roles can do in each view: test_roles_page.py.
-@pytest.mark.parametrize(
-    "role",
-    [
-        pytest.param(role, marks=() if role == AccessScope.DESIGNER else pytest.mark.long)
-        for role in ROLES
-    ],
-)
+@pytest.mark.long
+@pytest.mark.parametrize("role", ROLES)
 def test_a_role_can_use_its_controls_only(
     browser: Browser, shop: Shop, screenshots: Path, role: AccessScope
 ) -> None:
@@ -206,6 +201,7 @@ def assert_harmless(page: Page) -> None:
     assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
 
 
+@pytest.mark.long
 def test_the_owner_of_a_drawing_shares_it(browser: Browser, shop: Shop, screenshots: Path) -> None:
     with signed_in(browser, shop, "designer") as page:
         file = FilePayload(name="own.dxf", mimeType="image/vnd.dxf", buffer=square(side=91.0))

@@ -12,6 +12,7 @@ from tests.browser.conftest import Running
 pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser"), pytest.mark.timeout(600)]
 
 
+@pytest.mark.long
 def test_every_shelf_has_an_address_and_the_history_of_the_browser(
     page: Page, server: Running
 ) -> None:

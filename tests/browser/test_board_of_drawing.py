@@ -71,6 +71,7 @@ def test_the_board_is_not_taken_over_from_another_drawing(page: Page, api: httpx
     expect_no_board(page)
 
 
+@pytest.mark.long
 def test_the_board_of_the_last_job_of_a_drawing_is_remembered(
     page: Page, api: httpx.Client
 ) -> None:

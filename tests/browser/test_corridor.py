@@ -232,6 +232,7 @@ def test_a_dropped_dieline_is_compiled_sent_confirmed_and_done(
     record_view(page, screenshots / f"{stem}-4-done.png")
 
 
+@pytest.mark.long
 def test_each_copy_and_the_next_job_wait_for_a_confirmation_and_a_cancel_asks_first(
     page: Page, screenshots: Path
 ) -> None:
@@ -539,6 +540,7 @@ def test_the_inspector_shows_the_section_of_a_groove(page: Page, screenshots: Pa
     page.screenshot(path=screenshots / "router-4-groove.png")
 
 
+@pytest.mark.long
 def test_the_shortfalls_of_an_earlier_job_are_accepted_again_in_one_action(
     page: Page, screenshots: Path
 ) -> None:
@@ -579,6 +581,7 @@ def nearest(colour: tuple[int, int, int], shown: set[tuple[int, int, int]]) -> i
     return min(max(abs(a - b) for a, b in zip(colour, one, strict=True)) for one in shown)
 
 
+@pytest.mark.long
 def test_a_sheet_cut_to_size_and_the_least_lift_are_chosen_for_a_job(
     page: Page, screenshots: Path
 ) -> None:

@@ -105,6 +105,7 @@ def test_the_answer_of_one_drawing_is_only_the_most_likely_one(
     expect(question.locator("[data-likely=true]")).to_have_attribute("data-answer", "perforation")
 
 
+@pytest.mark.long
 def test_many_questions_are_a_table_that_is_answered_with_the_keyboard(
     page: Page, api: httpx.Client, screenshots: Path
 ) -> None:

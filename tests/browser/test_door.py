@@ -82,6 +82,7 @@ def test_a_tab_shows_changes_of_another_tab_without_a_reload(
     other.close()
 
 
+@pytest.mark.long
 def test_an_order_of_an_outdated_drawing_is_refused(
     page: Page, drawing: str, api: httpx.Client
 ) -> None:

@@ -70,6 +70,7 @@ def test_start_direction_and_passes_are_chosen_and_sent(page: Page, screenshots:
     page.screenshot(path=screenshots / "edge-options-2.png")
 
 
+@pytest.mark.long
 def test_the_tool_of_a_chain_is_chosen_and_sent(page: Page, screenshots: Path) -> None:
     address = page.url.partition("#")[0]
     with httpx.Client(base_url=address, timeout=60.0) as client:

@@ -60,6 +60,7 @@ def test_hostile_names_of_drawings_and_layers_are_text(
     page.screenshot(path=screenshots / "hostile-names.png")
 
 
+@pytest.mark.long
 def test_hostile_names_in_the_library_are_text(
     page: Page, server: Running, screenshots: Path
 ) -> None:

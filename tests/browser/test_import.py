@@ -246,6 +246,7 @@ def test_corrections_become_a_profile_that_classifies_the_next_drawing(
     expect(page.get_by_test_id("undo")).to_be_disabled()
 
 
+@pytest.mark.long
 def test_a_profile_is_edited_exported_and_imported_as_toml(page: Page, screenshots: Path) -> None:
     upload_files(
         page,
@@ -414,6 +415,7 @@ def test_a_dropped_filled_area_is_framed_at_its_position(page: Page, screenshots
     page.screenshot(path=screenshots / "import-6-area.png")
 
 
+@pytest.mark.long
 def test_undo_of_a_reclassification_restores_the_former_rules(page: Page) -> None:
     rule = """title = "Cole"\n[[rule]]\ntype = "crease"\nlayer = ["INNER"]\n"""
     put = """async ([text, version]) => (await fetch("/api/profiles/cole", {

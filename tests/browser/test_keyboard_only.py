@@ -156,6 +156,7 @@ def test_a_sample_becomes_a_job_in_the_queue_by_keys_only(empty: Page) -> None:
     prepare_and_send(empty)
 
 
+@pytest.mark.long
 def test_questions_of_an_uploaded_file_are_answered_by_keys_only(
     page: Page, tmp_path: Path
 ) -> None:
@@ -201,6 +202,7 @@ def test_the_palette_keeps_what_is_typed_at_once_after_it_was_closed(page: Page)
     expect(page).to_have_url(re.compile("#/history"))
 
 
+@pytest.mark.long
 def test_drawings_are_placed_moved_turned_and_aligned_by_keys_only(
     page: Page, server: Running
 ) -> None:

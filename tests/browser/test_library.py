@@ -187,6 +187,7 @@ def test_a_job_is_made_with_an_own_machine_and_a_tool_of_the_library(
     assert (job["machine"], job["machine_version"], job["state"]) == ("own-table", 2, "ready")
 
 
+@pytest.mark.long
 def test_the_settings_of_a_controller_follow_its_language(
     page: Page, server: Running, api: httpx.Client
 ) -> None:
@@ -215,6 +216,7 @@ def test_the_settings_of_a_controller_follow_its_language(
     expect(page.get_by_text("This controller language has no settings.")).to_be_visible()
 
 
+@pytest.mark.long
 def test_what_is_typed_and_added_in_the_form_is_what_is_saved(
     page: Page, server: Running, api: httpx.Client
 ) -> None:
@@ -265,6 +267,7 @@ def test_a_table_is_added_by_its_name_and_a_fault_is_shown_in_it(
     assert "Router 2" not in definition(api, "boards/named-board")["fields"].get("deflection", {})
 
 
+@pytest.mark.long
 def test_a_gantry_with_a_second_carriage_is_added_in_the_form(
     page: Page, server: Running, api: httpx.Client
 ) -> None:

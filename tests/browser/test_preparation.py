@@ -18,6 +18,7 @@ pytestmark = [
 PARTS = 240
 
 
+@pytest.mark.long
 def test_the_banner_shows_the_progress_and_disappears_when_the_server_is_prepared(
     page: Page, screenshots: Path
 ) -> None:

@@ -155,6 +155,7 @@ def test_jobs_are_moved_with_a_finger_and_with_the_keyboard(queue: Queue) -> Non
     expect_order(queue, "first.dxf", "second.dxf", "third.dxf")
 
 
+@pytest.mark.long
 def test_a_move_in_an_order_that_has_changed_is_refused_and_shown(queue: Queue) -> None:
     page = queue.list.page
     moved: list[str] = []
@@ -198,6 +199,7 @@ def test_a_job_is_held_and_gets_a_priority_and_copies(queue: Queue) -> None:
     assert queue.machine.job(third)["copies"] == 7
 
 
+@pytest.mark.long
 def test_a_job_is_moved_to_another_machine(queue: Queue) -> None:
     page = queue.list.page
     # A window in which the menu does not fit: it scrolls inside the window.
@@ -258,6 +260,7 @@ def expect_in_work(page: Page, machine: OwnMachine) -> None:
     expect(row.get_by_text("Queued").filter(visible=True)).to_have_count(1)
 
 
+@pytest.mark.long
 def test_a_job_added_while_the_page_loads_its_list_is_shown(
     page: Page, machines: tuple[OwnMachine, OwnMachine, list[str]]
 ) -> None:
@@ -279,6 +282,7 @@ def test_a_job_added_while_the_page_loads_its_list_is_shown(
     machine.clear()
 
 
+@pytest.mark.long
 def test_a_list_that_could_not_be_loaded_is_loaded_later(
     page: Page, machines: tuple[OwnMachine, OwnMachine, list[str]]
 ) -> None:

@@ -101,6 +101,7 @@ def test_the_rest_begins_with_a_contour_chosen_in_the_picture(
     assert begins_with(machine, made["id"], tracks[1])
 
 
+@pytest.mark.long
 def test_the_rest_begins_with_a_contour_chosen_in_the_list_after_a_check(
     rest: Locator, machine: OwnMachine, stopped: tuple[str, list[dict[str, Any]]]
 ) -> None:
@@ -119,6 +120,7 @@ def test_the_rest_begins_with_a_contour_chosen_in_the_list_after_a_check(
     assert begins_with(machine, made["id"], tracks[3])
 
 
+@pytest.mark.long
 def test_the_rest_begins_with_the_track_of_a_program_line(
     rest: Locator, machine: OwnMachine, stopped: tuple[str, list[dict[str, Any]]]
 ) -> None:
@@ -132,6 +134,7 @@ def test_the_rest_begins_with_the_track_of_a_program_line(
     assert begins_with(machine, made["id"], tracks[0])
 
 
+@pytest.mark.long
 def test_only_one_tool_makes_its_tracks(
     rest: Locator, machine: OwnMachine, stopped: tuple[str, list[dict[str, Any]]]
 ) -> None:
@@ -148,6 +151,7 @@ def test_only_one_tool_makes_its_tracks(
     assert len(found) == len(numbers(tracks, station)) < len(tracks)
 
 
+@pytest.mark.long
 def test_one_more_copy_needs_a_new_sheet(
     rest: Locator, machine: OwnMachine, stopped: tuple[str, list[dict[str, Any]]]
 ) -> None:

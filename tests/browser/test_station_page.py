@@ -416,6 +416,7 @@ def test_a_job_is_confirmed_held_resumed_stopped_and_the_machine_moved_by_touch(
     wait_until(lambda: abs(workshop.table.table.position[0]) < 0.01, "the machine is not parked")
 
 
+@pytest.mark.long
 def test_a_waiting_job_is_run_above_the_board_by_touch(
     tablet: tuple[Page, str], workshop: Workshop, api: httpx.Client, screenshots: Path
 ) -> None:
@@ -503,6 +504,7 @@ def worn_station(api: httpx.Client) -> Iterator[int]:
     api.put(f"{tools}/{worn}/life", json={"life": 0.0}).raise_for_status()
 
 
+@pytest.mark.long
 def test_a_tool_at_the_end_of_its_life_is_changed_or_kept_for_a_reason(
     tablet: tuple[Page, str], api: httpx.Client, worn_station: int, screenshots: Path
 ) -> None:
@@ -718,6 +720,7 @@ def test_a_second_tap_neither_answers_a_question_nor_moves_the_buttons_below(
     assert page.get_by_test_id("outcome").count() == 0
 
 
+@pytest.mark.long
 def test_a_corrected_offset_becomes_a_new_version_for_which_the_job_is_compiled_again(
     browser: Browser,
     workshop: Workshop,

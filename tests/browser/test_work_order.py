@@ -89,6 +89,7 @@ def test_tracks_are_dragged_and_moved_by_keys(page: Page, screenshots: Path) -> 
     expect(page.get_by_test_id("shortest-order")).to_be_hidden()
 
 
+@pytest.mark.long
 def test_blanks_are_moved_in_each_operation(page: Page, screenshots: Path) -> None:
     address = page.url.partition("#")[0]
     cut, crease = (8, "CUT"), (8, "CREASE")
