@@ -7,6 +7,7 @@ to that of the tool, along X and along Y::
 
     D - D' = a' - a         hence D' = D - (a' - a)
 
+Offsets are those of the axes: if Y is not perpendicular to X, a' - a is converted to axes before.
 A V-groove and a double crease are measured at the middle of their two lines.  Our derivation.
 """
 
@@ -95,12 +96,12 @@ def figures(bench: Bench, measures: StationOffsetMeasures) -> list[Figure]:
     """
     found = []
     station = bench.station
-    for code, measured, old in (
-        ("testpiece.figure.offset-x", measures.distance_x, station.x),
-        ("testpiece.figure.offset-y", measures.distance_y, station.y),
-    ):
-        axis = code[-1]
-        error = check_length(f"distance_{axis}", measured, DISTANCE)
+    errors = bench.machine.to_axes(
+        check_length("distance_x", measures.distance_x, DISTANCE),
+        check_length("distance_y", measures.distance_y, DISTANCE),
+    )
+    for axis, error, old in zip("xy", errors, (station.x, station.y), strict=True):
+        code = f"testpiece.figure.offset-{axis}"
         path = (*bench.station_path, "datum", axis)
         new = round(old - error, 6)
         found.append(Figure(code, Shelf.MACHINES, path, old, new, measures.reading, "mm"))
