@@ -8,8 +8,8 @@ functions.  On them D³ + D is 0, and it turns cos(2θ + φ) into 6 sin(2θ + φ
 
     distance ≤ (ε / 2) r 6 max |θ - h sin θ / sin h| ≤ ε r h³ / 4       direction ≤ ε h²
 
-for h ≤ 1.  So arcs are divided until both are small.  Headings are those on the sheet: C turns the tool, and
-its zero is the direction of X, which lies along the x of the sheet.
+for h ≤ 1.  So arcs are divided until both are small.  Headings are those on the sheet: the zero of
+C is the direction of X, which lies along the x of the sheet.
 
 Source: our derivation.
 """
@@ -30,7 +30,7 @@ from knifetip.model.toolpath import Toolpath
 
 #: Greatest distance of the arcs of the axes from the toolpath (mm); together with chords and digits
 #: it is within what ``tolerance.FIT`` leaves of the tolerance.
-DEVIATION: Final = 0.0005
+DEVIATION: Final = 0.0004
 #: Greatest difference of their directions (radians).
 _DIRECTION: Final = math.radians(0.1)
 #: Greatest half turn of an arc (radians); the bounds above hold for it.

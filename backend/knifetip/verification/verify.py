@@ -229,8 +229,9 @@ def _samples(context: CheckContext) -> Samples:
 def trace_program(text: bytes, machine: Machine, board: Board) -> tuple[Moves, TipPoses, TipPaths]:
     """Return the moves of a program, the poses of the tip, and the paths of the tip in the board.
 
-    The moves are those of the axes; poses and paths are on the sheet.  No joint turns a free blade: its heading is computed from the path.  Findings are discarded.
-    Raises ProgramUnreadable if the text cannot be read as a program.
+    The moves are those of the axes; poses and paths are on the sheet.  No joint turns a free blade:
+    its heading is computed from the path.  Findings are discarded.  Raises ProgramUnreadable if the
+    text cannot be read as a program.
     """
     return _trace(text, machine, board, math.inf, Findings())[:3]
 
