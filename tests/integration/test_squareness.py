@@ -101,8 +101,10 @@ def test_a_carton_with_curves_is_accepted(name: str, language: str, degrees: flo
     assert found.accepted, [one.text for one in found.findings if one.refuses]
     square = table(name, language, 90.0)
     usual = judged(process(planned(square), square).text, square)
-    # Division of arcs and ellipse take less than a tenth of the tolerance.
-    assert found.deviation.max() < max(usual.deviation.max() + 0.001, found.tolerance)
+    # Division of arcs and ellipse take less than a tenth of the tolerance; rounded points of a
+    # plotter, other ones, are up to 0.018 mm beside their path.
+    more = 0.003 if language == "hpgl" else 0.001
+    assert found.deviation.max() < usual.deviation.max() + more
 
 
 @pytest.mark.parametrize(("name", "language"), MACHINES)

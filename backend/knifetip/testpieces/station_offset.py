@@ -94,15 +94,19 @@ def figures(bench: Bench, measures: StationOffsetMeasures) -> list[Figure]:
     PieceRefused
         A measure is not plausible.
     """
-    found = []
     station = bench.station
     errors = bench.machine.to_axes(
         check_length("distance_x", measures.distance_x, DISTANCE),
         check_length("distance_y", measures.distance_y, DISTANCE),
     )
-    for axis, error, old in zip("xy", errors, (station.x, station.y), strict=True):
-        code = f"testpiece.figure.offset-{axis}"
-        path = (*bench.station_path, "datum", axis)
+    found = []
+    for code, error, old in zip(
+        ("testpiece.figure.offset-x", "testpiece.figure.offset-y"),
+        errors,
+        (station.x, station.y),
+        strict=True,
+    ):
+        path = (*bench.station_path, "datum", code[-1])
         new = round(old - error, 6)
         found.append(Figure(code, Shelf.MACHINES, path, old, new, measures.reading, "mm"))
     return found

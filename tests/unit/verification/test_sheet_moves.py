@@ -26,6 +26,7 @@ G64 P0.0005 Q0.0005
 T2 M6 G43
 G0 X100 Y100 Z20 C90
 G1 X100 Y1000 F6000
+G4 P0
 G2 X300 Y800 I0 J-200 C0
 G93 G3 X300 Y800 I0 J100 C360 F2
 G49
@@ -87,6 +88,7 @@ def test_arcs_are_ellipses_within_a_bound_that_is_counted(degrees: float) -> Non
     np.testing.assert_allclose(np.diff(parts.end[last, 3]), 360.0 / len(last))
     assert (1.0 / parts.feed[last]).sum() == pytest.approx(0.5)
     assert parts.rested.sum() == axes.rested.sum()
+    assert parts.rested[move == 2].sum() == 1
 
 
 def test_poses_of_parts_are_joined_to_those_of_moves() -> None:

@@ -30,6 +30,8 @@ from knifetip.verification.reading.moves import Moves
 ELLIPSE: Final = 1e-4
 #: Greatest half turn of one of these arcs (radians).
 _HALF_TURN: Final = 0.5
+#: Most arcs that replace one; only arcs that leave every table would need more.
+_MOST_PARTS: Final = 1000
 #: Arcs of a smaller sweep are lines (radians).
 _STRAIGHT: Final = 1e-9
 
@@ -55,7 +57,7 @@ def sheet_moves(axes: Moves, machine: Machine) -> SheetMoves:
     radius = np.where(bent, np.hypot(spoke[:, 0], spoke[:, 1]), 1.0)
     longest = np.cbrt(4.0 * ELLIPSE / (abs(skew) * np.maximum(radius, 1e-6)))
     longest = np.minimum(longest, _HALF_TURN)
-    pieces = np.ceil(np.abs(axes.sweep) / (2.0 * longest)).astype(np.int64).clip(1)
+    pieces = np.ceil(np.abs(axes.sweep) / (2.0 * longest)).astype(np.int64).clip(1, _MOST_PARTS)
     move = np.repeat(np.arange(len(pieces)), pieces)
     ordinal = np.arange(len(move)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
     first = np.arctan2(spoke[:, 1], spoke[:, 0])
