@@ -35,7 +35,8 @@ def on_sheet(points: F64, degrees: float) -> F64:
     """Return where positions of the axes are on the sheet: Y lies at an angle from X."""
     x = np.array([1.0, 0.0])
     y = np.array([math.cos(math.radians(degrees)), math.sin(math.radians(degrees))])
-    return points[:, :1] * x + points[:, 1:2] * y
+    result: F64 = points[:, :1] * x + points[:, 1:2] * y
+    return result
 
 
 def test_y_leans_to_the_right_below_90_degrees() -> None:

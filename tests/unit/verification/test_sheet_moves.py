@@ -46,7 +46,8 @@ def program_moves() -> Moves:
 
 def lean(points: F64, degrees: float) -> F64:
     angle = math.radians(degrees)
-    return points @ np.array([[1.0, 0.0], [math.cos(angle), math.sin(angle)]])
+    result: F64 = points @ np.array([[1.0, 0.0], [math.cos(angle), math.sin(angle)]])
+    return result
 
 
 def test_ends_are_on_the_sheet_and_the_datum_is_of_the_axes() -> None:
