@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from knifetip.gateway.controller import SafeState
 from knifetip.gateway.linuxcnc.driver import dial
+from knifetip.post.emit import process
 from tests.controllers.hand_written import BLANK, TABLE, ToolpathBuilder, add_creases, add_cuts
 from tests.controllers.linuxcnc_machine import missing_requirement, running
-from tests.controllers.linuxcnc_rs274 import distances_beside_and_past
+from tests.controllers.linuxcnc_rs274 import F64, distances_beside_and_past
 
 SKIP_REASON = missing_requirement()
 
@@ -34,14 +37,37 @@ async def test_joints_are_programmed_plus_datum_and_the_knife_stays_on_its_line(
     # Only the knife, whose datum is zero, goes below the top of the mat.
     cut = seen[seen[:, 2] < -0.2999]
     assert len(cut) > 20
+    # Without exact stops where C starts and stops turning, it would be 0.53.
+    assert distance_from_blank(cut[:, :2]) < 0.006  # path tolerance P 0.005 plus rounding
+    assert np.ptp(cut[:, 3]) > 180.0
+
+
+async def test_the_knife_stays_on_its_line_of_a_leaning_table() -> None:
+    leaning = replace(TABLE, squareness=89.5)
+    path = add_cuts(ToolpathBuilder()).toolpath()
+    text = process(path, leaning, "linuxcnc", notes=["placement X20 Y20"]).text
+    with running(TABLE) as machine:
+        machine.make_ready()
+        controller = await dial(machine.address, SafeState.from_machine(TABLE))
+        mark = machine.mark()
+        await controller.run(text)
+        await controller.close()
+        assert machine.comes_to_rest()
+        seen = machine.samples(mark)[:, :4]
+    joints = seen[seen[:, 2] < -0.2999, :2]
+    assert len(joints) > 20
+    angle = np.radians(89.5)
+    assert distance_from_blank(joints @ [[1.0, 0.0], [np.cos(angle), np.sin(angle)]]) < 0.006
+    assert distance_from_blank(joints) > 0.1
+
+
+def distance_from_blank(points: F64) -> float:
+    """Return the greatest distance of points from the cuts of the blank (mm)."""
     ends, bulge, _ = BLANK
-    edges = np.asarray(ends, float) + 20.0
-    off = np.full(len(cut), np.inf)
-    for edge, bend in zip(edges, bulge, strict=True):
+    off = np.full(len(points), np.inf)
+    for edge, bend in zip(np.asarray(ends, float) + 20.0, bulge, strict=True):
         aside, past = distances_beside_and_past(
-            cut[:, :2], np.tile(edge, (len(cut), 1, 1)), np.full(len(cut), bend)
+            points, np.tile(edge, (len(points), 1, 1)), np.full(len(points), bend)
         )
         off = np.minimum(off, np.hypot(aside, past))
-    # Without exact stops where C starts and stops turning, it would be 0.53.
-    assert off.max() < 0.006  # path tolerance P 0.005 plus rounding
-    assert np.ptp(cut[:, 3]) > 180.0
+    return float(off.max())

@@ -276,11 +276,7 @@ class CopyRunner:
         ``output``: digital output that is switched on, which identifies the station in use; -1 for
         none.
         """
-        x, y, z, c = axes
-        station = self._station_of(output)
-        if station is None:
-            return axes
-        return x - station.x, y - station.y, z - station.z, c - station.c
+        return self._machine.sheet_pose(axes, self._station_of(output))
 
     def _station_of(self, output: int) -> Station | None:
         """Return the station that a digital output lowers; None if there is none."""

@@ -161,10 +161,7 @@ class DryRun:
         station = self._program.station_at(progress.executed)
         position = None
         if progress.located:
-            x, y, z, c = progress.position
-            position = progress.position
-            if station is not None:
-                position = x - station.x, y - station.y, z - station.z, c - station.c
+            position = self._machine.sheet_pose(progress.position, station)
         self._activity = replace(
             self._activity,
             state=ActivityState.HELD if progress.held else ActivityState.RUNNING,

@@ -42,7 +42,7 @@ class CheckedPoint:
     """The point above the table to which a tool check moves the tool of a station."""
 
     station: Station  #: with the trial correction in its datum
-    x: float  #: mm, as in programs
+    x: float  #: mm on the sheet
     y: float  #: mm
     height: float  #: height of the tip above the mat (mm)
 
@@ -79,7 +79,8 @@ class CheckedPoint:
     def program(self, machine: Machine) -> DryProgram:
         """Return the program that moves the station above the point."""
         station = self.station
-        point = (self.x + station.x, self.y + station.y)
+        x, y = machine.to_axes(self.x, self.y)
+        point = (x + station.x, y + station.y)
         text = travel_program([point], machine, SHARE, station.c)
         return DryProgram(text, ((1, station),))
 

@@ -344,8 +344,8 @@ class StationTable(PartTable):
 class ZoneTable(PartTable):
     """The TOML table of a keep-out zone: a box on the table that no tool may touch.
 
-    Such a zone is, for example, a clamp or a stop.  Positions are those of programs: of the tip of
-    a station whose datum is 0.
+    Such a zone is, for example, a clamp or a stop.  Positions are those on the sheet: of the tip of
+    a station whose datum is 0, on a machine with square axes.
     """
 
     name: str = Field(min_length=1, max_length=80, description="name for messages")
@@ -431,6 +431,8 @@ class MachineFile(MachineTable):  # type: ignore[misc, valid-type]  # made by py
     def _first_reaches_park(
         cls, value: GantryTable | None, info: ValidationInfo
     ) -> GantryTable | None:
+        if value is not None and (angle := info.data.get("squareness", 90.0)) != 90.0:
+            raise field_error("field.gantry-not-square", angle=angle)
         if value is not None and (axes := info.data.get("axes")) is not None:
             _check_park(value.park, axes.y)
             if axes.c is None:

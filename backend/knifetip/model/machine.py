@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import Any, Final, TypeVar
 
+from knifetip.geometry.columns import F64
 from knifetip.model.board import Board
 from knifetip.model.dieline import LineType
 from knifetip.model.machine_properties import MachineProperties
 from knifetip.model.tool import KINDS, Cutter, Knife, Planner, Switching, Tool, kind_of
+
+#: A coordinate, or a column of them.
+_Length = TypeVar("_Length", float, F64)
 
 
 @dataclass(frozen=True, slots=True)
@@ -241,6 +246,50 @@ class Machine(MachineProperties):
             tool: Any = station.tool
             stations.append(replace(station, tool=replace(tool, feed=factor * tool.feed)))
         return replace(self, stations=tuple(stations))
+
+    @property
+    def is_square(self) -> bool:
+        """Whether Y is perpendicular to X, so that axes and sheet have the same coordinates."""
+        return self.squareness == 90.0
+
+    def to_axes(self, x: _Length, y: _Length) -> tuple[_Length, _Length]:
+        """Return where the axes X and Y are (mm) when the head is at a point of the sheet.
+
+        X lies along the x of the sheet, Y at the angle γ (``squareness``) to it::
+
+            Y = y / sin γ        X = x - Y cos γ
+
+        Offsets of stations are offsets of axes, and are added to the result.
+        """
+        if self.is_square:
+            return x, y
+        angle = math.radians(self.squareness)
+        along = y / math.sin(angle)
+        return x - along * math.cos(angle), along
+
+    def to_sheet(self, x: _Length, y: _Length) -> tuple[_Length, _Length]:
+        """Return the point of the sheet at which the head is for positions of X and Y (mm).
+
+        It is the inverse of ``to_axes``.
+        """
+        if self.is_square:
+            return x, y
+        angle = math.radians(self.squareness)
+        return x + y * math.cos(angle), y * math.sin(angle)
+
+    def sheet_pose(
+        self, axes: tuple[float, float, float, float], station: Station | None
+    ) -> tuple[float, float, float, float]:
+        """Return where the head is on the sheet, x, y, z (mm) and c (degrees), with a station.
+
+        It is the position of the axes minus the offset of the station; nothing is subtracted if
+        there is none.
+        """
+        x, y, z, c = axes
+        if station is not None:
+            x, y, z, c = x - station.x, y - station.y, z - station.z, c - station.c
+        x, y = self.to_sheet(x, y)
+        return x, y, z, c
 
     def carriage_of(self, station: Station) -> Carriage:
         """Return the carriage that carries a station."""

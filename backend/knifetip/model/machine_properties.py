@@ -71,6 +71,18 @@ class MachineProperties:
             json_schema_extra=TABLE,
         ),
     ] = 0.0
+    squareness: Annotated[
+        float,
+        Field(
+            ge=89.0,
+            le=91.0,
+            title="Angle between X and Y",
+            description="Angle γ from the axis X to the axis Y as the machine is built (degrees); "
+            "below 90, Y leans to the right. Programs correct it: x = X + Y cos γ and "
+            "y = Y sin γ on the sheet, if the axes are at X and Y without offsets",
+            json_schema_extra=TABLE,
+        ),
+    ] = 90.0
     setup_note: Annotated[
         str,
         Field(

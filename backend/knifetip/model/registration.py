@@ -56,8 +56,9 @@ class Registration(Table):
         default=(),
         strict=False,  # JSON has lists
         max_length=MOST_MARKS,
-        description="Where the marks lie on the table: X, Y (mm) as in programs, in the same "
-        "order; empty until they are measured. The sheet then lies at the origin of the machine",
+        description="Where the marks lie on the table: X, Y (mm), in the same order; empty until "
+        "they are measured. The sheet then lies at the origin of the machine. These are the "
+        "positions in programs if the axes are square",
     )
 
     @model_validator(mode="after")

@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Protocol
 
+import numpy as np
+
 from knifetip.languages.registry import find_language
+from knifetip.model.axis_path import axis_path
 from knifetip.model.held_heading import hold_heading
 from knifetip.model.machine import Machine
 from knifetip.model.program import Program
@@ -21,6 +25,7 @@ class Emitter(Protocol):
     ) -> Program:
         """Return the program of a toolpath that ``check_toolpath`` has accepted.
 
+        The poses of ``toolpath`` are positions of the axes without the offsets of stations.
         The same input gives the same bytes: a program contains no dates and no host names.
         ``tolerance`` is the greatest deviation of the tip from the path (mm); ``notes`` are the
         comments at the top of the program.
@@ -71,4 +76,8 @@ def process(
     if language.sets_pose:
         toolpath = hold_heading(toolpath, machine)
     emitter: Emitter = language.load_part("emitter")
-    return emitter(toolpath, machine, tolerance=tolerance, notes=notes)
+    path, row = axis_path(toolpath, machine)
+    program = emitter(path, machine, tolerance=tolerance, notes=notes)
+    if path is toolpath:
+        return program
+    return replace(program, source=np.append(row, -1)[program.source].astype(np.int32))

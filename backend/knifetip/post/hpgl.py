@@ -27,7 +27,7 @@ from knifetip.errors import ProgramError
 from knifetip.geometry import arc
 from knifetip.geometry.azimuth import azimuth
 from knifetip.geometry.chords import chord_counts, split_moves
-from knifetip.geometry.columns import I32, I64, U8, Bool
+from knifetip.geometry.columns import F64, I32, I64, U8, Bool
 from knifetip.geometry.tolerance import ANGLE
 from knifetip.languages.hpgl.plotter import CM_PER_SECOND, Device, Pen, PenWork, Plotter
 from knifetip.model.machine import Machine
@@ -232,9 +232,8 @@ def _plotter_points(
     pose, row = split_moves(toolpath.pose[:, [0, 1, 3]], toolpath.bulge, pieces)
     motion = toolpath.motion[row]
     planned = (pose[:, :2] - device.zero) * device.units
-    point = round_points(
-        planned, pose[:, 2], motion, toolpath.tool[row], machine, float(device.units)
-    )
+    heading = _axis_headings(pose[:, 2], machine)
+    point = round_points(planned, heading, motion, toolpath.tool[row], machine, float(device.units))
     moved: Bool = (point[1:] != point[:-1]).any(axis=1)
     kind = (np.where(motion == Motion.RAPID, _TRAVEL, _WORK) * moved).astype(np.uint8)
     kind[motion == Motion.PLUNGE] = _DOWN
@@ -244,6 +243,19 @@ def _plotter_points(
     still = np.flatnonzero((kind[shown[:-1]] == _DOWN) & (kind[shown[1:]] == _UP))
     kind[shown[still]] = kind[shown[still + 1]] = _NONE
     return point, kind, row
+
+
+def _axis_headings(heading: F64, machine: Machine) -> F64:
+    """Return headings on the sheet as directions in coordinates of the axes, (n,) degrees.
+
+    Points are chosen so that the path of the axes turns a free blade to its heading.
+    """
+    if machine.is_square:
+        return heading
+    angle = np.radians(heading)
+    x, y = machine.to_axes(np.cos(angle), np.sin(angle))
+    result: F64 = np.degrees(np.arctan2(y, x))
+    return result
 
 
 def _chord_counts(toolpath: Toolpath, machine: Machine, device: Device, tolerance: float) -> I64:

@@ -17,6 +17,7 @@ import numpy as np
 from knifetip.geometry.chords import DEVIATION, chord_counts, split_moves
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.languages.registry import find_language
+from knifetip.model.axis_path import axis_path
 from knifetip.model.held_heading import hold_heading
 from knifetip.model.machine import Machine
 from knifetip.model.toolpath import Motion, Toolpath
@@ -59,13 +60,16 @@ def durations(toolpath: Toolpath, machine: Machine) -> F64:
     """
     if len(toolpath) == 0:
         return np.zeros(0)
-    toolpath = hold_heading(toolpath, machine)
+    path, row = axis_path(hold_heading(toolpath, machine), machine)
     if machine.arcs == "chords":
-        chords, row = _in_chords(toolpath)
-        times = np.zeros(len(toolpath))
-        np.add.at(times, row, _move_times(chords, machine))
+        path, chord_row = _in_chords(path)
+        row = row[chord_row]
+    times = _move_times(path, machine)
+    if len(path) == len(toolpath):
         return times
-    return _move_times(toolpath, machine)
+    result = np.zeros(len(toolpath))
+    np.add.at(result, row, times)
+    return result
 
 
 def _in_chords(toolpath: Toolpath) -> tuple[Toolpath, I64]:

@@ -133,14 +133,11 @@ def parking_pose(station: Station, machine: Machine) -> F64:
     carriages, Y is the parking position of the carriage of the station.
     """
     x, y = machine.carriage_of(station).axes[:2]
-    pose = np.array(
-        [
-            min(max(0.0, x.low - station.x), x.high - station.x),
-            min(max(0.0, y.low - station.y), y.high - station.y),
-            machine.travel_z,
-            0.0,
-        ]
+    place = machine.to_sheet(
+        min(max(0.0, x.low - station.x), x.high - station.x),
+        min(max(0.0, y.low - station.y), y.high - station.y),
     )
+    pose = np.array([*place, machine.travel_z, 0.0])
     return _park_pose(pose, station, machine) if machine.gantry else pose
 
 

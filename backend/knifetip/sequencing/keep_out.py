@@ -179,7 +179,7 @@ def _poses_around_zones(start: F64, end: F64, station: Station, machine: Machine
     reach = station.reach + _SPARE
     corners = np.concatenate([_corners(zone, reach + _SPARE) for zone in zones])
     x, y = machine.carriage_of(station).axes[:2]
-    position = corners + np.array([station.x, station.y])
+    position = np.column_stack(machine.to_axes(*corners.T)) + np.array([station.x, station.y])
     reachable = (position >= (x.low, y.low)) & (position <= (x.high, y.high))
     nodes = np.concatenate([start[None, :2], end[None, :2], corners[reachable.all(axis=1)]])
     count = len(nodes)

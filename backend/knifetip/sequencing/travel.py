@@ -16,6 +16,7 @@ from knifetip.geometry import arc
 from knifetip.geometry.columns import F64, I64, Bool
 from knifetip.kernels import F64_2, F64_3, I64_1, U8_1, kernel
 from knifetip.messages import Message
+from knifetip.model.axis_path import axis_path
 from knifetip.model.machine import Machine, Station
 from knifetip.model.toolpath import Toolpath
 
@@ -45,6 +46,7 @@ def check_travel(toolpath: Toolpath, machine: Machine) -> None:
     the edge at which that happens.  ``TravelExceeded`` is also raised if a carriage would come too
     near to another one, which is parked.
     """
+    toolpath = axis_path(toolpath, machine).path
     pose = np.ascontiguousarray(toolpath.pose)
     arcs = np.flatnonzero(toolpath.bulge)
     boxes = arc.bounding_boxes(pose[arcs, :2], pose[arcs + 1, :2], toolpath.bulge[arcs])

@@ -11,8 +11,19 @@ With p the diagonal from the lower left corner, and q the other one::
 checks the measures.  An error u of each reading gives u / w and u / h in the scales, and
 u √(p² + q²) / (2 w' h') radians in γ.
 
-Programs of the controller have pulses or steps per mm.  A side that is k times too long needs
-1 / k times as many.
+The piece may have been cut by programs that correct an angle γ₀ (``Machine.squareness``): for each
+drawn (x, y), the axes went to Y = y / sin γ₀ and X = x - Y cos γ₀.  With the true angle γ and the
+true scales k of the axes, the left side of the piece ends at::
+
+    h' cos γ' = (h / sin γ₀) (k_y cos γ - k_x cos γ₀)      k_x = w' / w
+    h' sin γ' = (h / sin γ₀)  k_y sin γ
+
+where γ' is the angle that was measured.  So γ and k_y are direction and length of the vector
+(h' sin γ₀ / h) (cos γ', sin γ') + (k_x cos γ₀, 0).  For γ₀ = 90° they are γ' and h' / h.  If γ₀ and
+the scales are right, the piece is right, and γ = γ₀.
+
+k_y is the scale along the axis Y as it leans, so it is that of its pulses.  Programs of the
+controller have pulses or steps per mm.  A side that is k times too long needs 1 / k times as many.
 """
 
 from __future__ import annotations
@@ -39,6 +50,8 @@ _PULSES: Final = {
 }
 #: Greatest error that a sum of squares of diagonals may have, in readings.
 _MOST_READINGS: Final = 4.0
+#: Decimals of the angle (degrees) in the file: less than 0.001 mm in a metre.
+_DECIMALS: Final = 5
 
 
 class SquarenessMeasures(Measures):
@@ -117,13 +130,27 @@ def figures(bench: Bench, measures: SquarenessMeasures) -> list[Figure]:
             source=("diagonal_up",),
         )
     product = sides[0] * sides[1]
-    angle = math.degrees(math.acos((up**2 - down**2) / (4.0 * product)))
     turn = math.degrees(measures.reading * found / (2.0 * product))
+    before = bench.machine.squareness
+    cut = math.acos((up**2 - down**2) / (4.0 * product))
+    scale_x = sides[0] / drawn[0]
+    side = sides[1] / drawn[1] * math.sin(math.radians(before))
+    along = side * math.cos(cut) + scale_x * math.cos(math.radians(before))
+    across = side * math.sin(cut)
     scales = [
-        Figure(code, None, (), 1.0, side / wanted, measures.reading / wanted, "factor")
-        for code, side, wanted in zip(_PULSES, sides, drawn, strict=True)
+        Figure(code, None, (), 1.0, scale, measures.reading / wanted, "factor")
+        for code, scale, wanted in zip(
+            _PULSES, (scale_x, math.hypot(along, across)), drawn, strict=True
+        )
     ]
-    return [*scales, Figure("testpiece.figure.angle", None, (), 90.0, angle, turn, "degrees")]
+    angle = round(math.degrees(math.atan2(across, along)), _DECIMALS)
+    # Programs of a gantry with several carriages do not correct the angle.
+    stored = bench.machine.gantry is None
+    shelf, path = (Shelf.MACHINES, ("squareness",)) if stored else (None, ())
+    return [
+        *scales,
+        Figure("testpiece.figure.angle", shelf, path, before, angle, turn, "degrees"),
+    ]
 
 
 def with_pulses(figures: list[Figure], pulses: dict[str, Any]) -> list[Figure]:

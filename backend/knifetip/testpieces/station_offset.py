@@ -7,6 +7,7 @@ to that of the tool, along X and along Y::
 
     D - D' = a' - a         hence D' = D - (a' - a)
 
+Offsets are those of the axes: if Y is not perpendicular to X, a' - a is converted to axes before.
 A V-groove and a double crease are measured at the middle of their two lines.  Our derivation.
 """
 
@@ -93,15 +94,19 @@ def figures(bench: Bench, measures: StationOffsetMeasures) -> list[Figure]:
     PieceRefused
         A measure is not plausible.
     """
-    found = []
     station = bench.station
-    for code, measured, old in (
-        ("testpiece.figure.offset-x", measures.distance_x, station.x),
-        ("testpiece.figure.offset-y", measures.distance_y, station.y),
+    errors = bench.machine.to_axes(
+        check_length("distance_x", measures.distance_x, DISTANCE),
+        check_length("distance_y", measures.distance_y, DISTANCE),
+    )
+    found = []
+    for code, error, old in zip(
+        ("testpiece.figure.offset-x", "testpiece.figure.offset-y"),
+        errors,
+        (station.x, station.y),
+        strict=True,
     ):
-        axis = code[-1]
-        error = check_length(f"distance_{axis}", measured, DISTANCE)
-        path = (*bench.station_path, "datum", axis)
+        path = (*bench.station_path, "datum", code[-1])
         new = round(old - error, 6)
         found.append(Figure(code, Shelf.MACHINES, path, old, new, measures.reading, "mm"))
     return found

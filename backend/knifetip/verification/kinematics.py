@@ -64,6 +64,20 @@ class TipPoses:
     station: I32  #: (n,) index into ``machine.stations``, -1 for none
     inside: Bool  #: (n,) part of the move is below the board's top face, or the beam is on
 
+    def joined(self, move: I64) -> TipPoses:
+        """Return the poses at the starts and ends of moves of which these ones are parts.
+
+        ``move`` (n,) is the move of each part, ascending, from 0 without gaps.
+        """
+        if len(move) == 0 or move[-1] == len(move) - 1:
+            return self
+        first = np.flatnonzero(np.diff(move, prepend=-1))
+        last = np.append(first[1:], len(move)) - 1
+        inside: Bool = np.logical_or.reduceat(self.inside, first)
+        return TipPoses(
+            self.start[first], self.end[last], self.line[first], self.station[first], inside
+        )
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class TipPaths:

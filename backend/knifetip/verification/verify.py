@@ -64,6 +64,7 @@ from knifetip.verification.findings import MAX_FINDINGS, Findings
 from knifetip.verification.joined_work import join_work
 from knifetip.verification.kinematics import TipPaths, TipPoses, tip_paths, tip_poses
 from knifetip.verification.reading.moves import Moves, ProgramReader
+from knifetip.verification.reading.sheet_moves import sheet_moves, with_sheet_resolution
 from knifetip.verification.trailing_blade import (
     Swivels,
     check_park_headings,
@@ -228,8 +229,9 @@ def _samples(context: CheckContext) -> Samples:
 def trace_program(text: bytes, machine: Machine, board: Board) -> tuple[Moves, TipPoses, TipPaths]:
     """Return the moves of a program, the poses of the tip, and the paths of the tip in the board.
 
-    No joint turns a free blade: its heading is computed from the path.  Findings are discarded.
-    Raises ProgramUnreadable if the text cannot be read as a program.
+    The moves are those of the axes; poses and paths are on the sheet.  No joint turns a free blade:
+    its heading is computed from the path.  Findings are discarded.  Raises ProgramUnreadable if the
+    text cannot be read as a program.
     """
     return _trace(text, machine, board, math.inf, Findings())[:3]
 
@@ -245,31 +247,36 @@ def _trace(
 ) -> tuple[Moves, TipPoses, TipPaths, Swivels]:
     """Return the moves of a program, the poses and paths of the tip, and the turns of free blades.
 
-    ``split_at_caliper`` is as in ``tip_paths``.
+    The moves are those of the axes, with their limits, feeds and overlaps; all others are on the
+    sheet.  ``split_at_caliper`` is as in ``tip_paths``.
     """
-    moves, faults = _reader(machine).read(text, machine, board)
+    axes, faults = _reader(machine).read(text, machine, board)
     findings.add_faults(faults)
+    axes = with_sheet_resolution(axes, machine)
+    moves, rows = sheet_moves(axes, machine)
     blade = follow_blades(moves, machine, board)
     turned = moves
     if blade is not None:
         # The tip depends on two rounded points: where it came to rest, and where its axis is.
-        moves = replace(moves, resolution=2.0 * moves.resolution)
+        axes = replace(axes, resolution=2.0 * axes.resolution)
+        moves = replace(moves, resolution=axes.resolution)
         turned = with_headings(moves, blade, machine)
         check_park_headings(moves, blade, machine, findings)
         check_pushes(moves, blade, findings)
     tip = tip_poses(turned, machine, board)
-    usable = motion_checks.check_travel(moves, machine, findings)
-    check_carriages(moves, machine, findings)
+    joined = tip.joined(rows)
+    usable = motion_checks.check_travel(axes, machine, findings)[rows]
+    check_carriages(axes, machine, findings)
     check_zones(moves, machine, findings)
-    motion_checks.check_outputs(moves, tip, machine, findings)
-    check_switching(moves, machine, board, findings)
+    motion_checks.check_outputs(axes, joined, machine, findings)
+    check_switching(axes, machine, board, findings)
     check_board_moves(turned, tip, machine, board, tolerance + moves.resolution, sheet, findings)
-    check_overlaps(moves, tip, machine, tolerance, findings)
+    check_overlaps(axes, joined, machine, tolerance, findings)
     swivels = Swivels.none()
     if blade is not None:
         swivels = find_swivels(blade, tip.start, tip.end, moves.line)
     paths = tip_paths(turned, tip, usable, machine, board, blade, split_at_caliper=split_at_caliper)
-    return moves, tip, paths, swivels
+    return axes, joined, paths, swivels
 
 
 def read_placement(text: bytes, machine: Machine) -> tuple[float, float] | None:

@@ -54,6 +54,14 @@ async def test_the_station_moves_above_the_point_and_is_lowered_almost_to_the_bo
         assert all(beat["waiting"] and beat["line"] == 0 for beat in office.beats)
 
 
+def test_the_point_is_on_the_sheet_and_the_program_moves_the_axes() -> None:
+    leaning = replace(MACHINE, squareness=89.0)
+    check = Operation(OperationName.TOOL_CHECK, station=3, point=(200.0, 150.0), height=4.0)
+    text = CheckedPoint.from_operation(check, leaning).program(leaning).text
+    # Y = 150 / sin 89°, X = 200 - 150 cot 89°, and 60 mm of the station to the left.
+    assert b"X137.3817 Y150.0228" in text
+
+
 async def test_a_trial_correction_moves_all_axes(monkeypatch: pytest.MonkeyPatch) -> None:
     async with waiting_job(monkeypatch) as (office, table):
         await office.result(office.ask(**CHECK))

@@ -109,3 +109,20 @@ def test_grblhal_has_other_letters() -> None:
         carriage(fields)["c"]["letter"] = "B"
 
     assert changed(as_grblhal).carriages[1].letters == "XAZB"
+
+
+def test_the_angle_of_the_axes_is_that_of_a_machine_with_one_carriage() -> None:
+    demo = (resources.files("knifetip") / "library/machines/demo-table.toml").read_text("utf-8")
+
+    def leaning(angle: float, machine: str = demo) -> Machine:
+        return changed(lambda fields: fields.update(squareness=angle), machine)
+
+    assert changed(lambda fields: None, demo).squareness == 90.0
+    assert leaning(89.5).squareness == 89.5
+    for machine, angle, reason in (
+        (FILE, 89.5, "machine with several carriages do not correct an angle of 89.5°"),
+        (demo, 88.9, "squareness"),
+        (demo, 91.1, "squareness"),
+    ):
+        with pytest.raises(LibraryError, match=reason):
+            leaning(angle, machine)

@@ -17,7 +17,7 @@ from knifetip.model.toolpath import Motion, Toolpath
 from knifetip.planning.plan import plan
 from knifetip.post.emit import process
 from knifetip.sequencing.duration import duration
-from knifetip.sequencing.keep_out import avoid_zones
+from knifetip.sequencing.keep_out import _poses_around_zones, avoid_zones
 from knifetip.sequencing.sequence import sequence
 from knifetip.verification.verify import verify
 from tests.support.shapes import BOARD, MACHINE, closed, dieline, edges
@@ -161,3 +161,18 @@ def test_all_random_zones_are_avoided_or_refused() -> None:
         avoided += changed
         assert accepted(sequenced(MACHINE), machine) is not changed
     assert avoided > 5
+
+
+@pytest.mark.parametrize(("degrees", "is_left"), [(90.0, True), (89.0, False), (91.0, True)])
+def test_a_way_round_a_zone_is_within_the_travel_of_leaning_axes(
+    degrees: float, is_left: bool
+) -> None:
+    station = MACHINE.stations[0]
+    zone = Zone("clamp", 150.0, 900.0, 450.0, 100.0, 15.0)
+    # Left of the zone, the knife is 8 mm within the travel of X, and at 89° 16 mm beyond it.
+    low = zone.x - station.reach - 10.0
+    machine = replace(MACHINE, squareness=degrees, zones=(zone,), x=replace(MACHINE.x, low=low))
+    start, end = np.array([[300.0, 800.0, 5.0, 0.0], [300.0, 1100.0, 5.0, 0.0]])
+    way = _poses_around_zones(start, end, station, machine)
+    assert way is not None
+    assert (way[:, 0].max() <= 300.0) == is_left

@@ -216,19 +216,27 @@ def test_the_offset_of_a_station_is_found(number: int, shift: tuple[float, float
     assert [figure.path[-1] for figure in found] == ["x", "y"]
 
 
+@pytest.mark.parametrize("stored", [90.0, 89.85, 90.4])
 @pytest.mark.parametrize(
     ("scale_x", "scale_y", "lean"), [(1.0, 1.0, 0.0), (1.002, 0.999, 0.2), (0.9985, 1.001, -0.15)]
 )
-def test_scale_and_angle_of_the_axes_are_found(scale_x: float, scale_y: float, lean: float) -> None:
+def test_scale_and_angle_of_the_axes_are_found(
+    scale_x: float, scale_y: float, lean: float, stored: float
+) -> None:
     bench = bench_of("v-groove-table", "e-flute", 1)
+    bench = replace(bench, machine=replace(bench.machine, squareness=stored))
     job = cut(bench, squareness.draw(bench))
     poses = job.strokes(0, 1, 2, 3)[:, :, :2].reshape(-1, 2)
     low, high = poses.min(axis=0), poses.max(axis=0)
+    drawn = np.array([low, (high[0], low[1]), high, (low[0], high[1])])
+    # Where the program, which corrects the stored angle, sends the axes.
+    along = drawn[:, 1] / np.sin(np.radians(stored))
+    sent = np.column_stack([drawn[:, 0] - along * np.cos(np.radians(stored)), along])
     # The Y axis leans by ``lean`` degrees towards X.
     axes = np.array(
         [[scale_x, 0.0], scale_y * np.array([np.sin(np.radians(lean)), np.cos(np.radians(lean))])]
     )
-    corners = np.array([low, (high[0], low[1]), high, (low[0], high[1])]) @ axes
+    corners = sent @ axes
 
     def between(one: int, other: int) -> float:
         return float(np.hypot(*(corners[other] - corners[one])))
@@ -245,12 +253,48 @@ def test_scale_and_angle_of_the_axes_are_found(scale_x: float, scale_y: float, l
     at = {figure.name: figure for figure in found}
     assert abs(at["scale-x"].after - scale_x) <= at["scale-x"].uncertainty
     assert abs(at["scale-y"].after - scale_y) <= at["scale-y"].uncertainty
-    assert at["angle"].after == pytest.approx(90.0 - lean, abs=1e-6)
+    # The knife ends up to 0.05 mm within the outline, 0.0001 of its sides.
+    assert at["angle"].after == pytest.approx(90.0 - lean, abs=1e-4)
+    assert (at["angle"].before, at["angle"].path) == (stored, ("squareness",))
+    assert at["angle"].shelf is Shelf.MACHINES
     assert at["angle"].uncertainty < 0.02
     pulses = {figure.name: figure for figure in squareness.with_pulses(found, {"x": 200.0})}
     # 500 mm of X are travelled by pulses that move 500 mm times the scale.
     assert pulses["pulses-x"].after * at["scale-x"].after == pytest.approx(200.0, rel=1e-8)
     assert "pulses-y" not in pulses
+
+
+def test_a_right_rectangle_leaves_the_stored_angle_as_it_is() -> None:
+    bench = bench_of("demo-table", "greyboard-2.0", 1)
+    bench = replace(bench, machine=replace(bench.machine, squareness=89.7))
+    diagonal = float(np.hypot(500.0, 400.0))
+    measures = SquarenessMeasures(
+        width=500.0, height=400.0, diagonal_up=diagonal, diagonal_down=diagonal
+    )
+    at = {figure.name: figure for figure in squareness.figures(bench, measures)}
+    assert at["angle"].after == pytest.approx(89.7)
+    assert not at["angle"].is_significant
+    assert (at["scale-x"].after, at["scale-y"].after) == pytest.approx((1.0, 1.0))
+
+
+def test_the_angle_of_a_gantry_with_several_carriages_is_only_shown() -> None:
+    bench = bench_of("two-carriage-table", "greyboard-2.0", 1)
+    measures = SquarenessMeasures(
+        width=500.0, height=400.0, diagonal_up=641.0, diagonal_down=639.6125
+    )
+    at = {figure.name: figure for figure in squareness.figures(bench, measures)}
+    assert (at["angle"].shelf, at["angle"].path) == (None, ())
+    assert at["angle"].after < 89.9
+
+
+def test_offsets_of_stations_are_corrected_along_the_axes() -> None:
+    bench = bench_of("demo-table", "greyboard-2.0", 2)
+    bench = replace(bench, machine=replace(bench.machine, squareness=89.0))
+    found = station_offset.figures(bench, StationOffsetMeasures(distance_x=20.0, distance_y=22.0))
+    # 2 mm along y of the sheet: 2 / sin 89° along Y, and X back by 2 cot 89°.
+    old = bench.station
+    assert [one.after - one.before for one in found] == pytest.approx([0.03491, -2.00030], abs=1e-5)
+    assert [one.before for one in found] == [old.x, old.y]
 
 
 @pytest.mark.parametrize("known", [0.0, 0.05])

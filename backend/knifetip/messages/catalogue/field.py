@@ -69,6 +69,12 @@ MESSAGES: Final[Entries] = {
         path="text",
         station="count",
     ),
+    "field.gantry-not-square": entry(
+        "{path}: programs of a machine with several carriages do not correct an angle of "
+        "{angle:g}° between X and Y; squareness must be 90",
+        path="text",
+        angle="number",
+    ),
     "field.gantry-without-heading": entry(
         "{path}: a machine with carriages needs an axis c in [axes]",
         path="text",

@@ -50,6 +50,10 @@ TEXTS: Final[Texts] = {
         "kein c. Werkzeuge einer solchen Maschine sind ein Schleppmesser, ein Fräser oder ein "
         "Laser",
     ),
+    "field.gantry-not-square": Text(
+        "{path}: Programme einer Maschine mit mehreren Schlitten korrigieren keinen Winkel von "
+        "{angle:g}° zwischen X und Y; squareness muss 90 sein"
+    ),
     "field.gantry-without-heading": Text(
         "{path}: eine Maschine mit Schlitten braucht eine Achse c in [axes]",
     ),

@@ -105,14 +105,17 @@ def _measured_options(service: Service, row: Job, marks: MeasuredMarksIn) -> Job
             "registration.count", source=["positions"], given=given, job=row.id, count=count
         )
     x, y = marks.offset
+    machine = service.store.library.machine(row.machine)
     if marks.station is not None:
-        machine = service.store.library.machine(row.machine)
         found = [one for one in machine.stations if one.number == marks.station]
         if not found:
             raise NotFound("registration.no-station", machine=machine.title, station=marks.station)
         x, y = x + found[0].x, y + found[0].y
-    places = [(round(u - x, _DECIMALS), round(v - y, _DECIMALS)) for u, v in marks.positions]
-    return row.options.with_measured(places)
+    # Marks are fitted on the sheet: axes that are not square would look like an error of the print.
+    places = [machine.to_sheet(u - x, v - y) for u, v in marks.positions]
+    return row.options.with_measured(
+        [(round(u, _DECIMALS), round(v, _DECIMALS)) for u, v in places]
+    )
 
 
 def _registration_out(service: Service, row: Job, registration: Registration) -> RegistrationOut:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from typing import Any
 from xml.etree import ElementTree
 
@@ -109,7 +111,7 @@ def test_pulses_in_the_file_of_a_machine_follow_the_scale(client: httpx.Client) 
     )
     found = {figure["name"]: figure for figure in answer.json()}
     assert found["angle"]["after"] == pytest.approx(90.0)
-    assert found["angle"]["shelf"] is None
+    assert (found["angle"]["shelf"], found["angle"]["path"]) == ("machines", ["squareness"])
     assert found["pulses-x"]["path"] == ["controller", "pulses", "x"]
     assert found["pulses-x"]["after"] == pytest.approx(200.0 * 500.0 / 501.0, abs=1e-5)
     assert not found["pulses-y"]["significant"]
@@ -119,3 +121,49 @@ def test_unknown_names_are_not_found(client: httpx.Client) -> None:
     assert client.get(f"{URL}/no-piece/picture", params=KNIFE).status_code == 404
     piece = {"code": "knife-depth", **KNIFE, "board": "no-board"}
     assert client.post(URL, json=piece).status_code == 404
+
+
+def test_a_measured_angle_is_stored_and_corrected_by_programs_and_marks(
+    client: httpx.Client,
+) -> None:
+    demo = client.get("/api/machines/demo-table/definition").json()["fields"]
+    leaning = {**demo, "squareness": 89.5}
+    assert client.put("/api/machines/leaning", json=leaning).status_code == 201
+    bench = {**KNIFE, "machine": "leaning"}
+    diagonal = (500.0**2 + 400.0**2) ** 0.5
+    measures = {"width": 500.0, "height": 400.0, "diagonal_up": diagonal + 0.8}
+    answer = figures(client, bench, code="squareness", **measures, diagonal_down=diagonal - 0.8)
+    angle = next(figure for figure in answer.json() if figure["name"] == "angle")
+    assert (angle["before"], angle["significant"]) == (89.5, True)
+    # The rest of cos γ: (p² - q²) / (4 w' h') = 4 · 0.8 · 640.3 / 800000, 0.1467°.
+    assert angle["after"] == pytest.approx(89.5 - 0.1467, abs=1e-3)
+    changed = {**leaning, "squareness": angle["after"]}
+    stored = client.put("/api/machines/leaning", json=changed, headers={"If-Match": '"1"'})
+    assert stored.status_code == 200, stored.text
+    assert client.get("/api/machines/leaning").json()["squareness"] == angle["after"]
+    piece = client.post(URL, json={"code": "squareness", **bench}).json()
+    order = {
+        "drawing": piece["drawing"]["id"],
+        "machine": "leaning",
+        "board": "e-flute",
+        "registration": {"marks": [[0.0, 0.0], [500.0, 0.0], [0.0, 400.0]], "scale": "keep"},
+    }
+    job = client.post("/api/v1/jobs", json=order).json()
+    assert wait_for_state(client, job["id"], "ready", "refused")["state"] == "ready"
+    program = client.get(f"/api/v1/jobs/{job['id']}/program").text
+    # The upper left corner, at 20, 420: X is 420 cot γ to the left of the lower left one.
+    x = 20.0 - 420.0 / math.tan(math.radians(angle["after"]))
+    y = 420.0 / math.sin(math.radians(angle["after"]))
+    words = [float(word) for word in re.findall(r"Y([\d.]+)", program)]
+    assert min(abs(word - y) for word in words) < 0.06
+    # Marks are measured at positions of the axes, and lie exactly where they are expected.
+    places = [[20.0, 20.0], [520.0, 20.0], [x, y]]
+    low = 20.0 / math.tan(math.radians(angle["after"]))
+    places[:2] = [[u - low, v / math.sin(math.radians(angle["after"]))] for u, v in places[:2]]
+    fit = client.post(
+        f"/api/v1/jobs/{job['id']}/registration/fit", json={"positions": places}
+    ).json()
+    assert fit["largest_error"] < 1e-3
+    assert fit["turn"] == pytest.approx(0.0, abs=1e-4)
+    for mark in fit["marks"]:
+        assert mark["measured"] == pytest.approx(mark["expected"], abs=1e-3)
