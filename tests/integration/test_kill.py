@@ -56,6 +56,7 @@ def test_killed_while_it_compiles_it_compiles_again(database: Path) -> None:
         assert states.count("ready") == 1
 
 
+@pytest.mark.long
 def test_killed_while_it_is_queued_it_is_queued_and_then_runs_to_its_end(database: Path) -> None:
     first = Running(database, processes=1, simulator=False)
     job = order_job(first.client, upload_drawing(first.client, square())["id"], release=True)["id"]
@@ -92,6 +93,7 @@ def test_killed_while_it_runs_it_comes_back_as_interrupted(database: Path) -> No
         assert course(client, job).count("interrupted") == 1
 
 
+@pytest.mark.long
 def test_a_gateway_that_never_comes_back_leaves_an_interrupted_job(database: Path) -> None:
     first = Running(database, processes=1, speed=0.2)
     job = order_job(first.client, upload_drawing(first.client, square())["id"], release=True)["id"]
@@ -156,6 +158,7 @@ def test_a_regular_stop_of_the_server_stops_its_machine(database: Path) -> None:
         assert "sends jobs to the machine) was stopped" in found["reason"]
 
 
+@pytest.mark.long
 def test_a_claim_that_waited_during_a_power_failure_is_confirmed_again(database: Path) -> None:
     first = Running(database, processes=1, speed=200.0)
     job = order_job(first.client, upload_drawing(first.client, square())["id"], release=True)["id"]

@@ -347,6 +347,7 @@ def test_a_job_runs_through_the_service_with_hold_abort_and_rest(tmp_path: Path)
         assert board.position[2] >= MACHINE.travel_z
 
 
+@pytest.mark.long
 @pytest.mark.xdist_group("mcx314")
 def test_an_interrupted_job_is_continued_from_a_contour_through_the_service(
     tmp_path: Path,

@@ -200,6 +200,7 @@ def assert_chain(
     assert len(instances) == 3
 
 
+@pytest.mark.long
 def test_an_order_is_done_although_the_receiver_of_traces_is_silent(tmp_path: Path) -> None:
     database = f"sqlite:///{tmp_path}/shop.sqlite"
     words = ("serve", "--port", 0, "--database", database, "--no-samples", "--speed", 10_000)
