@@ -210,4 +210,6 @@ def sources() -> dict[str, str]:
 
 if __name__ == "__main__":
     for name, source in sources().items():
-        (SRC / name).write_text(source, encoding="utf-8")
+        target = SRC / name
+        if not target.is_file() or target.read_text(encoding="utf-8") != source:
+            target.write_text(source, encoding="utf-8")
