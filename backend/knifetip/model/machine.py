@@ -242,6 +242,16 @@ class Machine(MachineProperties):
             stations.append(replace(station, tool=replace(tool, feed=factor * tool.feed)))
         return replace(self, stations=tuple(stations))
 
+    def over_warp(self, height: float) -> Machine:
+        """Return the machine with clearances that are greater by the warp of a board (mm)."""
+        if height == 0.0:
+            return self
+        return replace(
+            self,
+            clearance=self.clearance + height,
+            turn_clearance=self.turn_clearance + height,
+        )
+
     def carriage_of(self, station: Station) -> Carriage:
         """Return the carriage that carries a station."""
         return self.carriages[station.carriage - 1]

@@ -55,6 +55,7 @@ describe("an error", () => {
         registration: null,
         lift: "clearance",
         feed_factor: 1,
+        warp: 0,
         contour_starts: [],
         work_order: [],
         bridges: [],
