@@ -192,6 +192,9 @@ export const schemaTexts: Readonly<Record<string, string>> = {
   "Thickest board": "Dickstes Material",
   "Greatest thickness of a board that the machine takes (mm); 0: no limit":
     "Größte Dicke eines Materials, das die Maschine aufnimmt (mm); 0: keine Grenze",
+  "Memory for programs": "Speicher für Programme",
+  "Greatest size of a program that the controller takes (bytes), for one that stores the whole program before it begins; 0: no limit":
+    "Größte Länge eines Programms, das die Steuerung nimmt (Byte), wenn sie das ganze Programm vor dem Beginn speichert; 0: keine Grenze",
   "Preparation of the machine": "Vorbereitung der Maschine",
   "What the operator does at the machine before each start, such as opening the vacuum zones; it is one of the checks before the start. Empty for none":
     "Was der Bediener vor jedem Start an der Maschine tut, etwa die Vakuumzonen öffnen; es ist eine der Prüfungen vor dem Start. Leer für nichts",
