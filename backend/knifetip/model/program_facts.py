@@ -25,3 +25,11 @@ class ProgramFacts(Table):
         "the job is compiled, or if an older version compiled it",
         json_schema_extra={"unit": "bytes"},
     )
+    worked_length: float = Field(
+        default=0.0,
+        ge=0.0,
+        title="Length of the work",
+        description="Length that all tools work in the board in one copy (mm), each pass counted, "
+        "such as for prices; 0 before the job is compiled, or if an older version compiled it",
+        json_schema_extra={"unit": "mm"},
+    )
