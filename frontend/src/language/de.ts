@@ -955,7 +955,7 @@ export const de = {
   "option.program_note.description":
     "Kommentar am Anfang des Programms, für die Person an der Steuerung, etwa welche Seite oben liegt",
   "fact.program_bytes": "Größe des Programms",
-  "fact.worked_length": "Länge der Arbeit",
+  "fact.worked_length": "Arbeit je Exemplar",
   "option.on": "Ja",
   "option.off": "Nein",
   "orderPanel.copies": "Exemplare",

@@ -9,6 +9,7 @@ import type { EndedState, HistoryFilter, Job } from "../../api/client";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
 import { formatDuration } from "../../state/format";
+import { figureText, LISTED_FACTS } from "../../state/job/figures";
 import {
   useBoards,
   useBoardTitle,
@@ -199,6 +200,13 @@ function EndedJob({ job }: { job: Job }) {
               })}
           <br />
           {formatDuration(job.seconds * job.copies)}
+          {LISTED_FACTS.map(({ name, unit }) =>
+            job[name] === 0 ? null : (
+              <Text key={name} span display="block" data-testid={`listed-${name}`}>
+                {`${translate(`fact.${name}`)}: ${figureText(job[name], unit)}`}
+              </Text>
+            ),
+          )}
         </Text>
         <Flex component="span" direction="column" align="flex-end" gap={4} flex="1 0 150px">
           <StateBadge job={job} />
