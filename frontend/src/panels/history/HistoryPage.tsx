@@ -210,7 +210,17 @@ function EndedJob({ job }: { job: Job }) {
         </Text>
         <Flex component="span" direction="column" align="flex-end" gap={4} flex="1 0 150px">
           <StateBadge job={job} />
-          <time dateTime={job.ended ?? ""}>{job.ended == null ? "" : dateTimeText(job.ended)}</time>
+          <span>
+            {job.started != null && (
+              <>
+                <time dateTime={job.started}>{dateTimeText(job.started)}</time>
+                {" – "}
+              </>
+            )}
+            <time dateTime={job.ended ?? ""}>
+              {job.ended == null ? "" : dateTimeText(job.ended)}
+            </time>
+          </span>
         </Flex>
       </button>
     </li>
