@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Job, Sheet } from "../api/client";
+import type { Job, Sheet } from "../api/jobs";
 import { formatDeviation, formatDuration, formatLength, formatSize } from "./format";
 import { DEFAULT_OPTIONS } from "./order/options";
 import { queries, queryClient, upsertJob } from "./queries";

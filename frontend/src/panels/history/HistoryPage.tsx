@@ -5,7 +5,7 @@ import "../../messages/load";
 import { Flex, SegmentedControl, Select, SimpleGrid, Text, TextInput, Title } from "@mantine/core";
 import { IconSearch } from "@tabler/icons-react";
 import { useState } from "react";
-import type { EndedState, HistoryFilter, Job } from "../../api/client";
+import type { EndedState, HistoryFilter, Job } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
 import { formatDuration } from "../../state/format";

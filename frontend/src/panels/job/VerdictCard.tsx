@@ -8,7 +8,7 @@ import {
   IconStopwatch,
 } from "@tabler/icons-react";
 import { useState } from "react";
-import type { Finding, Job, VerdictSummary } from "../../api/client";
+import type { Finding, Job, VerdictSummary } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { translucent, UNCUT } from "../../state/drawing/palette";
