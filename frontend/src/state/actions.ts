@@ -13,6 +13,7 @@ import { libraryService, type Profile } from "../api/library";
 import { machineService } from "../api/machines";
 import type { LineType } from "../geometry/records";
 import { translate } from "../language/translate";
+import { upsertJob } from "./cacheUpdates";
 import {
   applyDrawing,
   cachedDrawing,
@@ -37,7 +38,7 @@ import { useProfileDraft } from "./drawing/profileDraft";
 import type { OfficeCommand } from "./job/jobs";
 import { notifyError } from "./notifications";
 import { hasLeastLift } from "./order/sheet";
-import { queries, queryClient, upsertJob } from "./queries";
+import { queries, queryClient } from "./queries";
 import { showDrawing } from "./routes";
 import { useUiStore } from "./store";
 

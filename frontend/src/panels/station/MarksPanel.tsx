@@ -8,7 +8,7 @@ import type { Machine, Station } from "../../api/machines";
 import { formatFixed, withMinusSign } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { messageHint, messageText } from "../../messages/translateMessage";
-import { upsertJob } from "../../state/queries";
+import { upsertJob } from "../../state/cacheUpdates";
 import { reportAction } from "../../state/station/operations";
 import panels from "../shared/panels.module.css";
 import { CameraPicture } from "./CameraPicture";

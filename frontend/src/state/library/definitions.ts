@@ -5,7 +5,8 @@ import { ServiceError } from "../../api/errors";
 import type { Shelf } from "../../api/library";
 import { translate } from "../../language/translate";
 import { messageText, type ServerMessage } from "../../messages/translateMessage";
-import { queryClient, refreshChoices } from "../queries";
+import { refreshChoices } from "../cacheUpdates";
+import { queryClient } from "../queries";
 
 export type Fields = Readonly<Record<string, unknown>>;
 

@@ -2,7 +2,8 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { pageProblem } from "../../api/errors";
 import { type Job, jobService } from "../../api/jobs";
 import { machineService } from "../../api/machines";
-import { queries, queryClient, upsertJob } from "../queries";
+import { upsertJob } from "../cacheUpdates";
+import { queries, queryClient } from "../queries";
 import { commandJob, isCarriedOut, operate, useOutcomes } from "./operations";
 
 const last = () => useOutcomes.getState().last;
