@@ -15,7 +15,7 @@ PORT   ?= 8080
 SPEED  ?= 4
 DATA   ?= .data/knifetip.sqlite
 
-.PHONY: help install dev page wheel image shop run test test-page test-modules test-all failed slowest lint \
+.PHONY: help install dev page page-packages wheel image shop run test test-page test-modules test-all failed slowest lint \
 	lint-python lint-page bench pictures system lock licences tables sbom audit client clean
 
 help:
@@ -69,9 +69,14 @@ $(VENV)/.dev: backend/requirements-dev.lock $(VENV)/.kernels
 	$(INSTALL) --require-hashes -r backend/requirements-dev.lock
 	@touch $@
 
-# build.py looks at the sources itself and is quick when nothing has changed.
-page: | $(BIN)/python
+# build.py looks at the sources itself and is quick when nothing has changed. The page lists options
+# and figures as the backend declares them, with the packages of the backend.
+page: page-packages | $(VENV)/.runtime
 	$(BIN)/python frontend/build.py
+
+# Fetched beside the packages of the backend.
+page-packages: | $(BIN)/python
+	@$(BIN)/python frontend/build.py install
 
 # The environment and the page are made side by side. The server compiles the kernels while it runs.
 run:

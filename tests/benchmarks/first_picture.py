@@ -114,7 +114,7 @@ def open_drawing(browser: Browser, url: str, edges: int) -> dict[str, Any]:
 def main() -> None:
     """Print the figures."""
     edges = int(sys.argv[1]) if len(sys.argv) > 1 else 1_000_000
-    sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
+    sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]  # a TextIOWrapper here
     content = drawing(edges)
     with (
         TemporaryDirectory() as data,

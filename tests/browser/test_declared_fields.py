@@ -29,14 +29,17 @@ def test_a_note_and_a_feed_are_sent_and_figures_are_shown(page: Page) -> None:
     page.get_by_test_id("edge-edge_feeds-factor").fill("0.5")
     expect(page.get_by_test_id("edge-choices")).to_contain_text("Feed factor: 0.5")
     page.get_by_test_id("option-program_note").fill("grain up")
+    page.get_by_test_id("option-warp").fill("2.5")
     choose_board(page, "E-flute")
     page.get_by_test_id("compile").click()
     expect(page.get_by_test_id("job-state")).to_have_text("Ready to send", timeout=120_000)
     open_details(page)
     expect(page.get_by_test_id("figure-lowest_travel")).to_contain_text("Lowest travel")
+    expect(page.get_by_test_id("figure-mat_depth")).to_contain_text("Deepest cut into the mat")
+    expect(page.get_by_test_id("fact-worked_length")).to_contain_text("Work per copy")
     expect(page.get_by_test_id("fact-program_bytes")).to_contain_text("Size of the program")
     expect(page.get_by_test_id("changed-program_note")).to_contain_text("grain up")
     job_id = page.url.rpartition("/")[2]
     job = httpx.get(f"{address}api/jobs/{job_id}", timeout=60.0).json()
-    assert job["program_note"] == "grain up"
+    assert (job["program_note"], job["warp"]) == ("grain up", 2.5)
     assert [choice["factor"] for choice in job["edge_feeds"]] == [0.5]

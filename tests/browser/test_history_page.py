@@ -49,6 +49,9 @@ def test_ended_jobs_are_found_by_state_board_and_name(history: Page) -> None:
     expect(rows).to_have_count(2)
     expect(rows.nth(0)).to_contain_text("cancelled-one.dxf")
     expect(rows.nth(1)).to_contain_text("2 copies")
+    # A fact about the program that is declared as listed.
+    expect(rows.nth(1).get_by_test_id("listed-worked_length")).to_contain_text("Work per copy:")
+    expect(rows.nth(1).get_by_test_id("listed-program_bytes")).to_have_count(0)
     choose(history, "State", "Finished")
     expect(rows).to_have_count(1)
     expect(rows).to_contain_text("rigid-box-blank.dxf")

@@ -206,6 +206,14 @@ class VerifiedOptions(Table):
         description="Factor of the feeds of all tools in the board, 0.1 to 1: less than 1 for "
         "board that tears or for a worn tool. A laser at a lower feed cuts deeper",
     )
+    warp: float = Field(
+        default=0.0,
+        ge=0.0,
+        le=50.0,
+        title="Warp of the board (mm)",
+        description="Height by which warped board may rise from the mat (mm): above the board, "
+        "tools plunge, turn and travel higher by it. 0 for board that lies flat",
+    )
     contour_starts: Choices[ContourStart] = Field(
         default=(),
         title="Start and direction",
@@ -281,6 +289,7 @@ class VerifiedOptions(Table):
             *([self.sheet.note] if self.sheet else []),
             *([self.registration.note] if self.registration else []),
             *([f"feed factor {self.feed_factor:g}"] if self.feed_factor != 1.0 else []),
+            *([f"warp {self.warp:g}"] if self.warp else []),
         )
 
 

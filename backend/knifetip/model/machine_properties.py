@@ -164,3 +164,14 @@ class MachineProperties:
             json_schema_extra=STATIONS,
         ),
     ] = 0
+    program_memory: Annotated[
+        int,
+        Field(
+            title="Memory for programs",
+            ge=0,
+            le=10**12,
+            description="Greatest size of a program that the controller takes (bytes), for one "
+            "that stores the whole program before it begins; 0: no limit",
+            json_schema_extra=CONTROLLER,
+        ),
+    ] = 0

@@ -36,6 +36,15 @@ class ProgramFigures:
             "figure.lowest-travel",
         ),
     ] = 0.0
+    mat_depth: Annotated[
+        float,
+        ProgramFigure(
+            "Greatest depth of a tool below the top of the mat (mm), for the wear of the mat; 0 if "
+            "no tool reaches the mat, or if an older version compiled the job",
+            "mm",
+            "figure.mat-depth",
+        ),
+    ] = 0.0
 
 
 #: The declarations of all figures, by name.

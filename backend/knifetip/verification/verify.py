@@ -161,6 +161,7 @@ def verify(
     _check_placement(text, placement, machine, findings)
     _check_unclassified(dieline, findings)
     _check_caliper(machine, board, findings)
+    _check_size(text, machine, findings)
     earlier_paths = [
         _trace(one.text, machine, board, math.inf, Findings(), split_at_caliper=split)[2]
         for one in earlier
@@ -321,6 +322,18 @@ def _check_caliper(machine: Machine, board: Board, findings: Findings) -> None:
             caliper=board.caliper,
             machine=machine.title,
             limit=machine.max_caliper,
+        )
+        findings.add("program", message, excess)
+
+
+def _check_size(text: bytes, machine: Machine, findings: Findings) -> None:
+    excess = len(text) - machine.program_memory
+    if machine.program_memory > 0 and excess > 0:
+        message = Message(
+            "verify.program-too-large",
+            bytes=len(text),
+            machine=machine.title,
+            limit=machine.program_memory,
         )
         findings.add("program", message, excess)
 

@@ -1,6 +1,6 @@
 /** Cartons of standard styles in the REST API. */
 
-import type { Drawing } from "./client";
+import type { Drawing } from "./drawings";
 import type { components } from "./openapi.gen";
 import { api, dataOf, uncached } from "./restApi";
 

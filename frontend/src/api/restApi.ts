@@ -7,7 +7,7 @@
 
 import createClient from "openapi-fetch";
 import type { paths } from "./openapi.gen";
-import { fetchWithRetries, OWN_PAGE } from "./transport";
+import { fetchOnce, fetchWithRetries, OWN_PAGE } from "./transport";
 
 export const api = createClient<paths>({
   // Request needs an absolute URL; tests have no location.
@@ -64,4 +64,31 @@ export async function pageOf<T>(
 ): Promise<Page<T>> {
   const { data = [], response } = await call;
   return { rows: data as T[], next: nextCursor(response.headers.get("Link")) };
+}
+
+/** Time (s) after which a request of a person at a machine is given up: it must not arrive late. */
+const PATIENCE = 3;
+
+/** Options of a request that must arrive now or never. */
+export const nowOrNever = () => ({
+  fetch: fetchOnce,
+  signal: AbortSignal.timeout(PATIENCE * 1000),
+});
+
+/** The answer is bytes. */
+export const binary = (signal?: AbortSignal) =>
+  ({ parseAs: "arrayBuffer", signal: signal ?? null }) as const;
+
+/** Path parameter of a machine, a board or another object with a name. */
+export const byName = (name: string) => ({ path: { name } });
+
+/** Header that applies a change to this revision only. */
+export const ifMatch = (revision: number | null) => ({
+  header: revision === null ? {} : { "If-Match": `"${revision}"` },
+});
+
+/** The revision in an ETag; null if there is none. */
+export function revisionOf(etag: string | null): number | null {
+  const [, digits] = /^(?:W\/)?"(\d+)/.exec(etag ?? "") ?? [];
+  return digits === undefined ? null : Number.parseInt(digits, 10);
 }

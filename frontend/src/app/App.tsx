@@ -4,9 +4,10 @@ import { type ReactNode, useEffect } from "react";
 import { Redirect, Route, Switch } from "wouter";
 import { translate } from "../language/translate";
 import { useMe } from "../state/accounts/accounts";
+import { subscribeToEvents } from "../state/cacheUpdates";
 import { syncDrawing } from "../state/drawing/drawingSync";
 import { proposedMachine } from "../state/job/machines";
-import { subscribeToEvents, useMachines } from "../state/queries";
+import { useMachines } from "../state/queries";
 import {
   type AccountTab,
   CARTONS,

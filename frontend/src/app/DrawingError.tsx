@@ -1,7 +1,7 @@
 /** Shown instead of a drawing that cannot be loaded. */
 
 import { Button } from "@mantine/core";
-import { ServiceError } from "../api/client";
+import { ServiceError } from "../api/errors";
 import { translate } from "../language/translate";
 import { errorText, messageHint } from "../messages/translateMessage";
 import { TO_ALL_DRAWINGS } from "../panels/shared/labels";

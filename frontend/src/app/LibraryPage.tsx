@@ -6,7 +6,7 @@ import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { useRoute } from "wouter";
 import { navigate } from "wouter/use-hash-location";
-import { type LibraryEntry, type Shelf, service } from "../api/client";
+import { type LibraryEntry, libraryService, type Shelf } from "../api/library";
 import { translate } from "../language/translate";
 import { errorText } from "../messages/translateMessage";
 import { Permitted } from "../panels/accounts/Permitted";
@@ -54,7 +54,7 @@ export function LibraryPage() {
     setFault("");
     try {
       const note = translate("libraryPage.importedFrom", { name: file.name }).slice(0, 200);
-      await service.putDefinition({ shelf, name }, await file.text(), { version, note });
+      await libraryService.putDefinition({ shelf, name }, await file.text(), { version, note });
       await refreshLibrary();
       setOpen({ shelf, name });
     } catch (error) {

@@ -2,7 +2,7 @@
 
 import { Group, Skeleton, Stack, Title } from "@mantine/core";
 import { useDebouncedValue } from "@mantine/hooks";
-import type { OrdersFilter } from "../api/client";
+import type { OrdersFilter } from "../api/jobs";
 import { translate } from "../language/translate";
 import { errorText } from "../messages/translateMessage";
 import { Permitted } from "../panels/accounts/Permitted";

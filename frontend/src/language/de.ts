@@ -948,10 +948,14 @@ export const de = {
   "option.feed_factor": "Vorschubfaktor (0,1 bis 1)",
   "option.feed_factor.description":
     "Kleiner als 1 ist langsamer: für Karton, der reißt, oder ein abgenutztes Werkzeug. Ein Laser schneidet dann tiefer",
+  "option.warp": "Verzug des Kartons (mm)",
+  "option.warp.description":
+    "So weit hebt sich verzogener Karton vom Tisch: Werkzeuge tauchen um so viel höher ein, drehen und fahren höher. 0 für flach liegenden Karton",
   "option.program_note": "Notiz im Programm",
   "option.program_note.description":
     "Kommentar am Anfang des Programms, für die Person an der Steuerung, etwa welche Seite oben liegt",
   "fact.program_bytes": "Größe des Programms",
+  "fact.worked_length": "Arbeit je Exemplar",
   "option.on": "Ja",
   "option.off": "Nein",
   "orderPanel.copies": "Exemplare",

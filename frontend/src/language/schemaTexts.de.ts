@@ -195,6 +195,9 @@ export const schemaTexts: Readonly<Record<string, string>> = {
   "Angle between X and Y": "Winkel zwischen X und Y",
   "Angle γ from the axis X to the axis Y as the machine is built (degrees); below 90, Y leans to the right. Programs correct it: x = X + Y cos γ and y = Y sin γ on the sheet, if the axes are at X and Y without offsets":
     "Winkel γ von der Achse X zur Achse Y, wie die Maschine gebaut ist (Grad); unter 90 neigt sich Y nach rechts. Programme korrigieren ihn: x = X + Y cos γ und y = Y sin γ auf dem Bogen, wenn die Achsen ohne Versätze bei X und Y stehen",
+  "Memory for programs": "Speicher für Programme",
+  "Greatest size of a program that the controller takes (bytes), for one that stores the whole program before it begins; 0: no limit":
+    "Größte Länge eines Programms, das die Steuerung nimmt (Byte), wenn sie das ganze Programm vor dem Beginn speichert; 0: keine Grenze",
   "Preparation of the machine": "Vorbereitung der Maschine",
   "What the operator does at the machine before each start, such as opening the vacuum zones; it is one of the checks before the start. Empty for none":
     "Was der Bediener vor jedem Start an der Maschine tut, etwa die Vakuumzonen öffnen; es ist eine der Prüfungen vor dem Start. Leer für nichts",

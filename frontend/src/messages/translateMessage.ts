@@ -6,7 +6,7 @@
  * list with "or", `size__mm` a length with useful decimals, `unit__unit` the name of a unit.
  */
 
-import { ServiceError } from "../api/client";
+import { ServiceError } from "../api/errors";
 import { formatText } from "../language/translate";
 import type { Message, Names } from "./catalogue";
 

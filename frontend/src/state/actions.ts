@@ -1,20 +1,19 @@
 /** Actions of the user: each sends requests to the server and updates the cached data. */
 
+import { type Drawing, drawingService, type Edit, type Unit } from "../api/drawings";
+import { pageProblem, ServiceError } from "../api/errors";
 import {
-  type Drawing,
-  type Edit,
   type Exceptions,
+  jobService,
   type Neighbours,
-  type Profile,
-  pageProblem,
   type RestChoice,
-  ServiceError,
-  service,
-  type Unit,
   type WaitingChange,
-} from "../api/client";
+} from "../api/jobs";
+import { libraryService, type Profile } from "../api/library";
+import { machineService } from "../api/machines";
 import type { LineType } from "../geometry/records";
 import { translate } from "../language/translate";
+import { upsertJob } from "./cacheUpdates";
 import {
   applyDrawing,
   cachedDrawing,
@@ -39,7 +38,7 @@ import { useProfileDraft } from "./drawing/profileDraft";
 import type { OfficeCommand } from "./job/jobs";
 import { notifyError } from "./notifications";
 import { hasLeastLift } from "./order/sheet";
-import { queries, queryClient, upsertJob } from "./queries";
+import { queries, queryClient } from "./queries";
 import { showDrawing } from "./routes";
 import { useUiStore } from "./store";
 
@@ -49,7 +48,7 @@ export function uploadFiles(files: readonly File[]): Promise<void> {
       for (const file of files) {
         useUiStore.getState().set({ upload: { name: file.name, fraction: 0 } });
         try {
-          const drawing = await service.upload(file, (fraction) =>
+          const drawing = await drawingService.upload(file, (fraction) =>
             useUiStore.getState().set({ upload: { name: file.name, fraction } }),
           );
           queryClient.setQueryData(queries.drawing(drawing.id).queryKey, drawing);
@@ -73,7 +72,7 @@ export function choosePage({ id, name }: Pick<Drawing, "id" | "name">, page: num
       .getState()
       .set({ upload: { name: translate("actions.page", { name, page }), fraction: 1 } });
     try {
-      const drawing = await service.choosePage(id, page);
+      const drawing = await drawingService.choosePage(id, page);
       queryClient.setQueryData(queries.drawing(drawing.id).queryKey, drawing);
       showDrawing(drawing.id);
     } finally {
@@ -86,7 +85,7 @@ export function choosePage({ id, name }: Pick<Drawing, "id" | "name">, page: num
 /** Delete a drawing of which no job was made. */
 export function deleteDrawing(id: string): Promise<void> {
   return enqueue(async () => {
-    await service.deleteDrawing(id);
+    await drawingService.deleteDrawing(id);
     const page = useUiStore.getState();
     if (page.drawing === id) page.open(null);
     await queryClient.invalidateQueries({ queryKey: ["orders"] });
@@ -99,7 +98,7 @@ export function patchDrawing(part: { unit?: Unit | "file"; profile?: string }): 
     const { drawing } = useUiStore.getState();
     const before = drawing === null ? undefined : cachedDrawing(drawing);
     if (drawing === null || before === undefined) return;
-    const after = await service.patchDrawing(drawing, part, displayedRevision(drawing));
+    const after = await drawingService.patchDrawing(drawing, part, displayedRevision(drawing));
     await applyDrawing(after);
     useUiStore
       .getState()
@@ -114,7 +113,9 @@ export function addEdits(added: readonly Edit[]): Promise<void> {
     const before = drawing === null ? undefined : cachedDrawing(drawing);
     if (drawing === null || before === undefined || added.length === 0) return;
     const edits = [...before.edits, ...added];
-    await applyDrawing(await service.patchDrawing(drawing, { edits }, displayedRevision(drawing)));
+    await applyDrawing(
+      await drawingService.patchDrawing(drawing, { edits }, displayedRevision(drawing)),
+    );
     useUiStore.getState().recordChange({ kind: "edits", before: before.edits, after: edits });
   });
 }
@@ -124,7 +125,9 @@ export function shareDrawing(shared: boolean): Promise<void> {
   return enqueue(async () => {
     const { drawing } = useUiStore.getState();
     if (drawing === null) return;
-    await applyDrawing(await service.patchDrawing(drawing, { shared }, displayedRevision(drawing)));
+    await applyDrawing(
+      await drawingService.patchDrawing(drawing, { shared }, displayedRevision(drawing)),
+    );
   });
 }
 
@@ -134,7 +137,9 @@ export function setCustomer(customer: string): Promise<void> {
     const { drawing } = useUiStore.getState();
     if (drawing === null) return;
     const part = { customer };
-    await applyDrawing(await service.patchDrawing(drawing, part, displayedRevision(drawing)));
+    await applyDrawing(
+      await drawingService.patchDrawing(drawing, part, displayedRevision(drawing)),
+    );
   });
 }
 
@@ -145,7 +150,7 @@ export function setLookUsed(look: Look, used: boolean): Promise<void> {
     if (drawing === null) return;
     const revision = displayedRevision(drawing);
     await applyDrawing(
-      await service.setCustomerAnswer(drawing, { ...lookOf(look), used }, revision),
+      await drawingService.setCustomerAnswer(drawing, { ...lookOf(look), used }, revision),
     );
   });
 }
@@ -163,7 +168,7 @@ export function retypeEach(retypings: readonly Retyping[]): Promise<void> {
     if (edges === undefined) return;
     const change = retypeChange(edges, retypings);
     await applyDrawing(
-      await service.override(drawing, overridesToApply(change), displayedRevision(drawing)),
+      await drawingService.override(drawing, overridesToApply(change), displayedRevision(drawing)),
     );
     useUiStore.getState().recordChange(change);
   });
@@ -171,8 +176,8 @@ export function retypeEach(retypings: readonly Retyping[]): Promise<void> {
 
 /** Return a profile if its text is still `text`; raise if another user has changed it. */
 async function assertUnchanged(name: string, text: string): Promise<Profile> {
-  const now = await service.profile(name);
-  if ((await service.profileText(name)) === text) return now;
+  const now = await libraryService.profile(name);
+  if ((await libraryService.profileText(name)) === text) return now;
   throw pageProblem(
     412,
     translate("actions.theProfileWasChangedElsewhere"),
@@ -195,16 +200,20 @@ export async function saveProfile(
   if (after === null) {
     const now = await assertUnchanged(name, before ?? "");
     // Apply the other profile first, so that the drawing never refers to a deleted one.
-    const answer = await service.patchDrawing(drawing, profileAfter, displayedRevision(drawing));
-    await service.deleteProfile(name, now.version);
+    const answer = await drawingService.patchDrawing(
+      drawing,
+      profileAfter,
+      displayedRevision(drawing),
+    );
+    await libraryService.deleteProfile(name, now.version);
     await applyDrawing(answer);
   } else {
     if (!written) {
       const version = before === null ? null : (await assertUnchanged(name, before)).version;
-      await service.putProfile(name, after, version);
+      await libraryService.putProfile(name, after, version);
     }
     await applyDrawing(
-      await service.patchDrawing(drawing, profileAfter, displayedRevision(drawing)),
+      await drawingService.patchDrawing(drawing, profileAfter, displayedRevision(drawing)),
     );
   }
   await queryClient.invalidateQueries({ queryKey: queries.profiles().queryKey });
@@ -213,14 +222,20 @@ export async function saveProfile(
 async function applyChange(drawing: string, change: Change, back: boolean): Promise<void> {
   if (change.kind === "types") {
     const overrides = back ? overridesToUndo(change) : overridesToApply(change);
-    await applyDrawing(await service.override(drawing, overrides, displayedRevision(drawing)));
+    await applyDrawing(
+      await drawingService.override(drawing, overrides, displayedRevision(drawing)),
+    );
   } else if (change.kind === "settings") {
     const { before, after } = back ? inverseOf(change) : change;
     const part = changedSettings(before, after);
-    await applyDrawing(await service.patchDrawing(drawing, part, displayedRevision(drawing)));
+    await applyDrawing(
+      await drawingService.patchDrawing(drawing, part, displayedRevision(drawing)),
+    );
   } else if (change.kind === "edits") {
     const edits = [...(back ? change.before : change.after)];
-    await applyDrawing(await service.patchDrawing(drawing, { edits }, displayedRevision(drawing)));
+    await applyDrawing(
+      await drawingService.patchDrawing(drawing, { edits }, displayedRevision(drawing)),
+    );
   } else await saveProfile(drawing, back ? inverseOf(change) : change);
 }
 
@@ -284,7 +299,7 @@ export function compile(machine: string, board: string): Promise<void> {
       const revision = displayedRevision(drawing);
       const chosenOptions = { corners, sheet, registration, lift, ...options };
       const order = { drawing, revision, machine, board, copies, ...chosenOptions, ...details };
-      const job = await service.compile(order);
+      const job = await jobService.compile(order);
       upsertJob(job);
       useUiStore.getState().open(drawing, job.id, "check");
     } catch (cause) {
@@ -301,7 +316,7 @@ export function compile(machine: string, board: string): Promise<void> {
 /** Accept shortfalls in the verdict of a refused job. */
 export function acceptShortfalls(job: string, exceptions: Exceptions): Promise<void> {
   return enqueue(async () => {
-    upsertJob(await service.accept(job, exceptions));
+    upsertJob(await jobService.accept(job, exceptions));
     await Promise.all(
       [queries.verdict, queries.verdictColumns, queries.earlierExceptions].map((query) =>
         queryClient.invalidateQueries({ queryKey: query(job).queryKey }),
@@ -313,14 +328,14 @@ export function acceptShortfalls(job: string, exceptions: Exceptions): Promise<v
 /** Order a job that makes the rest of a sheet, or the whole program again, and open it. */
 export function continueJob(job: string, choice: RestChoice): Promise<void> {
   return enqueue(async () => {
-    const rest = await service.continueJob(job, choice);
+    const rest = await jobService.continueJob(job, choice);
     upsertJob(rest);
     useUiStore.getState().openJob(rest.id);
   });
 }
 
 export function command(job: string, word: OfficeCommand): Promise<void> {
-  return enqueue(async () => upsertJob(await service.command(job, word)));
+  return enqueue(async () => upsertJob(await jobService.command(job, word)));
 }
 
 /** Move a waiting job between two others, if the queue is still as displayed. */
@@ -329,7 +344,7 @@ export function moveJob(job: string, machine: string, place: Neighbours): Promis
     const { queryKey } = queries.queue(machine);
     try {
       const tag = queryClient.getQueryData(queryKey)?.tag ?? null;
-      upsertJob(await service.moveJob(job, place, tag));
+      upsertJob(await jobService.moveJob(job, place, tag));
     } finally {
       // After a refusal the present order is displayed.
       await queryClient.invalidateQueries({ queryKey });
@@ -339,18 +354,18 @@ export function moveJob(job: string, machine: string, place: Neighbours): Promis
 
 /** Change priority, copies or hold of a waiting job. */
 export function changeJob(job: string, change: WaitingChange): Promise<void> {
-  return enqueue(async () => upsertJob(await service.changeJob(job, change)));
+  return enqueue(async () => upsertJob(await jobService.changeJob(job, change)));
 }
 
 /** Move a waiting job to another machine; its program is compiled again. */
 export function transferJob(job: string, machine: string): Promise<void> {
-  return enqueue(async () => upsertJob(await service.transferJob(job, machine)));
+  return enqueue(async () => upsertJob(await jobService.transferJob(job, machine)));
 }
 
 /** Record that a new tool was put into a station. */
 export function recordToolChange(machine: string, station: number): Promise<void> {
   return enqueue(async () => {
-    const tools = await service.recordToolChange(machine, station);
+    const tools = await machineService.recordToolChange(machine, station);
     queryClient.setQueryData(queries.tools(machine).queryKey, tools);
   });
 }
@@ -358,7 +373,7 @@ export function recordToolChange(machine: string, station: number): Promise<void
 /** Set the length that the tool of a station may work (m). */
 export function setToolLife(machine: string, station: number, life: number): Promise<void> {
   return enqueue(async () => {
-    const tools = await service.setToolLife(machine, station, life);
+    const tools = await machineService.setToolLife(machine, station, life);
     queryClient.setQueryData(queries.tools(machine).queryKey, tools);
   });
 }

@@ -1,6 +1,7 @@
 import { QueryObserver } from "@tanstack/react-query";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { queryClient, subscribeToEvents } from "./queries";
+import { subscribeToEvents } from "./cacheUpdates";
+import { queryClient } from "./queries";
 
 class FakeSource {
   static last: FakeSource;

@@ -1,7 +1,7 @@
 /** Notifications: errors and events shown until dismissed. */
 
 import { create } from "zustand";
-import { type Problem, ServiceError } from "../api/client";
+import { type Problem, ServiceError } from "../api/errors";
 import { translate } from "../language/translate";
 import { messageHint, messageText } from "../messages/translateMessage";
 import type { Concerned } from "./drawing/rows";

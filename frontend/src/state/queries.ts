@@ -11,27 +11,23 @@ import {
   useQuery,
 } from "@tanstack/react-query";
 import { useEffect } from "react";
+import { drawingService, type ImportReportRow } from "../api/drawings";
+import { ServiceError } from "../api/errors";
 import {
-  type Board,
-  type DrawingSummary,
   type HistoryFilter,
-  type ImportReportRow,
   type Job,
+  jobService,
   type LastJobWanted,
   type OrderRow,
   type OrdersFilter,
-  type Shelf,
-  type Station,
-  service,
-} from "../api/client";
-import { ServiceError } from "../api/errors";
-import { openEventStream } from "../api/events";
+} from "../api/jobs";
+import { type Board, libraryService, type Shelf } from "../api/library";
+import { machineService, type Station } from "../api/machines";
 import type { Page } from "../api/restApi";
 import { type DeliveryState, webhookService } from "../api/webhooks";
 import { type DrawnEdges, type Edges, isComplete } from "../geometry/records";
 import { buildTimeline } from "../geometry/timeline";
-import { hasProgram, isFinal } from "./job/jobs";
-import { hasChanged } from "./job/queue";
+import { hasProgram } from "./job/jobs";
 import { byTitle } from "./naturalOrder";
 import { useUiStore } from "./store";
 
@@ -53,7 +49,7 @@ export const queryClient = new QueryClient({
  * The answer to a first request that is under way may be older than the change, so that is repeated
  * when it has arrived; later requests are replaced.
  */
-async function refresh(filters: QueryFilters): Promise<void> {
+export async function refresh(filters: QueryFilters): Promise<void> {
   const first = queryClient
     .getQueryCache()
     .findAll({ ...filters, fetchStatus: "fetching" })
@@ -69,10 +65,10 @@ const getNextPageParam = ({ next }: Page<unknown>) => next;
 
 /** Fetch edges; of many, first what a picture needs, which is drawn meanwhile. */
 async function fetchEdgesAfterPicture(id: string, signal: AbortSignal): Promise<Edges> {
-  const drawn = await service.drawnEdges(id, signal);
+  const drawn = await drawingService.drawnEdges(id, signal);
   if (isComplete(drawn)) return drawn;
   queryClient.setQueryData(queries.drawnEdges(id).queryKey, drawn);
-  return service.edges(id, signal);
+  return drawingService.edges(id, signal);
 }
 
 /** Key and fetch function of each query. */
@@ -80,13 +76,13 @@ export const queries = {
   drawing: (id: string) =>
     queryOptions({
       queryKey: ["drawing", id],
-      queryFn: ({ signal }) => service.drawing(id, signal),
+      queryFn: ({ signal }) => drawingService.drawing(id, signal),
     }),
   /** The pages of a file never change. */
   pages: (id: string) =>
     queryOptions({
       queryKey: ["pages", id],
-      queryFn: ({ signal }) => service.pages(id, signal),
+      queryFn: ({ signal }) => drawingService.pages(id, signal),
       staleTime: Number.POSITIVE_INFINITY,
     }),
   edges: (id: string) =>
@@ -95,7 +91,7 @@ export const queries = {
       queryFn: ({ signal }) =>
         queryClient.getQueryData(["edges", id]) === undefined
           ? fetchEdgesAfterPicture(id, signal)
-          : service.edges(id, signal),
+          : drawingService.edges(id, signal),
       structuralSharing: false,
     }),
   /** What a picture of many edges needs, until all of them are there; set by `edges`. */
@@ -109,60 +105,60 @@ export const queries = {
   importReport: (id: string, outcome: ImportReportRow["outcome"]) =>
     queryOptions({
       queryKey: ["importReport", id, outcome],
-      queryFn: ({ signal }) => service.importReport(id, outcome, signal),
+      queryFn: ({ signal }) => drawingService.importReport(id, outcome, signal),
     }),
   customerAnswers: (id: string) =>
     queryOptions({
       queryKey: ["customer-answers", id],
-      queryFn: ({ signal }) => service.customerAnswers(id, signal),
+      queryFn: ({ signal }) => drawingService.customerAnswers(id, signal),
     }),
   learned: (id: string) =>
     queryOptions({
       queryKey: ["learned", id],
-      queryFn: ({ signal }) => service.learned(id, signal),
+      queryFn: ({ signal }) => drawingService.learned(id, signal),
     }),
   orders: (wanted: OrdersFilter) =>
     infiniteQueryOptions({
       queryKey: ["orders", wanted],
-      queryFn: ({ signal, pageParam }) => service.orders(wanted, signal, pageParam),
+      queryFn: ({ signal, pageParam }) => jobService.orders(wanted, signal, pageParam),
       initialPageParam: null as number | null,
       getNextPageParam,
     }),
   jobsOf: (drawing: string) =>
     queryOptions({
       queryKey: ["jobsOf", drawing],
-      queryFn: ({ signal }) => service.jobsOf(drawing, signal),
+      queryFn: ({ signal }) => jobService.jobsOf(drawing, signal),
     }),
   jobs: () =>
     infiniteQueryOptions({
       queryKey: ["jobs"],
-      queryFn: ({ signal, pageParam }) => service.jobs(signal, pageParam),
+      queryFn: ({ signal, pageParam }) => jobService.jobs(signal, pageParam),
       initialPageParam: null as number | null,
       getNextPageParam,
     }),
   lastJob: (wanted: LastJobWanted) =>
     queryOptions({
       queryKey: ["lastJob", wanted],
-      queryFn: ({ signal }) => service.lastJob(wanted, signal),
+      queryFn: ({ signal }) => jobService.lastJob(wanted, signal),
       staleTime: 0,
     }),
   job: (id: string) =>
-    queryOptions({ queryKey: ["job", id], queryFn: ({ signal }) => service.job(id, signal) }),
+    queryOptions({ queryKey: ["job", id], queryFn: ({ signal }) => jobService.job(id, signal) }),
   verdict: (id: string) =>
     queryOptions({
       queryKey: ["verdict", id],
-      queryFn: ({ signal }) => service.verdict(id, signal),
+      queryFn: ({ signal }) => jobService.verdict(id, signal),
       staleTime: Number.POSITIVE_INFINITY,
     }),
   earlierExceptions: (id: string) =>
     queryOptions({
       queryKey: ["earlier exceptions", id],
-      queryFn: ({ signal }) => service.earlierExceptions(id, signal),
+      queryFn: ({ signal }) => jobService.earlierExceptions(id, signal),
     }),
   verdictColumns: (id: string) =>
     queryOptions({
       queryKey: ["verdict columns", id],
-      queryFn: ({ signal }) => service.verdictColumns(id, signal),
+      queryFn: ({ signal }) => jobService.verdictColumns(id, signal),
       staleTime: Number.POSITIVE_INFINITY,
       structuralSharing: false,
       // Verdicts of older versions have no columns; a retry would not help.
@@ -171,7 +167,7 @@ export const queries = {
   toolpath: (id: string) =>
     queryOptions({
       queryKey: ["toolpath", id],
-      queryFn: ({ signal }) => service.toolpath(id, signal),
+      queryFn: ({ signal }) => jobService.toolpath(id, signal),
       staleTime: Number.POSITIVE_INFINITY,
       structuralSharing: false,
     }),
@@ -179,20 +175,20 @@ export const queries = {
   programLines: (id: string, first: number, count: number) =>
     queryOptions({
       queryKey: ["programLines", id, first, count],
-      queryFn: ({ signal }) => service.programLines(id, first, count, signal),
+      queryFn: ({ signal }) => jobService.programLines(id, first, count, signal),
       staleTime: Number.POSITIVE_INFINITY,
     }),
   section: (id: string, edge: number) =>
     queryOptions({
       queryKey: ["section", id, edge],
-      queryFn: ({ signal }) => service.section(id, edge, signal),
+      queryFn: ({ signal }) => jobService.section(id, edge, signal),
       staleTime: Number.POSITIVE_INFINITY,
     }),
   /** Tracks and their states; the states belong to the last executed line of the job. */
   tracks: (id: string, line: number) =>
     queryOptions({
       queryKey: ["tracks", id, line],
-      queryFn: ({ signal }) => service.tracks(id, signal),
+      queryFn: ({ signal }) => jobService.tracks(id, signal),
       staleTime: Number.POSITIVE_INFINITY,
       // Programs of older versions have no tracks; a retry would not help.
       retry: false,
@@ -200,53 +196,53 @@ export const queries = {
   status: () =>
     queryOptions({
       queryKey: ["service"],
-      queryFn: ({ signal }) => service.status(signal),
+      queryFn: ({ signal }) => machineService.status(signal),
       // Once the server is prepared it remains so until it is started again.
       refetchInterval: ({ state }) => (state.data?.preparing === false ? false : 1000),
     }),
   queue: (machine: string) =>
     queryOptions({
       queryKey: ["queue", machine],
-      queryFn: ({ signal }) => service.queue(machine, signal),
+      queryFn: ({ signal }) => machineService.queue(machine, signal),
       // The estimates of start times change although no job does.
       refetchInterval: 4000,
     }),
   history: (filter: HistoryFilter) =>
     infiniteQueryOptions({
       queryKey: ["history", filter],
-      queryFn: ({ signal, pageParam }) => service.history(filter, pageParam, signal),
+      queryFn: ({ signal, pageParam }) => jobService.history(filter, pageParam, signal),
       initialPageParam: null as string | null,
       getNextPageParam: ({ next }) => next,
     }),
-  statistics: (wanted: Parameters<typeof service.statistics>[0]) =>
+  statistics: (wanted: Parameters<typeof machineService.statistics>[0]) =>
     queryOptions({
       queryKey: ["statistics", wanted],
-      queryFn: ({ signal }) => service.statistics(wanted, signal),
+      queryFn: ({ signal }) => machineService.statistics(wanted, signal),
     }),
   tools: (machine: string) =>
     queryOptions({
       queryKey: ["tools", machine],
-      queryFn: ({ signal }) => service.tools(machine, signal),
+      queryFn: ({ signal }) => machineService.tools(machine, signal),
       refetchInterval: 4000,
     }),
   machines: () =>
     queryOptions({
       queryKey: ["machines"],
-      queryFn: ({ signal }) => service.machines(signal),
+      queryFn: ({ signal }) => machineService.machines(signal),
       refetchInterval: 4000,
     }),
   /** `copy` tells the confirmations of the copies of a job apart. */
   confirmation: (id: string, copy: string) =>
     queryOptions({
       queryKey: ["confirmation", id, copy],
-      queryFn: ({ signal }) => service.confirmation(id, signal),
+      queryFn: ({ signal }) => jobService.confirmation(id, signal),
       // A tool may reach the end of its life, or be changed, while the job waits.
       refetchInterval: 4000,
     }),
   station: (name: string) =>
     queryOptions({
       queryKey: ["station", name],
-      queryFn: ({ signal }) => service.station(name, signal),
+      queryFn: ({ signal }) => machineService.station(name, signal),
       // Each answer proves that the server can be reached, and keeps the gateway reporting often.
       refetchInterval: 1000,
       networkMode: "always",
@@ -254,7 +250,10 @@ export const queries = {
       staleTime: 0,
     }),
   formats: () =>
-    queryOptions({ queryKey: ["formats"], queryFn: ({ signal }) => service.formats(signal) }),
+    queryOptions({
+      queryKey: ["formats"],
+      queryFn: ({ signal }) => drawingService.formats(signal),
+    }),
   webhooks: () =>
     queryOptions({
       queryKey: ["webhooks"],
@@ -279,27 +278,33 @@ export const queries = {
       staleTime: 0,
     }),
   library: () =>
-    queryOptions({ queryKey: ["library"], queryFn: ({ signal }) => service.library(signal) }),
+    queryOptions({
+      queryKey: ["library"],
+      queryFn: ({ signal }) => libraryService.library(signal),
+    }),
   librarySchema: (shelf: Shelf) =>
     queryOptions({
       queryKey: ["librarySchema", shelf],
-      queryFn: ({ signal }) => service.librarySchema(shelf, signal),
+      queryFn: ({ signal }) => libraryService.librarySchema(shelf, signal),
       staleTime: Number.POSITIVE_INFINITY,
     }),
   definition: (shelf: Shelf, name: string, version: number | null = null) =>
     queryOptions({
       queryKey: ["definition", shelf, name, version],
-      queryFn: ({ signal }) => service.definition(shelf, name, version, signal),
+      queryFn: ({ signal }) => libraryService.definition(shelf, name, version, signal),
     }),
   definitionVersions: (shelf: Shelf, name: string) =>
     queryOptions({
       queryKey: ["definitionVersions", shelf, name],
-      queryFn: ({ signal }) => service.definitionVersions(shelf, name, signal),
+      queryFn: ({ signal }) => libraryService.definitionVersions(shelf, name, signal),
     }),
   boards: () =>
-    queryOptions({ queryKey: ["boards"], queryFn: ({ signal }) => service.boards(signal) }),
+    queryOptions({ queryKey: ["boards"], queryFn: ({ signal }) => libraryService.boards(signal) }),
   profiles: () =>
-    queryOptions({ queryKey: ["profiles"], queryFn: ({ signal }) => service.profiles(signal) }),
+    queryOptions({
+      queryKey: ["profiles"],
+      queryFn: ({ signal }) => libraryService.profiles(signal),
+    }),
 };
 
 const flattenPages = <T>({ pages }: { pages: Page<T>[] }): T[] => pages.flatMap(({ rows }) => rows);
@@ -327,7 +332,7 @@ export const useDeliveries = (webhook: string, state: DeliveryState | null) =>
     select: ({ pages }) => pages.flatMap(({ rows }) => rows),
     placeholderData: keepPreviousData,
   });
-export const useStatistics = (wanted: Parameters<typeof service.statistics>[0]) =>
+export const useStatistics = (wanted: Parameters<typeof machineService.statistics>[0]) =>
   useQuery({ ...queries.statistics(wanted), placeholderData: keepPreviousData });
 export const useTools = (machine: string) => useQuery(queries.tools(machine));
 export const useMachines = () => useQuery(queries.machines());
@@ -454,114 +459,3 @@ export function useTimeline() {
 /** Phase of the run of a job that the user sees; null if the job is not known. */
 export const phaseOf = (job: string): number | null =>
   queryClient.getQueryData(queries.job(job).queryKey)?.phase ?? null;
-
-/** Insert or update a job in the cache, unless the cached one is newer. */
-export function upsertJob(job: Job): void {
-  const known = queryClient.getQueryData(queries.job(job.id).queryKey);
-  if (known !== undefined && known.updated > job.updated) return;
-  queryClient.setQueryData(queries.job(job.id).queryKey, job);
-  // The table of work shows the newest job of each drawing.
-  if (known?.state !== job.state || known?.waiting_for !== job.waiting_for) {
-    void refresh({ queryKey: ["orders"] });
-    void refresh({ queryKey: queries.jobsOf(job.drawing).queryKey });
-  }
-  if (hasChanged(known, job)) {
-    void refresh({ queryKey: ["queue"] });
-    if (known?.state !== job.state && (isFinal(job) || job.state === "interrupted")) {
-      for (const key of ["history", "statistics", "tools"]) void refresh({ queryKey: [key] });
-    }
-  }
-  // A job that starts or ends makes its machine busy or free.
-  if (known?.state !== job.state) {
-    void refresh({ queryKey: queries.machines().queryKey });
-  }
-  const { queryKey } = queries.jobs();
-  // The answer that is under way may not contain this change.
-  if (known?.state !== job.state && queryClient.isFetching({ queryKey }) > 0)
-    void refresh({ queryKey });
-  queryClient.setQueryData(queryKey, (list) => {
-    if (list === undefined) return list;
-    const known = list.pages.some(({ rows }) => rows.some(({ id }) => id === job.id));
-    const pages = list.pages.map((page, at) => {
-      const rows = page.rows.map((row) => (row.id === job.id ? job : row));
-      return { ...page, rows: known || at > 0 ? rows : [job, ...rows] };
-    });
-    return { ...list, pages };
-  });
-}
-
-const isJob = (data: unknown): data is Job =>
-  typeof data === "object" && data !== null && "id" in data && "state" in data && "stage" in data;
-
-const isStation = (data: unknown): data is Station =>
-  typeof data === "object" && data !== null && "machine" in data && "operations" in data;
-
-const isDrawing = (data: unknown): data is DrawingSummary =>
-  typeof data === "object" && data !== null && "id" in data && "revision" in data;
-
-/** Put the reported state of a machine in place of the last one, if the machine is on display. */
-function showStation(station: Station): void {
-  const { queryKey } = queries.station(station.machine);
-  queryClient.setQueryData(queryKey, (shown) => (shown === undefined ? shown : station));
-}
-
-/** Drop cached data of a drawing that is not on display. */
-function dropInactive(id: string): void {
-  for (const queryKey of [
-    queries.drawing(id).queryKey,
-    queries.edges(id).queryKey,
-    queries.importReports(id),
-  ])
-    queryClient.removeQueries({ queryKey, type: "inactive" });
-}
-
-/** Fetch again what the library contains: what can be chosen, not the definition in an editor. */
-export async function refreshChoices(): Promise<void> {
-  const keys = ["library", "machines", "boards", "profiles"];
-  await Promise.all(keys.map((key) => refresh({ queryKey: [key] })));
-}
-
-const EVENTS = ["connected", "job", "drawing", "deleted", "station", "library"];
-
-/**
- * Subscribe to server events until the returned function is called.
- *
- * `onDrawing` receives the drawing that changed, or null if any may have changed.
- */
-export function subscribeToEvents(
-  onDrawing: (drawing: Pick<DrawingSummary, "id" | "revision"> | null) => void,
-): () => void {
-  let broken = false;
-  return openEventStream("/api/v1/events", EVENTS, {
-    onEvent: (name, data) => {
-      if (name === "connected") {
-        // What changed between the first requests, or the last event, and now was not sent.
-        void refresh({
-          predicate: ({ queryKey }) => queryKey[0] !== "drawing" && queryKey[0] !== "edges",
-        });
-        // The open drawing is compared before it is replaced.
-        if (broken) onDrawing(null);
-        broken = false;
-      } else if (name === "job" && isJob(data)) upsertJob(data);
-      else if (name === "station") {
-        if (isStation(data)) showStation(data);
-      } else if (name === "library") {
-        void refreshChoices();
-      } else {
-        // A drawing was added, changed or deleted.
-        void refresh({ queryKey: ["orders"] });
-        if (name === "drawing" && isDrawing(data)) {
-          dropInactive(data.id);
-          onDrawing(data);
-        }
-      }
-    },
-    onConnection: (connection) => {
-      useUiStore.getState().set({ connection });
-      if (connection !== "broken") return;
-      broken = true;
-      // The stream of a session that has ended ends too; then this request loads the sign-in page.
-      void refresh({ queryKey: ["me"] });
-    },
-  });
-}

@@ -1,9 +1,10 @@
 import { readFileSync } from "node:fs";
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Job, Sheet } from "../api/client";
+import type { Job, Sheet } from "../api/jobs";
+import { upsertJob } from "./cacheUpdates";
 import { formatDeviation, formatDuration, formatLength, formatSize } from "./format";
 import { DEFAULT_OPTIONS } from "./order/options";
-import { queries, queryClient, upsertJob } from "./queries";
+import { queries, queryClient } from "./queries";
 import { useUiStore } from "./store";
 
 const SHEET = { width: 400, height: 300, margin: 10 } as Sheet;

@@ -5,8 +5,9 @@
  */
 
 import { create } from "zustand";
-import type { Corners, Lift, OrderDetails, Question, Registration, Sheet } from "../api/client";
+import type { Question } from "../api/drawings";
 import type { ConnectionState } from "../api/events";
+import type { Corners, Lift, OrderDetails, Registration, Sheet } from "../api/jobs";
 import type { Box, LineType } from "../geometry/records";
 import { changedSelection, type SelectMode } from "../geometry/selection";
 import type { Change } from "./drawing/history";

@@ -128,7 +128,7 @@ SAMPLES: tuple[dict[str, Any], ...] = (
 def test_the_page_renders_every_message_as_the_server_does(tmp_path: Path) -> None:
     if not (FRONTEND / "node_modules" / "vitest").is_dir():
         pytest.skip("the packages of the page are not installed (make page)")
-    _write_catalogues()
+    _write_declared()
     messages = [
         Message(code, **{name: values[kind] for name, kind in kinds.items()})
         for code, kinds in CODES.items()
@@ -155,23 +155,16 @@ def test_the_page_renders_every_message_as_the_server_does(tmp_path: Path) -> No
     assert "2 passed" in done.stdout
 
 
-def _write_catalogues() -> None:
-    """Write the catalogues of the page, which are not in the repository."""
-    script = [sys.executable, str(FRONTEND / "catalogue.py")]
-    subprocess.run(script, check=True)
+def _write_declared() -> None:
+    """Write what the page has from declarations, which is not in the repository."""
+    for script in ("catalogue.py", "options.py"):
+        subprocess.run([sys.executable, str(FRONTEND / script)], check=True)
 
 
 def test_the_page_has_the_roles_that_the_routes_declare() -> None:
     expected = _script("roles").roles()
     written = (FRONTEND / "src" / "api" / "roles.gen.ts").read_text(encoding="utf-8")
     assert written == expected, "run: python frontend/roles.py"
-
-
-@pytest.mark.parametrize("name", _script("options").sources())
-def test_the_page_has_the_options_and_figures_that_the_model_declares(name: str) -> None:
-    expected = _script("options").sources()[name]
-    written = (FRONTEND / "src" / name).read_text(encoding="utf-8")
-    assert written == expected, "run: python frontend/options.py"
 
 
 def test_the_page_has_the_samples_and_their_pictures() -> None:

@@ -23,6 +23,9 @@ MESSAGES: Final[Entries] = {
     "figure.lowest-travel": entry(
         "Lowest travel above the board",
     ),
+    "figure.mat-depth": entry(
+        "Deepest cut into the mat",
+    ),
     "figure.number": entry(
         "{title}: {value:.0f}",
         title="message",

@@ -498,6 +498,14 @@ MESSAGES: Final[Entries] = {
         length="number",
         step="number",
     ),
+    "verify.program-too-large": entry(
+        "The program has {bytes:,} bytes, but the controller of {machine} takes {limit:,}.",
+        "Make the drawing in several jobs, or choose another machine. The limit is program_memory "
+        "in the machine file.",
+        bytes="count",
+        machine="text",
+        limit="count",
+    ),
     "verify.swivel-mark": entry(
         "The freely turning blade turns by {turn:.0f}° about its tip, and its slanted edge cuts "
         "the top face up to {mark:.2f} mm beside the line (permitted: {tolerance:g} mm).",

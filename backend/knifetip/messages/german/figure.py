@@ -19,6 +19,9 @@ TEXTS: Final[Texts] = {
     "figure.lowest-travel": Text(
         "Niedrigste Fahrt über dem Karton",
     ),
+    "figure.mat-depth": Text(
+        "Tiefster Schnitt in die Matte",
+    ),
     "figure.number": Text(
         "{title}: {value:.0f}",
     ),

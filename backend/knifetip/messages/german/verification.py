@@ -374,6 +374,11 @@ TEXTS: Final[Texts] = {
         "Einen flacheren Durchgang hinzufügen oder in der Materialdatei tiefere Durchgänge "
         "erlauben.",
     ),
+    "verify.program-too-large": Text(
+        "Das Programm hat {bytes:,} Byte, aber die Steuerung von {machine} nimmt {limit:,}.",
+        "Die Zeichnung in mehreren Aufträgen herstellen oder eine andere Maschine wählen. Die "
+        "Grenze ist program_memory in der Maschinendatei.",
+    ),
     "verify.swivel-mark": Text(
         "Das Schleppmesser dreht sich um {turn:.0f}° um seine Spitze, und seine schräge Schneide "
         "schneidet die Oberseite bis zu {mark:.2f} mm neben der Linie (zulässig: {tolerance:g} "

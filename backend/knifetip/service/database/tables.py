@@ -227,6 +227,8 @@ class Job(Base):
     on_hold: Mapped[bool] = _own_column(default=False)  #: not claimed while it is True
     #: why the machine refused the program in its check run; not claimed while it is set
     check_refusal: Mapped[Message | None] = _own_column(MessageColumn)
+    #: time at which the machine began the first copy; 0 before
+    started: Mapped[float] = _own_column(sa.Double, default=0.0, server_default="0")
     #: time of the last move to one of the states ``job.ENDED``; 0 before
     ended: Mapped[float] = _own_column(sa.Double, default=0.0)
     #: why it was refused or interrupted, or why its compile has not begun

@@ -13,7 +13,7 @@ from knifetip.messages import Message
 from knifetip.service.database.engine import Database
 from knifetip.service.database.tables import Job
 from knifetip.service.lifecycle.transitions import LEASE, Transitions
-from knifetip.service.machines.station_store import obstacle_on
+from knifetip.service.machines.station_obstacles import obstacle_on
 from knifetip.service.runs.batches import WornStations, uses_worn_tool
 from knifetip.service.runs.checks import event_of_feed
 from knifetip.service.runs.claimed_jobs import ClaimedJobs

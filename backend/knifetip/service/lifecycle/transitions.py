@@ -82,7 +82,12 @@ class Transitions:
         # Rows that this session has loaded keep their values; ``lock`` reloads them.
         statement = statement.execution_options(synchronize_session=False)
         now = self._db.clock()
-        values = {"state": goal.value, "updated": now, **changes}
+        values: dict[str, Any] = {"state": goal.value, "updated": now, **changes}
+        if action is Action.START:
+            values["started"] = sa.case((Job.started > 0.0, Job.started), else_=now)
+        if action is Action.RETURN:
+            # No line of the copy was executed.
+            values["started"] = sa.case((Job.copies_done > 0, Job.started), else_=0.0)
         if goal in ENDED:
             values["ended"] = now
         if new_epoch is not None:

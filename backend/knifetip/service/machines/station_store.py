@@ -9,13 +9,10 @@ from __future__ import annotations
 
 import secrets
 from collections.abc import Collection, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
 import sqlalchemy as sa
-from sqlalchemy.exc import IntegrityError
-from sqlalchemy.orm import Session
 
 from knifetip.contract.job import LEASED, ON_TABLE, Confirmation, State
 from knifetip.contract.operations import (
@@ -33,11 +30,15 @@ from knifetip.errors import NotFound, WrongState
 from knifetip.messages import Message
 from knifetip.service.database.change_notifier import ALL, machine_topic
 from knifetip.service.database.engine import Database, note_change, short
-from knifetip.service.database.tables import NEVER_STATED, Job, Operation, Station
+from knifetip.service.database.tables import Job, Operation, Station
 from knifetip.service.lifecycle.machine_queues import CLAIMED
+from knifetip.service.machines.station_obstacles import (
+    SILENCE,
+    end_hands_clear,
+    locked_station,
+    require_hands_clear,
+)
 
-#: Seconds after its last report from which a gateway counts as disconnected.
-SILENCE = 6.0
 #: Seconds for which a machine counts as watched after a person has looked at it.
 WATCHED = 12.0
 #: Seconds after the last operation of a person before a job may start without a confirmation.
@@ -155,7 +156,7 @@ class StationStore:
         if not changed and recent and not results:
             return
         with self._db.writing(urgent=True) as session:
-            stored = _station(session, machine)
+            stored = locked_station(session, machine)
             for name, value in columns.items():
                 setattr(stored, name, value)
             stored.reported = now
@@ -222,7 +223,7 @@ class StationStore:
             job = session.scalar(_job_on(machine)) or ""
         if row is None or not 0.0 <= now - row.watched < _WATCH_INTERVAL:
             with self._db.writing() as session:
-                row = _station(session, machine)
+                row = locked_station(session, machine)
                 row.watched = now
         return self._view(row, job, now)
 
@@ -250,7 +251,7 @@ class StationStore:
     def state_hands_clear(self, machine: str) -> float:
         """Store that hands are clear of a machine; return for how long the statement counts (s)."""
         with self._db.writing(urgent=True) as session:
-            _station(session, machine).hands_clear = self._db.timer()
+            locked_station(session, machine).hands_clear = self._db.timer()
         return HANDS_CLEAR
 
     def withdraw_hands_clear(self, machine: str) -> None:
@@ -283,7 +284,7 @@ class StationStore:
         """
         now = self._db.timer()
         with self._db.writing(urgent=True) as session:
-            view = self._view(_station(session, machine), "", now)
+            view = self._view(locked_station(session, machine), "", now)
             running = session.execute(
                 sa.select(Job.id, Job.state, Job.confirmation).where(
                     Job.machine == machine, Job.state.in_(LEASED)
@@ -401,19 +402,6 @@ class StationStore:
         return StationView(row, age if row.gateway and age >= 0.0 else None, job, watched)
 
 
-def _station(session: Session, machine: str) -> Station:
-    """Return the row of a station, which is added if there is none."""
-    row = session.get(Station, machine, with_for_update=True)
-    if row is not None:
-        return row
-    # Another process may add the row at the same time.
-    with suppress(IntegrityError), session.begin_nested():
-        added = Station(machine=machine, gateway="", reported=0.0, watched=0.0, connected=False)
-        added.state, added.outputs, added.operations, added.notices = "", [], [], []
-        session.add(added)
-    return session.get_one(Station, machine, with_for_update=True)
-
-
 def _job_on(machine: str) -> sa.Select[str]:
     """Return a query for the job that is on the table of a machine, or claimed for it."""
     return sa.select(Job.id).where(Job.machine == machine, sa.or_(Job.state.in_(ON_TABLE), CLAIMED))
@@ -427,86 +415,6 @@ def _waiting_job(machine: str) -> sa.Select[Job]:
         Job.confirmation == Confirmation.AWAITED,
         Job.requested_action != "cancel",
     )
-
-
-def dry_run_on(session: Session, machine: str, now: float) -> bool:
-    """Return whether a machine runs above the board, or will do so at once.
-
-    Parameters
-    ----------
-    session
-        Session with the transaction of the caller.
-    machine
-        Name of the machine.
-    now
-        Present time, see ``Database.timer``.
-    """
-    row = session.get(Station, machine)
-    if row is not None and 0.0 <= now - row.reported <= SILENCE and _is_busy(row.activity):
-        return True
-    waiting = sa.select(Operation.request).where(
-        Operation.machine == machine,
-        Operation.state == "waiting",
-        Operation.asked > now - SILENCE,
-        Operation.asked <= now,
-    )
-    return any(request.get("operation") in RUNS for request in session.scalars(waiting))
-
-
-def require_hands_clear(
-    session: Session, machine: str, request: str, now: float, *, stated: bool
-) -> None:
-    """Raise ``WrongState`` unless hands are clear of a machine that is about to move.
-
-    Parameters
-    ----------
-    session
-        Session with the transaction of the caller.
-    machine
-        Name of the machine.
-    request
-        What moves it, for the message.
-    now
-        Present time, see ``Database.timer``.
-    stated
-        Whether the request itself states it; that counts for this request only.
-    """
-    row = _station(session, machine)
-    if not stated and not 0.0 <= now - row.hands_clear < HANDS_CLEAR:
-        raise WrongState(
-            "operation.hands-not-clear", request=request, machine=machine, seconds=HANDS_CLEAR
-        )
-
-
-def end_hands_clear(session: Session, machine: str) -> None:
-    """End the statement that hands are clear of a machine.
-
-    It ends when a person withdraws it, and as a job starts or goes on: when the job has ended, a
-    person takes the sheet from the table.
-    """
-    _station(session, machine).hands_clear = NEVER_STATED
-
-
-def obstacle_on(session: Session, machine: str, now: float) -> Message | None:
-    """Return the alarm or the obstacle that keeps a machine from work; None if it reports none.
-
-    Parameters
-    ----------
-    session
-        Session with the transaction of the caller.
-    machine
-        Name of the machine.
-    now
-        Present time, see ``Database.timer``.
-    """
-    row = session.get(Station, machine)
-    if row is None or not row.connected or not 0.0 <= now - row.reported <= SILENCE:
-        return None
-    return row.alarm or row.obstacle
-
-
-def _is_busy(activity: Mapping[str, Any] | None) -> bool:
-    return activity is not None and activity["state"] in ("running", "held")
 
 
 def _expire(row: Operation) -> None:

@@ -258,6 +258,11 @@ class JobOut(OrderDetailsOut, JobOptions, ProgramFacts):
         description="Whether an operator put the job on hold in the queue; its machine then takes "
         "other jobs first",
     )
+    started: OptionalMoment = Field(
+        default=None,
+        description="Time at which the machine began the first copy; null before, and for jobs "
+        "that were begun with an older version",
+    )
     ended: OptionalMoment = Field(
         default=None,
         description="Time at which the job became done, refused, interrupted, scrapped or "

@@ -28,7 +28,7 @@ from knifetip.service.database.request_key import RequestKey
 from knifetip.service.database.tables import Job
 from knifetip.service.library.outdated_jobs import require_current
 from knifetip.service.lifecycle.transitions import Transitions, advice
-from knifetip.service.machines.station_store import (
+from knifetip.service.machines.station_obstacles import (
     dry_run_on,
     end_hands_clear,
     obstacle_on,

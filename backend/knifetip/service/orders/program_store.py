@@ -20,7 +20,7 @@ from knifetip.service.database.request_key import RequestKey
 from knifetip.service.database.tables import Job
 from knifetip.service.library.outdated_jobs import newest_versions, require_current
 from knifetip.service.lifecycle.transitions import Transitions
-from knifetip.service.machines.station_store import dry_run_on
+from knifetip.service.machines.station_obstacles import dry_run_on
 from knifetip.service.orders.command_keys import CommandKeys
 from knifetip.service.orders.operator_actions import awaits_confirmation, has_only_shortfalls
 from knifetip.service.processes.compile_result import VerdictColumns

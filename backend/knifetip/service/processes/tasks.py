@@ -69,7 +69,7 @@ from knifetip.service.processes.readings import (
     restore_or_read,
 )
 from knifetip.service.processes.rest_record import StoredRest
-from knifetip.service.tools.worked_lengths import pack_lengths
+from knifetip.service.tools.worked_lengths import lengths_until, pack_lengths
 
 if TYPE_CHECKING:
     from knifetip.pipeline import Compiled
@@ -376,6 +376,10 @@ def _result(
         "seconds_retracted": finite(compiled.seconds_retracted),
     }
     text = compiled.program.text
+    lengths = pack_lengths(compiled.toolpath, program_lines(compiled), line_type)
+    facts = ProgramFacts(
+        program_bytes=len(text), worked_length=sum(lengths_until(lengths).values())
+    )
     return CompileResult(
         accepted=bool(verdict.accepted),
         message=refusal(verdict.findings),
@@ -388,8 +392,8 @@ def _result(
         source=refused_handles(findings),
         edges=refused_edges(findings),
         tools=used_stations(compiled, target),
-        lengths=pack_lengths(compiled.toolpath, program_lines(compiled), line_type),
-        facts=ProgramFacts(program_bytes=len(text)).model_dump(mode="json"),
+        lengths=lengths,
+        facts=facts.model_dump(mode="json"),
     )
 
 

@@ -2,7 +2,8 @@
 
 import { ActionIcon, Box, Group, Select, Tooltip } from "@mantine/core";
 import { IconAdjustments } from "@tabler/icons-react";
-import type { Drawing, Profile } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
+import type { Profile } from "../../api/library";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { messageHint, messageText } from "../../messages/translateMessage";

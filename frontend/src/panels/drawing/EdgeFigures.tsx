@@ -1,7 +1,7 @@
 /** Figures of the verdict for one edge, for the inspector. */
 
 import { Fragment } from "react";
-import type { Verdict } from "../../api/client";
+import type { Verdict } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { formatDeviation, formatHundredths } from "../../state/format";

@@ -2,7 +2,7 @@
 
 import { Flex, Text } from "@mantine/core";
 import { useMemo } from "react";
-import type { Question } from "../../api/client";
+import type { Question } from "../../api/drawings";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { useRefusal } from "../../state/accounts/accounts";

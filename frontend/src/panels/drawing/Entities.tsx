@@ -2,7 +2,7 @@
 
 import { Stack, Text } from "@mantine/core";
 import { useMemo, useState } from "react";
-import type { Drawing, ImportReportRow, ReportGroup } from "../../api/client";
+import type { Drawing, ImportReportRow, ReportGroup } from "../../api/drawings";
 import type { Box, Edges } from "../../geometry/records";
 import { translate } from "../../language/translate";
 import { errorText, messageText } from "../../messages/translateMessage";

@@ -2,7 +2,7 @@
 
 import { Flex, Text } from "@mantine/core";
 import { useMemo } from "react";
-import type { FollowingEdges as Following } from "../../api/client";
+import type { FollowingEdges as Following } from "../../api/drawings";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { indexColour } from "../../state/drawing/colours";

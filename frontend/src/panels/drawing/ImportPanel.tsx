@@ -3,7 +3,7 @@
 import { Box, Flex, Progress, SegmentedControl, Text } from "@mantine/core";
 import { IconChevronDown, IconFocusCentered } from "@tabler/icons-react";
 import { useState } from "react";
-import type { Drawing, ReportGroup } from "../../api/client";
+import type { Drawing, ReportGroup } from "../../api/drawings";
 import type { ImportOutcome } from "../../geometry/records";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";

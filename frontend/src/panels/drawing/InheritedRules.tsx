@@ -2,7 +2,7 @@
 
 import { Paper } from "@mantine/core";
 import { useState } from "react";
-import type { Preview } from "../../api/client";
+import type { Preview } from "../../api/drawings";
 import { translate } from "../../language/translate";
 import css from "../shared/panels.module.css";
 import { Figure } from "../shared/parts";

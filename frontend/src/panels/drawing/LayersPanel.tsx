@@ -2,7 +2,7 @@
 
 import { ActionIcon, Box } from "@mantine/core";
 import { IconDots, IconEye, IconEyeOff } from "@tabler/icons-react";
-import type { Drawing } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";

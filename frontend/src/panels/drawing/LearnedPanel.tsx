@@ -3,7 +3,8 @@
 import { Button, Stack, Text, TextInput } from "@mantine/core";
 import { IconBulb } from "@tabler/icons-react";
 import { useEffect, useState } from "react";
-import type { Profile, Proposal } from "../../api/client";
+import type { Proposal } from "../../api/drawings";
+import type { Profile } from "../../api/library";
 import { insideSentence } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { translateRich } from "../../language/translateRich";

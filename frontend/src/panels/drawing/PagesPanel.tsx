@@ -2,7 +2,7 @@
 
 import { Box, Flex, SimpleGrid, Text } from "@mantine/core";
 import { IconCheck } from "@tabler/icons-react";
-import type { Drawing, PageOfFile } from "../../api/client";
+import type { Drawing, PageOfFile } from "../../api/drawings";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { useRefusal } from "../../state/accounts/accounts";

@@ -15,7 +15,8 @@ import {
 } from "@mantine/core";
 import { IconArrowLeft, IconPlus } from "@tabler/icons-react";
 import { type ReactNode, useEffect, useState } from "react";
-import type { Preview, Profile } from "../../api/client";
+import type { Preview } from "../../api/drawings";
+import type { Profile } from "../../api/library";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
 import {

@@ -3,7 +3,7 @@
 import { ActionIcon, Tooltip } from "@mantine/core";
 import { IconDownload, IconTrash, IconUpload } from "@tabler/icons-react";
 import { useRef } from "react";
-import { type Profile, service } from "../../api/client";
+import { libraryService, type Profile } from "../../api/library";
 import { translate } from "../../language/translate";
 import { deleteProfile, importProfile, showSaved } from "../../state/drawing/profiles";
 import { useUiStore } from "../../state/store";
@@ -16,7 +16,7 @@ export function ProfileFiles({ profile }: { profile: Profile }) {
       <Tooltip label={translate("profileFiles.downloadThisProfileAsA")}>
         <ActionIcon
           component="a"
-          href={service.profileUrl(profile.name)}
+          href={libraryService.profileUrl(profile.name)}
           download={`${profile.name}.toml`}
           variant="subtle"
           color="gray"

@@ -2,7 +2,7 @@
 
 import { Flex, NativeSelect, Table, Text } from "@mantine/core";
 import { useMemo, useState } from "react";
-import type { Question } from "../../api/client";
+import type { Question } from "../../api/drawings";
 import type { LineType } from "../../geometry/records";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";

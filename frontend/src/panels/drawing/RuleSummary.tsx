@@ -1,7 +1,7 @@
 /** A rule, read-only. */
 
 import { Group, Text } from "@mantine/core";
-import type { Rule } from "../../api/client";
+import type { Rule } from "../../api/drawings";
 import { messageText } from "../../messages/translateMessage";
 import { LINE_STYLES } from "../../state/drawing/palette";
 import { Figure } from "../shared/parts";

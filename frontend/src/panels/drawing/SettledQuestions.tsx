@@ -3,7 +3,7 @@
 import { Group, Text } from "@mantine/core";
 import { IconCircleCheckFilled } from "@tabler/icons-react";
 import { useState } from "react";
-import type { Question } from "../../api/client";
+import type { Question } from "../../api/drawings";
 import { translate } from "../../language/translate";
 import { edgeQuestionTitle } from "../../state/drawing/questions";
 import { useUiStore } from "../../state/store";

@@ -1,7 +1,7 @@
 /** Whether all designers may change the open drawing; its owner and operators decide. */
 
 import { Checkbox } from "@mantine/core";
-import type { Drawing } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
 import { translate } from "../../language/translate";
 import { useMe, useRefusal } from "../../state/accounts/accounts";
 import { shareDrawing } from "../../state/actions";

@@ -3,7 +3,7 @@
 import { Stack, Text } from "@mantine/core";
 import { IconHistory } from "@tabler/icons-react";
 import { useMemo } from "react";
-import type { Drawing, LearnedLook, TaughtLook } from "../../api/client";
+import type { Drawing, LearnedLook, TaughtLook } from "../../api/drawings";
 import { insideSentence } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { translateRich } from "../../language/translateRich";

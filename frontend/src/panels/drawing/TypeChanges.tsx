@@ -2,7 +2,7 @@
 
 import { Box } from "@mantine/core";
 import { IconArrowRight } from "@tabler/icons-react";
-import type { Retyped } from "../../api/client";
+import type { Retyped } from "../../api/drawings";
 import { translate } from "../../language/translate";
 import { LINE_STYLES } from "../../state/drawing/palette";
 import { useUiStore } from "../../state/store";

@@ -3,7 +3,7 @@
 import { Flex, Group, Progress, Stack, Text } from "@mantine/core";
 import { IconAlertTriangle, IconCheck } from "@tabler/icons-react";
 import { useState } from "react";
-import type { Drawing, Unit } from "../../api/client";
+import type { Drawing, Unit } from "../../api/drawings";
 import { insideSentence } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { messageHint, messageText } from "../../messages/translateMessage";

@@ -1,7 +1,7 @@
 /** Question for the unit of the drawing: sizes to choose from, the most likely first. */
 
 import { Text } from "@mantine/core";
-import type { Drawing, Question } from "../../api/client";
+import type { Drawing, Question } from "../../api/drawings";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { unitQuestionText } from "../../state/drawing/questions";

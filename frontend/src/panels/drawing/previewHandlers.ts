@@ -1,6 +1,6 @@
 /** Event handlers that preview line types on the canvas while an element is hovered or focused. */
 
-import type { FollowingEdges } from "../../api/client";
+import type { FollowingEdges } from "../../api/drawings";
 import type { LineType } from "../../geometry/records";
 import { followingTypes, isLineType } from "../../state/drawing/questions";
 import { type RetypePreview, useUiStore } from "../../state/store";

@@ -2,7 +2,7 @@
 
 import { Button, Menu } from "@mantine/core";
 import { IconDownload } from "@tabler/icons-react";
-import { EXPORT_FORMATS, type ExportFormat } from "../../api/client";
+import { EXPORT_FORMATS, type ExportFormat } from "../../api/drawings";
 import { translate } from "../../language/translate";
 
 interface Props {

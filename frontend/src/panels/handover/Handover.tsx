@@ -2,7 +2,8 @@
 
 import { Button, Group } from "@mantine/core";
 import { IconPrinter } from "@tabler/icons-react";
-import { type Drawing, type Job, service } from "../../api/client";
+import { type Drawing, drawingService } from "../../api/drawings";
+import { type Job, jobService } from "../../api/jobs";
 import { language } from "../../language/language";
 import { translate } from "../../language/translate";
 import { hasProgram } from "../../state/job/jobs";
@@ -13,7 +14,7 @@ export function TicketButton({ job, size = "xs" }: { job: Job; size?: "xs" | "lg
   return (
     <Button
       component="a"
-      href={service.ticketUrl(job.id, language)}
+      href={jobService.ticketUrl(job.id, language)}
       target="_blank"
       rel="noopener"
       size={size}
@@ -36,7 +37,7 @@ export function JobHandover({ job }: { job: Job }) {
         <ExportMenu
           label={translate("handover.exportPath")}
           testId="export-path"
-          urlOf={(format) => service.pathExportUrl(job.id, format)}
+          urlOf={(format) => jobService.pathExportUrl(job.id, format)}
         />
       )}
     </Group>
@@ -48,7 +49,7 @@ export function DrawingExport({ drawing }: { drawing: Drawing }) {
     <ExportMenu
       label={translate("handover.exportDrawing")}
       testId="export-drawing"
-      urlOf={(format) => service.drawingExportUrl(drawing.id, format)}
+      urlOf={(format) => drawingService.drawingExportUrl(drawing.id, format)}
     />
   );
 }

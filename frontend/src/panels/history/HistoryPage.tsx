@@ -5,10 +5,11 @@ import "../../messages/load";
 import { Flex, SegmentedControl, Select, SimpleGrid, Text, TextInput, Title } from "@mantine/core";
 import { IconSearch } from "@tabler/icons-react";
 import { useState } from "react";
-import type { EndedState, HistoryFilter, Job } from "../../api/client";
+import type { EndedState, HistoryFilter, Job } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
 import { formatDuration } from "../../state/format";
+import { figureText, LISTED_FACTS } from "../../state/job/figures";
 import {
   useBoards,
   useBoardTitle,
@@ -199,10 +200,27 @@ function EndedJob({ job }: { job: Job }) {
               })}
           <br />
           {formatDuration(job.seconds * job.copies)}
+          {LISTED_FACTS.map(({ name, unit }) =>
+            job[name] === 0 ? null : (
+              <Text key={name} span display="block" data-testid={`listed-${name}`}>
+                {`${translate(`fact.${name}`)}: ${figureText(job[name], unit)}`}
+              </Text>
+            ),
+          )}
         </Text>
         <Flex component="span" direction="column" align="flex-end" gap={4} flex="1 0 150px">
           <StateBadge job={job} />
-          <time dateTime={job.ended ?? ""}>{job.ended == null ? "" : dateTimeText(job.ended)}</time>
+          <span>
+            {job.started != null && (
+              <>
+                <time dateTime={job.started}>{dateTimeText(job.started)}</time>
+                {" – "}
+              </>
+            )}
+            <time dateTime={job.ended ?? ""}>
+              {job.ended == null ? "" : dateTimeText(job.ended)}
+            </time>
+          </span>
         </Flex>
       </button>
     </li>

@@ -2,7 +2,7 @@
 
 import { Paper, SegmentedControl, SimpleGrid, Text, Title } from "@mantine/core";
 import { type CSSProperties, useState } from "react";
-import type { Statistics } from "../../api/client";
+import type { Statistics } from "../../api/machines";
 import { formatDate } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";

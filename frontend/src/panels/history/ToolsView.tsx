@@ -3,7 +3,7 @@
 import { Box, Button, Flex, NumberInput, Paper, Text, Title } from "@mantine/core";
 import { IconRefresh } from "@tabler/icons-react";
 import { type CSSProperties, useState } from "react";
-import type { ToolUse } from "../../api/client";
+import type { ToolUse } from "../../api/machines";
 import { formatDate } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { messageHint, messageText } from "../../messages/translateMessage";

@@ -2,7 +2,7 @@
 
 import { Button, Checkbox, Flex, Text, TextInput } from "@mantine/core";
 import { useState } from "react";
-import type { EarlierExceptions, Finding, Job } from "../../api/client";
+import type { EarlierExceptions, Finding, Job } from "../../api/jobs";
 import { operatorName } from "../../api/operator";
 import { translate } from "../../language/translate";
 import { useOperator } from "../../state/accounts/operator";

@@ -3,7 +3,7 @@
 import { Text } from "@mantine/core";
 import { IconAlertTriangleFilled, IconInfoCircle, IconRulerMeasure } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
-import type { Finding, VerdictSummary } from "../../api/client";
+import type { Finding, VerdictSummary } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { formatHundredths, formatLength } from "../../state/format";

@@ -7,7 +7,7 @@ import {
   IconInfoCircle,
 } from "@tabler/icons-react";
 import type { ReactNode } from "react";
-import type { Finding } from "../../api/client";
+import type { Finding } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { edgesOf } from "../../state/job/findingKinds";

@@ -1,6 +1,6 @@
 /** Where the slider has the head: tool, position on the table, heading and lean. */
 
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { poseAt, rowAt, type Timeline } from "../../geometry/timeline";
 import { degree } from "../../geometry/units";
 import { formatFixed, withMinusSign } from "../../language/numbers";

@@ -11,7 +11,7 @@ import {
   IconTrash,
 } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
-import { type Job, service } from "../../api/client";
+import { type Job, jobService } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { translateRich } from "../../language/translateRich";
 import { errorText, messageHint, messageText } from "../../messages/translateMessage";
@@ -82,7 +82,7 @@ export function JobPanel() {
         {hasProgram(job) && (
           <Button
             component="a"
-            href={service.programUrl(job.id)}
+            href={jobService.programUrl(job.id)}
             download
             size="xs"
             variant="subtle"

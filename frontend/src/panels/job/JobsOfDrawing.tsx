@@ -2,7 +2,7 @@
 
 import { Progress, Text } from "@mantine/core";
 import { useEffect, useState } from "react";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { formatAgo, formatDuration } from "../../state/format";
 import { isCompiling } from "../../state/job/jobs";

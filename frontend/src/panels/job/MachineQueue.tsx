@@ -20,7 +20,7 @@ import {
   IconPlayerPlay,
 } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
-import type { Machine, QueueEntry } from "../../api/client";
+import type { Machine, QueueEntry } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
 import { changeJob, moveJob, transferJob } from "../../state/actions";

@@ -2,7 +2,7 @@
 
 import { Group, Text } from "@mantine/core";
 import type { ReactNode } from "react";
-import type { Machine } from "../../api/client";
+import type { Machine } from "../../api/machines";
 import { formatNumber, withMinusSign } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { ZONE } from "../../state/drawing/palette";

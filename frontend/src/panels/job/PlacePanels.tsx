@@ -1,7 +1,7 @@
 /** What is seen at the place of the slider or of the picked edge: section and program lines. */
 
 import { lazy, Suspense } from "react";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { useTimeline } from "../../state/queries";
 import { Figure, Note } from "../shared/parts";

@@ -4,7 +4,7 @@ import { NumberInput } from "@mantine/core";
 import { useQueries } from "@tanstack/react-query";
 import { useVirtualizer } from "@tanstack/react-virtual";
 import { type KeyboardEvent, useEffect, useId, useRef, useState } from "react";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { linesAt, timeOfLine } from "../../geometry/programLines";
 import { type Timeline, totalSeconds } from "../../geometry/timeline";
 import { translate } from "../../language/translate";

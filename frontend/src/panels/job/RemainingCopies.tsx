@@ -2,7 +2,7 @@
 
 import { Button, Stack, Text } from "@mantine/core";
 import { IconCopy } from "@tabler/icons-react";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { continueJob } from "../../state/actions";
 import { REMAINING_COPIES, remainingText } from "../../state/job/rest";

@@ -13,7 +13,7 @@ import {
 } from "@mantine/core";
 import { IconPlayerTrackNext } from "@tabler/icons-react";
 import { type KeyboardEvent, useEffect, useMemo, useRef, useState } from "react";
-import type { Job, Track } from "../../api/client";
+import type { Job, Track } from "../../api/jobs";
 import type { Toolpath } from "../../geometry/records";
 import { translate } from "../../language/translate";
 import { continueJob } from "../../state/actions";

@@ -3,7 +3,7 @@
 import { Text } from "@mantine/core";
 import { useDebouncedValue } from "@mantine/hooks";
 import { keepPreviousData, useQuery } from "@tanstack/react-query";
-import type { EdgeSection, Job, ToolSection } from "../../api/client";
+import type { EdgeSection, Job, ToolSection } from "../../api/jobs";
 import type { Timeline } from "../../geometry/timeline";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";

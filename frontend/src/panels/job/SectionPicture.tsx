@@ -1,6 +1,6 @@
 /** The section of the board across an edge, to scale, with dimensions. */
 
-import type { ToolSection } from "../../api/client";
+import type { ToolSection } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import type { Drawn, Measure, SectionView } from "../../state/job/section";
 import { sectionView } from "../../state/job/section";

@@ -1,7 +1,7 @@
 /** Badge with the state of a job. */
 
 import { Badge, type MantineSize } from "@mantine/core";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { stateStyleOf } from "../../state/job/jobs";
 import { BADGE_COLOURS } from "../shared/parts";
 

@@ -8,20 +8,12 @@ import {
   IconStopwatch,
 } from "@tabler/icons-react";
 import { useState } from "react";
-import type { Finding, Job, VerdictSummary } from "../../api/client";
-import { formatNumber } from "../../language/numbers";
+import type { Finding, Job, VerdictSummary } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { translucent, UNCUT } from "../../state/drawing/palette";
-import {
-  formatArea,
-  formatBytes,
-  formatDeviation,
-  formatDuration,
-  formatHundredths,
-  formatLength,
-} from "../../state/format";
-import { type FigureUnit, PROGRAM_FACT_LINES, PROGRAM_FIGURE_LINES } from "../../state/job/figures";
+import { formatArea, formatDeviation, formatDuration, formatLength } from "../../state/format";
+import { figureText, PROGRAM_FACT_LINES, PROGRAM_FIGURE_LINES } from "../../state/job/figures";
 import { deviationOfOthers } from "../../state/job/findingKinds";
 import { useVerdict } from "../../state/queries";
 import { useUiStore } from "../../state/store";
@@ -37,14 +29,6 @@ import { OvercutClause, VerdictPlaces } from "./VerdictPlaces";
 /** Half the side of the zoom box: at least (mm), and relative to the size of the area. */
 const MIN_VIEW = 8;
 const VIEW = 2;
-
-/** How a figure is shown, by its unit. */
-const FORMATS: Readonly<Record<FigureUnit, (value: number) => string>> = {
-  mm: formatHundredths,
-  s: formatDuration,
-  bytes: formatBytes,
-  "": formatNumber,
-};
 
 export function VerdictCard({ job }: { job: Job }) {
   const { data: fullVerdict } = useVerdict();
@@ -125,7 +109,7 @@ export function VerdictCard({ job }: { job: Job }) {
             return value === 0 ? null : (
               <div key={name} data-testid={`figure-${name}`}>
                 <dt>{messageText(title)}</dt>
-                <dd>{FORMATS[unit](value)}</dd>
+                <dd>{figureText(value, unit)}</dd>
               </div>
             );
           })}
@@ -133,7 +117,7 @@ export function VerdictCard({ job }: { job: Job }) {
             job[name] === 0 ? null : (
               <div key={name} data-testid={`fact-${name}`}>
                 <dt>{translate(`fact.${name}`)}</dt>
-                <dd>{FORMATS[unit](job[name])}</dd>
+                <dd>{figureText(job[name], unit)}</dd>
               </div>
             ),
           )}

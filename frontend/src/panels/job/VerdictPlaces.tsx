@@ -2,7 +2,7 @@
 
 import { IconArrowsMinimize } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
-import type { VerdictSummary } from "../../api/client";
+import type { VerdictSummary } from "../../api/jobs";
 import { lineTypeOf } from "../../geometry/records";
 import { translate } from "../../language/translate";
 import { formatLength } from "../../state/format";

@@ -2,7 +2,7 @@
 
 import { Anchor, Box, Group } from "@mantine/core";
 import { IconArrowRight } from "@tabler/icons-react";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { awaitsEnd } from "../../state/job/jobs";
 import { sheetText } from "../../state/order/sheet";

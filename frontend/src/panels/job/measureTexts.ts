@@ -1,6 +1,6 @@
 /** Names and values of the measures of a section. */
 
-import type { ToolSection } from "../../api/client";
+import type { ToolSection } from "../../api/jobs";
 import { formatFixed, formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import type { Measure, MeasureName } from "../../state/job/section";

@@ -2,7 +2,7 @@
 
 import { useQueries } from "@tanstack/react-query";
 import { useMemo } from "react";
-import { service } from "../../api/client";
+import { drawingService } from "../../api/drawings";
 import { layoutService, type Placed } from "../../api/layouts";
 import { LINE_TYPES, type Segments } from "../../geometry/records";
 import { type DrawingShape, type TurnedShape, turnShape } from "./shapes";
@@ -20,8 +20,8 @@ function madeEdges({ ends, bulge, lineType }: Segments & { lineType: Uint8Array 
 
 async function fetchShape(id: string, signal: AbortSignal): Promise<DrawingShape> {
   const [drawing, edges, { area, blanks }] = await Promise.all([
-    service.drawing(id, signal),
-    service.edges(id, signal),
+    drawingService.drawing(id, signal),
+    drawingService.edges(id, signal),
     layoutService.blanks(id, signal),
   ]);
   const outlines = blanks.map(({ outline }) => outline.flat());

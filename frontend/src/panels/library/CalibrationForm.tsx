@@ -2,7 +2,7 @@
 
 import { Box, Button, Group, NumberInput, Select, SimpleGrid, Text } from "@mantine/core";
 import { useState } from "react";
-import { type Calibration, type CalibrationOrder, service } from "../../api/client";
+import { type Calibration, type CalibrationOrder, libraryService } from "../../api/library";
 import { formatFixed } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
@@ -64,7 +64,7 @@ export function CalibrationForm({ board, onUse }: Props) {
     }));
     try {
       const { machine, tool } = chosen;
-      setResult(await service.calibrate(board, { machine, tool, side, points: measured }));
+      setResult(await libraryService.calibrate(board, { machine, tool, side, points: measured }));
     } catch (error) {
       setFailure(error instanceof Error ? errorText(error) : String(error));
     }

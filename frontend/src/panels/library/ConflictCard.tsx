@@ -1,7 +1,7 @@
 /** Shown if another user has saved a version meanwhile: the differences, and two choices. */
 
 import { Box, Button, Group } from "@mantine/core";
-import type { Definition } from "../../api/client";
+import type { Definition } from "../../api/library";
 import { translate } from "../../language/translate";
 import { differences, type Fields } from "../../state/library/definitions";
 import panels from "../shared/panels.module.css";

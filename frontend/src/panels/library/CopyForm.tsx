@@ -3,7 +3,7 @@
 import { Button, Group, Text, TextInput } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { type FormEvent, useState } from "react";
-import { type Definition, type LibraryEntry, service } from "../../api/client";
+import { type Definition, type LibraryEntry, libraryService } from "../../api/library";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
 import { slugOf } from "../../state/drawing/draft";
@@ -39,7 +39,7 @@ export function CopyForm({ definition, onDone, onCancel }: Props) {
     try {
       const body = { ...definition.fields, title: title.trim() };
       const note = translate("copyForm.copiedFrom", { title: definition.title }).slice(0, 200);
-      await service.putDefinition({ shelf, name }, body, { version: null, note });
+      await libraryService.putDefinition({ shelf, name }, body, { version: null, note });
       await refreshLibrary();
       onDone({ shelf, name });
     } catch (error) {

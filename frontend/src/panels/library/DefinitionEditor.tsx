@@ -3,7 +3,8 @@
 import { Button, Group, Text, TextInput, Title } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useEffect, useMemo, useRef, useState } from "react";
-import { type Definition, type LibraryEntry, ServiceError, service } from "../../api/client";
+import { ServiceError } from "../../api/errors";
+import { type Definition, type LibraryEntry, libraryService } from "../../api/library";
 import { translate } from "../../language/translate";
 import { errorText } from "../../messages/translateMessage";
 import { savingOf, useRefusal } from "../../state/accounts/accounts";
@@ -122,20 +123,20 @@ function Editor({ definition, schema, onOpen, measuring, onMeasure }: EditorProp
       await refreshLibrary();
     } catch (error) {
       if (error instanceof ServiceError && error.problem.status === 412) {
-        const theirs = await service.definition(shelf, name);
-        const [last] = await service.definitionVersions(shelf, name);
+        const theirs = await libraryService.definition(shelf, name);
+        const [last] = await libraryService.definitionVersions(shelf, name);
         setConflict({ theirs, by: last?.by ?? "" });
       } else setFailure(error);
     }
   };
   const save = (basedOn: number) =>
     attempt(() =>
-      service.putDefinition({ shelf, name }, sentFields(fields), { version: basedOn, note }),
+      libraryService.putDefinition({ shelf, name }, sentFields(fields), { version: basedOn, note }),
     );
 
   const restore = (old: Definition) =>
     attempt(() =>
-      service.putDefinition({ shelf, name }, old.fields, {
+      libraryService.putDefinition({ shelf, name }, old.fields, {
         version,
         note: translate("definitionHistory.restoredFrom", { version: old.version }),
       }),
@@ -183,7 +184,7 @@ function Editor({ definition, schema, onOpen, measuring, onMeasure }: EditorProp
         <Button
           component="a"
           variant="default"
-          href={service.definitionUrl(shelf, name)}
+          href={libraryService.definitionUrl(shelf, name)}
           download={`${name}.toml`}
           data-testid="download-definition"
         >
@@ -205,7 +206,7 @@ function Editor({ definition, schema, onOpen, measuring, onMeasure }: EditorProp
             title={refusal ?? undefined}
             onClick={() =>
               deleting
-                ? void attempt(() => service.deleteDefinition(shelf, name, version), null)
+                ? void attempt(() => libraryService.deleteDefinition(shelf, name, version), null)
                 : setDeleting(true)
             }
           >

@@ -3,7 +3,7 @@
 import { Button, Table, Title } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import type { Definition } from "../../api/client";
+import type { Definition } from "../../api/library";
 import { formatDateTime } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { differences } from "../../state/library/definitions";

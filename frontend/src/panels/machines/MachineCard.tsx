@@ -2,7 +2,7 @@
 
 import { Anchor, Badge, Box, Button, Flex, Paper, Text, Title } from "@mantine/core";
 import { IconArrowRight } from "@tabler/icons-react";
-import type { Machine } from "../../api/client";
+import type { Machine } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { MACHINE_COLOURS, MACHINE_WORDS, useMachineWord } from "../../state/job/useMachineState";
 import { useBoardTitle, useQueue } from "../../state/queries";

@@ -2,7 +2,8 @@
 
 import { useQuery } from "@tanstack/react-query";
 import { useMemo } from "react";
-import type { Job, Machine } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Machine } from "../../api/machines";
 import type { Point } from "../../geometry/records";
 import type { Similarity } from "../../geometry/similarity";
 import { buildTimeline, poseAt, rowAt, timeOf } from "../../geometry/timeline";

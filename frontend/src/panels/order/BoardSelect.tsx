@@ -1,7 +1,7 @@
 /** The board of the next job of a drawing, which is never taken over from another drawing. */
 
 import { Button, Select } from "@mantine/core";
-import type { Drawing } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
 import { translate } from "../../language/translate";
 import { useBoards, useBoardTitle, useLastJob } from "../../state/queries";
 import { useUiStore } from "../../state/store";

@@ -14,7 +14,7 @@ import {
 } from "@mantine/core";
 import { IconHandClick } from "@tabler/icons-react";
 import { useId } from "react";
-import type { CornerAt } from "../../api/client";
+import type { CornerAt } from "../../api/jobs";
 import { formatFixed } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import {

@@ -2,7 +2,7 @@
 
 import { TextInput } from "@mantine/core";
 import { useEffect, useState } from "react";
-import type { Drawing } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
 import { setCustomer } from "../../state/actions";

@@ -15,7 +15,7 @@ import {
   Text,
 } from "@mantine/core";
 import { useState } from "react";
-import type { Machine } from "../../api/client";
+import type { Machine } from "../../api/machines";
 import type { Edges } from "../../geometry/records";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";

@@ -3,7 +3,7 @@
 import { ActionIcon, Button, Checkbox, Group, Stack, Text } from "@mantine/core";
 import { IconHandClick, IconX } from "@tabler/icons-react";
 import { useEffect, useState } from "react";
-import type { Registration } from "../../api/client";
+import type { Registration } from "../../api/jobs";
 import { formatFixed } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { marksOf, NO_MARKS, stopPicking, useMarkPicking, withMarks } from "../../state/order/marks";

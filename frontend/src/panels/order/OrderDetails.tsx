@@ -1,7 +1,7 @@
 /** Number, customer and due time of an order, as they are shown with a job. */
 
 import { Box, Flex, Paper, Text } from "@mantine/core";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { changedEdgeOptions, changedOptions } from "../../state/order/options";
 import { hasDetails, isOverdue } from "../../state/order/orderDetails";

@@ -1,7 +1,7 @@
 /** The sheet on the table: of unknown size, or cut to size before the job. */
 
 import { NumberInput, Select } from "@mantine/core";
-import type { Sheet } from "../../api/client";
+import type { Sheet } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { formatSize } from "../../state/format";
 import { OUTLINE_SHEET, sheetSize } from "../../state/order/sheet";

@@ -2,7 +2,8 @@
 
 import { Flex, Progress, SimpleGrid, Text, Title } from "@mantine/core";
 import { useState } from "react";
-import type { Activity, Job, Machine, OperationRequest, Station } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Activity, Machine, OperationRequest, Station } from "../../api/machines";
 import { insideSentence } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { translateRich } from "../../language/translateRich";

@@ -1,7 +1,8 @@
 /** The feed of the program that runs: slower, as programmed, faster. */
 
 import { SimpleGrid } from "@mantine/core";
-import type { Job, Machine, Station } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Machine, Station } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { translateRich } from "../../language/translateRich";
 import { operate } from "../../state/station/operations";

@@ -10,7 +10,8 @@ import {
   IconRotateClockwise,
 } from "@tabler/icons-react";
 import { type ReactNode, useEffect, useRef, useState } from "react";
-import type { Job, Machine, Station } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Machine, Station } from "../../api/machines";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { queries, queryClient } from "../../state/queries";

@@ -3,12 +3,12 @@
 import { Flex, Group, Select, SimpleGrid, Stack, Text, Title } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import type { Job, Machine, MarkFit, MeasuredMarks, Station } from "../../api/client";
-import { service } from "../../api/client";
+import { type Job, jobService, type MarkFit, type MeasuredMarks } from "../../api/jobs";
+import type { Machine, Station } from "../../api/machines";
 import { formatFixed, withMinusSign } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { messageHint, messageText } from "../../messages/translateMessage";
-import { upsertJob } from "../../state/queries";
+import { upsertJob } from "../../state/cacheUpdates";
 import { reportAction } from "../../state/station/operations";
 import panels from "../shared/panels.module.css";
 import { CameraPicture } from "./CameraPicture";
@@ -47,16 +47,16 @@ export function MarksPanel({ job, machine, station, reached }: Props) {
   const whole = positions.length === marks.length;
   const { data: plan } = useQuery({
     queryKey: ["registration", job.id, job.program_sha256],
-    queryFn: ({ signal }) => service.registration(job.id, signal),
+    queryFn: ({ signal }) => jobService.registration(job.id, signal),
   });
   const { data: fit } = useQuery({
     queryKey: ["fit-marks", job.id, measured],
-    queryFn: () => service.fitMarks(job.id, measured),
+    queryFn: () => jobService.fitMarks(job.id, measured),
     enabled: whole,
   });
   const shown = whole ? fit : plan;
   const send = (label: string, body: MeasuredMarks) =>
-    reportAction(label, async () => upsertJob(await service.registerNow(job.id, body)));
+    reportAction(label, async () => upsertJob(await jobService.registerNow(job.id, body)));
   return (
     <Flex
       component="section"

@@ -2,7 +2,8 @@
 
 import { Flex, SimpleGrid, Text, Title } from "@mantine/core";
 import { IconAlertTriangleFilled } from "@tabler/icons-react";
-import type { Job, Machine, Station } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Machine, Station } from "../../api/machines";
 import { messageHint, messageText } from "../../messages/translateMessage";
 import { useRefusal } from "../../state/accounts/accounts";
 import { type HandsClear, handsReason } from "../../state/station/handsClear";

@@ -2,7 +2,7 @@
 
 import { Flex, Stack, Text } from "@mantine/core";
 import { IconCheck, IconMinus } from "@tabler/icons-react";
-import type { Machine } from "../../api/client";
+import type { Machine } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { type CheckGroup, groupChecks, touched } from "../../state/station/checkGroups";
 import type { Check } from "../../state/station/checks";

@@ -8,7 +8,8 @@ import {
   IconPlayerTrackNextFilled,
 } from "@tabler/icons-react";
 import { type ReactNode, useEffect, useState } from "react";
-import type { Job, JobCommand, Station } from "../../api/client";
+import type { Job, JobCommand } from "../../api/jobs";
+import type { Station } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { translateRich } from "../../language/translateRich";
 import { useRefusal } from "../../state/accounts/accounts";

@@ -2,7 +2,8 @@
 
 import { Anchor, Flex, Group, Text, Title } from "@mantine/core";
 import { IconPlugConnected, IconPlugConnectedX } from "@tabler/icons-react";
-import type { Job, Machine, Station } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Machine, Station } from "../../api/machines";
 import { formatFixed, withMinusSign } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { useMe } from "../../state/accounts/accounts";

@@ -2,7 +2,8 @@
 
 import { Fieldset, Flex, Group, Progress, Stack, Text, Title } from "@mantine/core";
 import { useState } from "react";
-import type { Job, JobCommand, Machine, Station } from "../../api/client";
+import type { Job, JobCommand } from "../../api/jobs";
+import type { Machine, Station } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { translateRich } from "../../language/translateRich";
 import { messageHint, messageText } from "../../messages/translateMessage";

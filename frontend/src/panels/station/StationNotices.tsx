@@ -1,7 +1,7 @@
 /** Why the controller is not connected, or what differs between its settings and the machine. */
 
 import { Flex, Text } from "@mantine/core";
-import type { Station } from "../../api/client";
+import type { Station } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { messageHint, messageText } from "../../messages/translateMessage";
 import panels from "../shared/panels.module.css";

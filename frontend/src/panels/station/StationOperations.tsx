@@ -2,7 +2,8 @@
 
 import { Box, Flex, SimpleGrid, Text } from "@mantine/core";
 import { useState } from "react";
-import type { Job, Machine, OperationRequest, Station } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Machine, OperationRequest, Station } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { type HandsClear, handsReason } from "../../state/station/handsClear";
 import { operate } from "../../state/station/operations";

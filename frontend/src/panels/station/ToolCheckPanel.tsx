@@ -2,7 +2,8 @@
 
 import { Box, Flex, SimpleGrid, Stack, Text, Title } from "@mantine/core";
 import { useState } from "react";
-import type { Job, Machine, Station } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Machine, Station } from "../../api/machines";
 import { formatFixed, formatNumber, withMinusSign } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";

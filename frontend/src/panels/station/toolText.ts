@@ -1,6 +1,6 @@
 /** Kinds and dimensions of tools in words. */
 
-import type { Machine } from "../../api/client";
+import type { Machine } from "../../api/machines";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 

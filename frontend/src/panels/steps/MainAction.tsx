@@ -8,7 +8,7 @@ import {
   IconSend2,
   IconStack2,
 } from "@tabler/icons-react";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
 import { command, compile } from "../../state/actions";

@@ -3,7 +3,8 @@
 import { ActionIcon, Button, Table, Tooltip, VisuallyHidden } from "@mantine/core";
 import { IconArrowDown, IconArrowUp, IconCopy, IconTrash } from "@tabler/icons-react";
 import { type ReactNode, useState } from "react";
-import { type OrderRow, service } from "../../api/client";
+import { drawingService } from "../../api/drawings";
+import type { OrderRow } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { useRefusal } from "../../state/accounts/accounts";
 import { deleteDrawing } from "../../state/actions";
@@ -182,7 +183,7 @@ function Row({ row, aside = null, isCopy = false, onDelete }: RowProps) {
   return (
     <Table.Tr data-testid="drawing-row" data-copy={isCopy || undefined}>
       <Table.Td className={css.pictureCell ?? ""}>
-        <DrawingPicture className={css.picture} src={service.pictureUrl(drawing.id)} />
+        <DrawingPicture className={css.picture} src={drawingService.pictureUrl(drawing.id)} />
       </Table.Td>
       <Table.Td className={css.nameCell ?? ""}>
         <a href={open} className={css.name} data-testid="open-drawing">

@@ -2,7 +2,7 @@
 
 import { queryOptions, useQuery } from "@tanstack/react-query";
 import { type AccessScope, accounts, type Me, type UserRole } from "../../api/accounts";
-import type { Shelf } from "../../api/client";
+import type { Shelf } from "../../api/library";
 import { SCOPES_FOR } from "../../api/roles.gen";
 import { translate } from "../../language/translate";
 import { queryClient } from "../queries";

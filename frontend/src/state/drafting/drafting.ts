@@ -1,7 +1,7 @@
 /** The tool of the canvas: what is being measured or drawn, point by point, or selected. */
 
 import { create } from "zustand";
-import type { Edit } from "../../api/client";
+import type { Edit } from "../../api/drawings";
 import type { Point, Segments } from "../../geometry/records";
 import type { SelectMode } from "../../geometry/selection";
 import type { Snapped } from "../../geometry/snap";

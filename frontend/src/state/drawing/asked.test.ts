@@ -1,5 +1,5 @@
 import { beforeEach, expect, test } from "vitest";
-import type { Drawing, Question } from "../../api/client";
+import type { Drawing, Question } from "../../api/drawings";
 import { queries, queryClient } from "../queries";
 import { useUiStore } from "../store";
 import { hasLikely, openQuestionsNow, useAsked } from "./asked";

@@ -1,7 +1,7 @@
 /** The open question that is asked now, and the keys that answer it. */
 
 import { create } from "zustand";
-import type { Question } from "../../api/client";
+import type { Question } from "../../api/drawings";
 import type { LineType } from "../../geometry/records";
 import { refusalOf } from "../accounts/accounts";
 import { retype } from "../actions";

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { Profile } from "../../api/client";
+import type { Profile } from "../../api/library";
 import {
   addRule,
   colourError,

@@ -4,7 +4,8 @@
  * Drafts are immutable; each edit returns a new one.
  */
 
-import type { Profile, ProfileDraft, Rule } from "../../api/client";
+import type { Rule } from "../../api/drawings";
+import type { Profile, ProfileDraft } from "../../api/library";
 import type { LineType } from "../../geometry/records";
 import { translate } from "../../language/translate";
 

@@ -1,6 +1,7 @@
 /** Sends requests one after another and keeps the open drawing equal to that of the server. */
 
-import { type Drawing, ServiceError, service } from "../../api/client";
+import { type Drawing, drawingService } from "../../api/drawings";
+import { ServiceError } from "../../api/errors";
 import { translate } from "../../language/translate";
 import { notifyError, useNotifications } from "../notifications";
 import { queries, queryClient } from "../queries";
@@ -76,7 +77,7 @@ async function applyRemoteChange(id: string, refused = false): Promise<boolean> 
   const shown = displayedRevision(id);
   if (before === undefined) return false;
   const shownEdges = queryClient.getQueryData(queries.edges(id).queryKey);
-  const [after, edges] = await Promise.all([service.drawing(id), service.edges(id)]);
+  const [after, edges] = await Promise.all([drawingService.drawing(id), drawingService.edges(id)]);
   if (after.revision === shown && after.profile_state === before.profile_state) return false;
   const rows = shownEdges === undefined ? null : changedRows(shownEdges, edges);
   await Promise.all(

@@ -1,6 +1,6 @@
 /** Edits of the geometry of a drawing, in the form in which the server stores them. */
 
-import type { Edit } from "../../api/client";
+import type { Edit } from "../../api/drawings";
 import type { Point, Segments } from "../../geometry/records";
 
 export type EditedType = Extract<Edit, { kind: "line" }>["type"];

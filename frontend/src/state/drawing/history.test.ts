@@ -1,6 +1,7 @@
 import { QueryObserver } from "@tanstack/react-query";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { type Drawing, type Profile, type Proposal, service } from "../../api/client";
+import { type Drawing, drawingService, type Proposal } from "../../api/drawings";
+import { libraryService, type Profile } from "../../api/library";
 import { type Edges, LINE_TYPES } from "../../geometry/records";
 import { patchDrawing, redo, retype, undo } from "../actions";
 import { useNotifications } from "../notifications";
@@ -65,7 +66,7 @@ describe("a change", () => {
 });
 
 describe("undo and redo", () => {
-  const override = vi.spyOn(service, "override");
+  const override = vi.spyOn(drawingService, "override");
 
   beforeEach(() => {
     override.mockReset().mockResolvedValue({ id: "d1" } as Drawing);
@@ -82,7 +83,7 @@ describe("undo and redo", () => {
   test("ask again for what was on its way for the first time", async () => {
     const answers: ((lessons: Proposal[]) => void)[] = [];
     const asked = vi
-      .spyOn(service, "learned")
+      .spyOn(drawingService, "learned")
       .mockImplementation(() => new Promise((answer) => answers.push(answer)));
     const watched = new QueryObserver(queryClient, queries.learned("d1"));
     const leave = watched.subscribe(() => undefined);
@@ -153,11 +154,11 @@ describe("undo and redo", () => {
 });
 
 describe("a unit and a profile", () => {
-  const sent = vi.spyOn(service, "patchDrawing");
-  const texts = vi.spyOn(service, "putProfile");
-  const forgotten = vi.spyOn(service, "deleteProfile");
-  const read = vi.spyOn(service, "profile");
-  const text = vi.spyOn(service, "profileText");
+  const sent = vi.spyOn(drawingService, "patchDrawing");
+  const texts = vi.spyOn(libraryService, "putProfile");
+  const forgotten = vi.spyOn(libraryService, "deleteProfile");
+  const read = vi.spyOn(libraryService, "profile");
+  const text = vi.spyOn(libraryService, "profileText");
   const drawing = (part: Partial<Drawing>) =>
     ({ id: "d1", unit: "mm", unit_given: null, profile: "default", ...part }) as Drawing;
 

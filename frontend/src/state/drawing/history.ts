@@ -6,7 +6,7 @@
  * To undo a change of unit or profile, the previous value is sent.
  */
 
-import type { Drawing, Edit, Override, Unit } from "../../api/client";
+import type { Drawing, Edit, Override, Unit } from "../../api/drawings";
 import { type Edges, type LineType, lineTypeOf } from "../../geometry/records";
 import type { Code } from "../../messages/catalogue";
 

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { Drawing, ImportReportRow, ReportGroup } from "../../api/client";
+import type { Drawing, ImportReportRow, ReportGroup } from "../../api/drawings";
 import type { Edges } from "../../geometry/records";
 import type { Code } from "../../messages/catalogue";
 import {

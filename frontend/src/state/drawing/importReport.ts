@@ -1,6 +1,6 @@
 /** The import report: what was kept, merged and dropped, and which edges or entities each means. */
 
-import type { Drawing, ImportReportRow, ReportGroup } from "../../api/client";
+import type { Drawing, ImportReportRow, ReportGroup } from "../../api/drawings";
 import {
   type Box,
   type Edges,

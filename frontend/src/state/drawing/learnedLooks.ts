@@ -1,6 +1,6 @@
 /** Texts and keys of looks that earlier drawings of a customer have taught. */
 
-import type { LookUse, TaughtLook } from "../../api/client";
+import type { LookUse, TaughtLook } from "../../api/drawings";
 import { translate } from "../../language/translate";
 import { colourName } from "./colours";
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Drawing } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
 import { pageRead } from "./pages";
 
 const drawing = (...warnings: { code: string; arguments: object }[]) =>

@@ -1,6 +1,6 @@
 /** Which page of its file a drawing is. */
 
-import type { Drawing } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
 
 const OTHER_PAGES: readonly string[] = ["import.other-pages", "import.other-pages-lines"];
 

@@ -1,7 +1,7 @@
 /** Preview of an edited profile on the open drawing, requested shortly after the last edit. */
 
 import { useEffect, useState } from "react";
-import { type Preview, service } from "../../api/client";
+import { drawingService, type Preview } from "../../api/drawings";
 import { type Draft, profileRequest } from "./draft";
 
 export interface PreviewState {
@@ -20,7 +20,7 @@ export function usePreview(drawing: string | null, draft: Draft): PreviewState {
     // Clear an error of the previous draft.
     setFound((before) => (before.error === null ? before : { ...before, error: null }));
     const timer = window.setTimeout(() => {
-      service.preview(drawing, profileRequest(draft)).then(
+      drawingService.preview(drawing, profileRequest(draft)).then(
         (data) => !outdated && setFound({ data, error: null }),
         (error: Error) => !outdated && setFound((before) => ({ ...before, error })),
       );

@@ -1,5 +1,5 @@
 import { beforeEach, expect, test } from "vitest";
-import type { Profile } from "../../api/client";
+import type { Profile } from "../../api/library";
 import { addRule, newRule } from "./draft";
 import { useProfileDraft } from "./profileDraft";
 

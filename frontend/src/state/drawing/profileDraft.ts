@@ -1,7 +1,7 @@
 /** The draft in the profile editor, with its own undo history until it is saved. */
 
 import { create } from "zustand";
-import type { Profile } from "../../api/client";
+import type { Profile } from "../../api/library";
 import { type Draft, draftFromProfile } from "./draft";
 
 interface Steps {

@@ -1,6 +1,7 @@
 /** Saving, learning, importing and deleting of line-type profiles. */
 
-import { type Profile, type Proposal, service } from "../../api/client";
+import type { Proposal } from "../../api/drawings";
+import { libraryService, type Profile } from "../../api/library";
 import { saveProfile } from "../actions";
 import { queries, queryClient } from "../queries";
 import { useUiStore } from "../store";
@@ -21,9 +22,9 @@ export function unusedName(title: string, taken: readonly string[]): string {
 export function saveDraft(name: string, draft: Draft): Promise<boolean> {
   return saveAndApply(name, async () => {
     const kept = cachedProfiles().some((profile) => profile.name === name && !profile.shipped);
-    const before = kept ? await service.profileText(name) : null;
-    const version = kept ? (await service.profile(name)).version : null;
-    await service.putProfile(name, profileRequest(draft), version);
+    const before = kept ? await libraryService.profileText(name) : null;
+    const version = kept ? (await libraryService.profile(name)).version : null;
+    await libraryService.putProfile(name, profileRequest(draft), version);
     return before;
   });
 }
@@ -41,9 +42,9 @@ export async function importProfile(file: File): Promise<string | null> {
   const done = await saveAndApply(name, async () => {
     const text = await file.text();
     const kept = cachedProfiles().some((profile) => profile.name === name && !profile.shipped);
-    const before = kept ? await service.profileText(name) : null;
-    const version = kept ? (await service.profile(name)).version : null;
-    await service.putProfile(name, text, version);
+    const before = kept ? await libraryService.profileText(name) : null;
+    const version = kept ? (await libraryService.profile(name)).version : null;
+    await libraryService.putProfile(name, text, version);
     return before;
   });
   return done ? name : null;
@@ -66,7 +67,7 @@ async function saveAndApply(name: string, write: () => Promise<string | null>): 
     const now =
       drawing === null ? undefined : queryClient.getQueryData(queries.drawing(drawing).queryKey);
     const before = await write();
-    const after = await service.profileText(name);
+    const after = await libraryService.profileText(name);
     if (now === undefined) {
       await queryClient.invalidateQueries({ queryKey: queries.profiles().queryKey });
     } else {
@@ -110,14 +111,14 @@ export function deleteProfile(profile: Profile): Promise<void> {
     const now =
       drawing === null ? undefined : queryClient.getQueryData(queries.drawing(drawing).queryKey);
     if (now === undefined || now.profile !== profile.name) {
-      await service.deleteProfile(profile.name, profile.version);
+      await libraryService.deleteProfile(profile.name, profile.version);
       await queryClient.invalidateQueries({ queryKey: queries.profiles().queryKey });
       return;
     }
     const change = {
       kind: "profile",
       name: profile.name,
-      before: await service.profileText(profile.name),
+      before: await libraryService.profileText(profile.name),
       after: null,
       profileBefore: profileRefOf(now),
       profileAfter: { profile: profile.extends ?? "default" },

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Question } from "../../api/client";
+import type { Question } from "../../api/drawings";
 import {
   chosenAnswers,
   edgeQuestionFacts,

@@ -1,6 +1,6 @@
 /** Title, facts and text of a question card. */
 
-import type { FollowingEdges, Question } from "../../api/client";
+import type { FollowingEdges, Question } from "../../api/drawings";
 import { type Edges, LINE_TYPES, type LineType } from "../../geometry/records";
 import { translate } from "../../language/translate";
 import { messageText, type ServerMessage, typed } from "../../messages/translateMessage";

@@ -1,6 +1,8 @@
 import { QueryObserver } from "@tanstack/react-query";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { type Drawing, type Job, ServiceError, service } from "../../api/client";
+import { type Drawing, drawingService } from "../../api/drawings";
+import { ServiceError } from "../../api/errors";
+import { type Job, jobService } from "../../api/jobs";
 import type { Edges } from "../../geometry/records";
 import { compile, retype } from "../actions";
 import { useNotifications } from "../notifications";
@@ -91,10 +93,10 @@ test("only steps that overwrite nothing of others can be undone", () => {
 });
 
 describe("a drawing that is changed elsewhere", () => {
-  const drawing = vi.spyOn(service, "drawing");
-  const edges = vi.spyOn(service, "edges");
-  const override = vi.spyOn(service, "override");
-  const order = vi.spyOn(service, "compile");
+  const drawing = vi.spyOn(drawingService, "drawing");
+  const edges = vi.spyOn(drawingService, "edges");
+  const override = vi.spyOn(drawingService, "override");
+  const order = vi.spyOn(jobService, "compile");
 
   beforeEach(() => {
     queryClient.clear();

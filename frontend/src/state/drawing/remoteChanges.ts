@@ -1,6 +1,6 @@
 /** Changes of the open drawing by others: what differs, and which changes can still be undone. */
 
-import type { Drawing } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
 import type { Edges } from "../../geometry/records";
 import { translate } from "../../language/translate";
 import type { Change } from "./history";

@@ -1,7 +1,7 @@
 /** Who may share a drawing with all designers. */
 
 import type { Me } from "../../api/accounts";
-import type { Drawing } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
 
 export const maySetShare = (
   me: Pick<Me, "account" | "scopes">,

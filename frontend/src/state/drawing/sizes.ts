@@ -1,6 +1,6 @@
 /** Units of drawings, and sizes in inches. */
 
-import type { Drawing, Unit } from "../../api/client";
+import type { Drawing, Unit } from "../../api/drawings";
 import { formatFixed } from "../../language/numbers";
 import { translate } from "../../language/translate";
 

@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { Job, Question } from "../../api/client";
+import type { Question } from "../../api/drawings";
+import type { Job } from "../../api/jobs";
 import { firstStep, openQuestions, stepStatuses } from "./steps";
 
 const job = (state: Job["state"]): Pick<Job, "state" | "verdict" | "waiting_for"> => ({

@@ -1,6 +1,7 @@
 /** Steps from a drawing to a job: which one needs the user first, and what is open in each. */
 
-import type { DrawingSummary, Job, Question } from "../../api/client";
+import type { DrawingSummary, Question } from "../../api/drawings";
+import type { Job } from "../../api/jobs";
 import type { Step } from "../store";
 import { questionKey } from "./questions";
 

@@ -1,6 +1,6 @@
 /** Figures of a verdict that can colour the edges, with their limits. */
 
-import type { Verdict } from "../../api/client";
+import type { Verdict } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import type { ColourMode } from "../store";
 

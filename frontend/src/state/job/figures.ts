@@ -1,10 +1,22 @@
 /** Figures of a verdict and facts of a program that are lines with a title, as the server declares them. */
 
 import { EDGE_FIGURES, PROGRAM_FACTS, PROGRAM_FIGURES } from "../../api/figures.gen";
+import { formatNumber } from "../../language/numbers";
 import type { ServerMessage } from "../../messages/translateMessage";
+import { formatBytes, formatDuration, formatHundredths, formatLength } from "../format";
 
 /** Unit of a figure; empty for a number of things. */
-export type FigureUnit = "mm" | "s" | "bytes" | "";
+type FigureUnit = "mm" | "s" | "bytes" | "";
+
+const FORMATS: Readonly<Record<FigureUnit, (value: number) => string>> = {
+  mm: (value) => (value < 10_000 ? formatHundredths(value) : formatLength(value)),
+  s: formatDuration,
+  bytes: formatBytes,
+  "": formatNumber,
+};
+
+/** A figure with its unit. */
+export const figureText = (value: number, unit: FigureUnit): string => FORMATS[unit](value);
 
 interface Line<Name> {
   readonly name: Name;
@@ -27,7 +39,14 @@ export const EDGE_FIGURE_LINES = Object.entries(EDGE_FIGURES).map(([name, { titl
 
 type ProgramFact = keyof typeof PROGRAM_FACTS;
 
-export const PROGRAM_FACT_LINES = Object.entries(PROGRAM_FACTS).map(([name, { unit }]) => ({
+export const PROGRAM_FACT_LINES = Object.entries(PROGRAM_FACTS).map(([name, fact]) => ({
   name,
-  unit,
-})) as readonly { readonly name: ProgramFact; readonly unit: FigureUnit }[];
+  ...fact,
+})) as readonly {
+  readonly name: ProgramFact;
+  readonly unit: FigureUnit;
+  readonly listed: boolean;
+}[];
+
+/** The facts that the list of ended jobs has. */
+export const LISTED_FACTS = PROGRAM_FACT_LINES.filter(({ listed }) => listed);

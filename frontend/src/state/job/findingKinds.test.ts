@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Finding } from "../../api/client";
+import type { Finding } from "../../api/jobs";
 import { acceptancesOf, deviationOfOthers, edgesOf, kindsOf } from "./findingKinds";
 
 const FINDING: Finding = {

@@ -1,6 +1,6 @@
 /** Findings of one kind and severity, which are stated in one row. */
 
-import type { Finding } from "../../api/client";
+import type { Finding } from "../../api/jobs";
 
 export interface FindingKind {
   readonly kind: string;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import {
   awaitsEnd,
   commandsOf,

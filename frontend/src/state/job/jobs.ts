@@ -1,6 +1,6 @@
 /** Titles, colours and available commands of job states. */
 
-import type { Job, JobCommand, JobState, StationCommand } from "../../api/client";
+import type { Job, JobCommand, JobState, StationCommand } from "../../api/jobs";
 import { translate } from "../../language/translate";
 
 export interface StateStyle {

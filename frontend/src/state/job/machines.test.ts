@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { machineWord, proposedMachine } from "./machines";
 
 const own = { name: "a-new-one", gateway: "absent" } as const;

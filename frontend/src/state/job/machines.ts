@@ -1,6 +1,7 @@
 /** The machine that a new job proposes, and the state of a machine in one word. */
 
-import type { Job, Machine } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Machine } from "../../api/machines";
 import { needsOperator } from "./jobs";
 
 type Connection = Pick<Machine, "name" | "gateway">;

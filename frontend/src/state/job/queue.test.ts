@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { QueueEntry } from "../../api/client";
+import type { QueueEntry } from "../../api/machines";
 import { neighboursAt, priorityTitle, startText, waitingIds } from "./queue";
 
 const entry = (change: object, job: object = {}): QueueEntry =>

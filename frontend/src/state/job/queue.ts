@@ -1,6 +1,7 @@
 /** The queue of a machine: places of jobs, priorities, and texts of times. */
 
-import type { Job, Neighbours, QueueEntry } from "../../api/client";
+import type { Job, Neighbours } from "../../api/jobs";
+import type { QueueEntry } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { formatDuration } from "../format";
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Job, Track } from "../../api/client";
+import type { Job, Track } from "../../api/jobs";
 import type { Toolpath } from "../../geometry/records";
 import {
   chosenTracks,

@@ -1,6 +1,6 @@
 /** The rest of a sheet: which tracks of a program a new job makes, and their outlines. */
 
-import type { Job, RestChoice, Track } from "../../api/client";
+import type { Job, RestChoice, Track } from "../../api/jobs";
 import { MOTIONS, type Toolpath } from "../../geometry/records";
 import { segmentData } from "../../geometry/svgPath";
 import { translate } from "../../language/translate";

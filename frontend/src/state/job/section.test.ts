@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { ToolSection } from "../../api/client";
+import type { ToolSection } from "../../api/jobs";
 import { closesEarly, measuresOf, sectionView } from "./section";
 
 const NONE: ToolSection["cross"] = {

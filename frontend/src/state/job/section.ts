@@ -1,6 +1,6 @@
 /** The measures of a section across an edge, and its outlines in pixels, to scale. */
 
-import type { EdgeSection, ToolSection } from "../../api/client";
+import type { EdgeSection, ToolSection } from "../../api/jobs";
 
 /** Measures with a dimension in the picture, in the order of their letters. */
 export const DRAWN = ["caliper", "depth", "base", "beyond", "topWidth", "foldAngle"] as const;

@@ -1,6 +1,6 @@
 /** Stages of a compile, as the progress bar shows them. */
 
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { translate } from "../../language/translate";
 
 export type Stage = Exclude<Job["stage"], "">;

@@ -1,11 +1,12 @@
 /** Fields of machines, boards and tools: their paths, their faults, and differences of versions. */
 
 import type { ErrorSchema } from "@rjsf/utils";
-import type { Shelf } from "../../api/client";
 import { ServiceError } from "../../api/errors";
+import type { Shelf } from "../../api/library";
 import { translate } from "../../language/translate";
 import { messageText, type ServerMessage } from "../../messages/translateMessage";
-import { queryClient, refreshChoices } from "../queries";
+import { refreshChoices } from "../cacheUpdates";
+import { queryClient } from "../queries";
 
 export type Fields = Readonly<Record<string, unknown>>;
 

@@ -1,7 +1,7 @@
 /** Bridges that are placed by a click on the outline of a part. */
 
 import { create } from "zustand";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { arcLength, nearestOnArc, pointAt } from "../../geometry/arc";
 import { type Edges, lineTypeOf, type Point } from "../../geometry/records";
 

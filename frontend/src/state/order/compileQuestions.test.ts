@@ -1,5 +1,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { type Drawing, type Job, type Question, ServiceError, service } from "../../api/client";
+import { type Drawing, drawingService, type Question } from "../../api/drawings";
+import { ServiceError } from "../../api/errors";
+import { type Job, jobService } from "../../api/jobs";
 import { compile, patchDrawing } from "../actions";
 import { useNotifications } from "../notifications";
 import { queries, queryClient } from "../queries";
@@ -34,8 +36,8 @@ const refusal = () =>
   });
 
 describe("the questions for which a job was refused", () => {
-  const order = vi.spyOn(service, "compile");
-  const patch = vi.spyOn(service, "patchDrawing");
+  const order = vi.spyOn(jobService, "compile");
+  const patch = vi.spyOn(drawingService, "patchDrawing");
   const asked = () => useUiStore.getState().compileQuestions;
   const codes = () => useNotifications.getState().list.map(({ code }) => code);
 

@@ -1,6 +1,6 @@
 /** Corner types of a router, as a job request contains them. */
 
-import type { CornerAt, Corners } from "../../api/client";
+import type { CornerAt, Corners } from "../../api/jobs";
 import { type Edges, lineTypeOf, type Point } from "../../geometry/records";
 
 export const CORNER_TYPES = ["auto", "B", "C", "D"] as const;

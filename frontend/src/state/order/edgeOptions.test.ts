@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { Machine } from "../../api/client";
+import type { Machine } from "../../api/machines";
 import { type Edges, lineTypeOf } from "../../geometry/records";
 import {
   arrowAlong,

@@ -1,6 +1,6 @@
 /** Options of a job that concern some edges: what is chosen for an edge, and how it changes. */
 
-import type { Machine } from "../../api/client";
+import type { Machine } from "../../api/machines";
 import { EDGE_OPTIONS } from "../../api/options.gen";
 import { pointAt } from "../../geometry/arc";
 import { type Edges, type LineType, lineTypeOf, type Point } from "../../geometry/records";

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import { DEFAULT_CORNERS } from "./corners";
 import { asLastTime, isSame } from "./lastTime";
 import { DEFAULT_OPTIONS } from "./options";

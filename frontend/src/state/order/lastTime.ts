@@ -1,6 +1,6 @@
 /** Options of an earlier order, to use them again. */
 
-import type { Job } from "../../api/client";
+import type { Job } from "../../api/jobs";
 import type { Choices } from "../store";
 import { DEFAULT_CORNERS } from "./corners";
 import { EDGE_OPTION_NAMES, type EdgeChoice } from "./edgeOptions";

@@ -1,7 +1,7 @@
 /** Marks of a printed sheet, from edges of the drawing. */
 
 import { create } from "zustand";
-import type { Registration } from "../../api/client";
+import type { Registration } from "../../api/jobs";
 import { circleOf } from "../../geometry/arc";
 import { crossing, type Line } from "../../geometry/crossing";
 import type { Point, Segments } from "../../geometry/records";

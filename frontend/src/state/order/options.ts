@@ -1,6 +1,6 @@
 /** Options of a job that need no form of their own. */
 
-import type { Job, ListOption } from "../../api/client";
+import type { Job, ListOption } from "../../api/jobs";
 import { OPTIONS } from "../../api/options.gen";
 import { EDGE_OPTION_NAMES, type EdgeChoice, type EdgeOptionName } from "./edgeOptions";
 

@@ -1,6 +1,6 @@
 /** Details of an order: number in another system, customer, due time, notes and metadata. */
 
-import type { Job, OrderDetails } from "../../api/client";
+import type { Job, OrderDetails } from "../../api/jobs";
 import { secondsOf } from "../times";
 
 export const NO_DETAILS: OrderDetails = {

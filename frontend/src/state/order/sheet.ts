@@ -1,6 +1,7 @@
 /** The sheet of a job, if it was cut to size, and the height of its turns. */
 
-import type { Machine, Sheet } from "../../api/client";
+import type { Sheet } from "../../api/jobs";
+import type { Machine } from "../../api/machines";
 import type { Box, Point } from "../../geometry/records";
 import { translate } from "../../language/translate";
 

@@ -1,6 +1,6 @@
 /** The tracks of a program in working order, and the order that a user chooses for the next one. */
 
-import type { Job, Track } from "../../api/client";
+import type { Job, Track } from "../../api/jobs";
 import { boundsOf } from "../../geometry/bounds";
 import {
   type Box,

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { Track } from "../../api/client";
+import type { Track } from "../../api/jobs";
 import type { Blanks } from "../../api/layouts";
 import type { Edges } from "../../geometry/records";
 import { orderOf, type WorkItem, workItems } from "./workOrder";

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import type { Confirmation, Drawing, Job } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
+import type { Confirmation, Job } from "../../api/jobs";
 import { checksKey, checksOf } from "./checks";
 
 const KNIFE = { station: 1, name: "Knife", kind: "knife", used: 12.34, life: 500, warning: "" };

@@ -2,7 +2,8 @@
 
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import type { Confirmation, Drawing, Job } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
+import type { Confirmation, Job } from "../../api/jobs";
 import { formatNumber } from "../../language/numbers";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";

@@ -1,8 +1,7 @@
 /** The statement of the person at a machine that hands are clear of it. */
 
 import { useEffect, useRef, useState } from "react";
-import type { Station } from "../../api/client";
-import { service } from "../../api/client";
+import { machineService, type Station } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { useHandsStatement } from "./handsStatement";
 import { reportFailure } from "./operations";
@@ -42,7 +41,7 @@ const TICK = 250;
 export const stateHandsClear = (machine: string): Promise<void> =>
   reportFailure(translate("handsClear.handsClear"), async () => {
     const asked = Date.now();
-    const { seconds } = await service.stateHandsClear(machine);
+    const { seconds } = await machineService.stateHandsClear(machine);
     useHandsStatement.getState().make(machine, asked + seconds * 1000);
   });
 
@@ -50,7 +49,7 @@ export const stateHandsClear = (machine: string): Promise<void> =>
 export function withdrawHandsClear(machine: string): Promise<void> {
   useHandsStatement.getState().end();
   return reportFailure(translate("handsClear.takeBackHandsClear"), () =>
-    service.withdrawHandsClear(machine),
+    machineService.withdrawHandsClear(machine),
   );
 }
 

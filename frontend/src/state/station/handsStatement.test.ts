@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { ServiceError, service } from "../../api/client";
+import { ServiceError } from "../../api/errors";
+import { machineService } from "../../api/machines";
 import { handsReason, stateHandsClear, withdrawHandsClear } from "./handsClear";
 import { endWithMotion, useHandsStatement } from "./handsStatement";
 import { useOutcomes } from "./operations";
@@ -11,7 +12,7 @@ afterEach(() => vi.restoreAllMocks());
 test("the statement is made on the server first", async () => {
   useHandsStatement.getState().end();
   vi.spyOn(Date, "now").mockReturnValue(1000);
-  vi.spyOn(service, "stateHandsClear").mockResolvedValue({ until: "", seconds: 60 });
+  vi.spyOn(machineService, "stateHandsClear").mockResolvedValue({ until: "", seconds: 60 });
   const stated = stateHandsClear("table");
   expect(useHandsStatement.getState().until).toBe(0);
   await stated;
@@ -19,7 +20,7 @@ test("the statement is made on the server first", async () => {
 });
 
 test("the statement is taken back on the page at once, and on the server", async () => {
-  const withdrawn = vi.spyOn(service, "withdrawHandsClear").mockResolvedValue();
+  const withdrawn = vi.spyOn(machineService, "withdrawHandsClear").mockResolvedValue();
   const done = withdrawHandsClear("table");
   expect(useHandsStatement.getState().until).toBe(0);
   await done;
@@ -28,7 +29,9 @@ test("the statement is taken back on the page at once, and on the server", async
 
 test("a statement that the server cannot take back is told, and no longer counts here", async () => {
   const problem = { code: "stored.text", arguments: { text: "No server.", hint: "" }, status: 503 };
-  vi.spyOn(service, "withdrawHandsClear").mockRejectedValue(new ServiceError(problem as never));
+  vi.spyOn(machineService, "withdrawHandsClear").mockRejectedValue(
+    new ServiceError(problem as never),
+  );
   await withdrawHandsClear("table");
   expect(useHandsStatement.getState().until).toBe(0);
   expect(useOutcomes.getState().last?.text).toBe("No server.");

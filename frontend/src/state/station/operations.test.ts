@@ -1,6 +1,9 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { type Job, pageProblem, service } from "../../api/client";
-import { queries, queryClient, upsertJob } from "../queries";
+import { pageProblem } from "../../api/errors";
+import { type Job, jobService } from "../../api/jobs";
+import { machineService } from "../../api/machines";
+import { upsertJob } from "../cacheUpdates";
+import { queries, queryClient } from "../queries";
 import { commandJob, isCarriedOut, operate, useOutcomes } from "./operations";
 
 const last = () => useOutcomes.getState().last;
@@ -25,8 +28,12 @@ afterEach(() => {
 });
 
 test("an operation is taken, then done", async () => {
-  vi.spyOn(service, "operate").mockResolvedValue({ id: "o", state: "waiting", message: null });
-  vi.spyOn(service, "operation")
+  vi.spyOn(machineService, "operate").mockResolvedValue({
+    id: "o",
+    state: "waiting",
+    message: null,
+  });
+  vi.spyOn(machineService, "operation")
     .mockResolvedValueOnce({ id: "o", state: "waiting", message: null })
     .mockResolvedValue({ id: "o", state: "done", message: null });
   const result = operate("t", "Home", { operation: "home" });
@@ -39,7 +46,7 @@ test("an operation is taken, then done", async () => {
 });
 
 test("a refusal shows its reason and what to do", async () => {
-  vi.spyOn(service, "operate").mockRejectedValue(
+  vi.spyOn(machineService, "operate").mockRejectedValue(
     pageProblem(409, "Wrong state", "A job runs.", "Wait until it has ended."),
   );
   await operate("t", "Park", { operation: "park" });
@@ -52,8 +59,16 @@ test("a refusal shows its reason and what to do", async () => {
 });
 
 test("an expired operation is shown as such", async () => {
-  vi.spyOn(service, "operate").mockResolvedValue({ id: "o", state: "waiting", message: null });
-  vi.spyOn(service, "operation").mockResolvedValue({ id: "o", state: "expired", message: null });
+  vi.spyOn(machineService, "operate").mockResolvedValue({
+    id: "o",
+    state: "waiting",
+    message: null,
+  });
+  vi.spyOn(machineService, "operation").mockResolvedValue({
+    id: "o",
+    state: "expired",
+    message: null,
+  });
   const result = operate("t", "Home", { operation: "home" });
   await vi.advanceTimersByTimeAsync(1000);
   expect((await result).state).toBe("expired");
@@ -61,14 +76,14 @@ test("an expired operation is shown as such", async () => {
 
 test("an older action does not replace the report of a newer one", async () => {
   let refuse = (_: unknown) => {};
-  vi.spyOn(service, "operate").mockImplementationOnce(
+  vi.spyOn(machineService, "operate").mockImplementationOnce(
     () =>
       new Promise((_, reject) => {
         refuse = reject;
       }),
   );
   const slow = operate("t", "Park", { operation: "park" });
-  vi.spyOn(service, "operate").mockResolvedValue({ id: "o", state: "done", message: null });
+  vi.spyOn(machineService, "operate").mockResolvedValue({ id: "o", state: "done", message: null });
   await operate("t", "Stop", { operation: "stop_jog" });
   refuse(pageProblem(409, "", "late", ""));
   await slow;
@@ -78,7 +93,7 @@ test("an older action does not replace the report of a newer one", async () => {
 test("a stop that the machine does not execute points to the emergency stop", async () => {
   const asked = job({ requested_action: "cancel" });
   queryClient.setQueryData(queries.job("j").queryKey, asked);
-  vi.spyOn(service, "command").mockResolvedValue(asked);
+  vi.spyOn(jobService, "command").mockResolvedValue(asked);
   const result = commandJob("j", "Stop", "cancel");
   await vi.advanceTimersByTimeAsync(2000);
   expect(last()).toMatchObject({ state: "taken", text: "" });
@@ -93,7 +108,7 @@ test("a stop that the machine does not execute points to the emergency stop", as
 test("a job is resumed in the phase that the person has seen", async () => {
   queryClient.setQueryData(queries.job("j").queryKey, job({ state: "held", phase: 3 }));
   const resume = vi
-    .spyOn(service, "goOnNow")
+    .spyOn(jobService, "goOnNow")
     .mockResolvedValue(job({ updated: "2030-01-01T00:00:02.000Z" }));
   const result = commandJob("j", "Resume", "resume");
   // What is reported after the press does not count.

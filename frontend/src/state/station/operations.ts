@@ -5,16 +5,13 @@
  */
 
 import { create } from "zustand";
-import {
-  type Job,
-  type JobCommand,
-  type OperationRequest,
-  ServiceError,
-  service,
-} from "../../api/client";
+import { ServiceError } from "../../api/errors";
+import { type Job, type JobCommand, jobService } from "../../api/jobs";
+import { machineService, type OperationRequest } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { messageHint, messageText } from "../../messages/translateMessage";
-import { phaseOf, queries, queryClient, upsertJob } from "../queries";
+import { upsertJob } from "../cacheUpdates";
+import { phaseOf, queries, queryClient } from "../queries";
 import { endWithMotion } from "./handsStatement";
 import { type Outcome, outcomeOf } from "./station";
 import type { ToolDecision } from "./wornTools";
@@ -76,13 +73,13 @@ export async function operate(
   const began = Date.now();
   let outcome: Outcome;
   try {
-    let operation = await service.operate(machine, request);
+    let operation = await machineService.operate(machine, request);
     onTaken(operation.id);
     outcome = outcomeOf(label, operation);
     report(number, outcome);
     while (outcome.state === "taken") {
       await sleep(Date.now() - began < EARLY ? SOON : LATER);
-      operation = await service.operation(machine, operation.id);
+      operation = await machineService.operation(machine, operation.id);
       outcome = outcomeOf(label, operation);
     }
     if (outcome.state === "done") endWithMotion(request.operation);
@@ -106,7 +103,7 @@ export const beginJog = (
 /** State that the button of a jog is still held; false: the jog has ended. */
 export async function renewJog(machine: string, id: string): Promise<boolean> {
   try {
-    await service.renewJog(machine, id);
+    await machineService.renewJog(machine, id);
     return true;
   } catch (cause) {
     if (!(cause instanceof ServiceError)) throw cause;
@@ -160,7 +157,7 @@ export interface Checked {
 /** Start a job or its next copy, and follow it until the machine runs. */
 export const startJob = (job: string, { ids, tools }: Checked): Promise<void> =>
   followCommand(job, translate("operations.start"), "confirm", () =>
-    service
+    jobService
       .confirmNow(job, { checked: ids, changed: tools.changed, worn_reason: tools.reason })
       .finally(() => endWithMotion("start")),
   );
@@ -170,8 +167,8 @@ export function commandJob(job: string, label: string, word: JobCommand): Promis
   const phase = phaseOf(job);
   return followCommand(job, label, word, () =>
     word === "resume" || word === "end"
-      ? service.goOnNow(job, word, phase).finally(() => endWithMotion(word))
-      : service.command(job, word),
+      ? jobService.goOnNow(job, word, phase).finally(() => endWithMotion(word))
+      : jobService.command(job, word),
   );
 }
 

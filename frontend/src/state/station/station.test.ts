@@ -1,5 +1,6 @@
 import { describe, expect, test } from "vitest";
-import type { Job, Machine, Station } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Machine, Station } from "../../api/machines";
 import {
   ageText,
   jogDistance,

@@ -1,13 +1,7 @@
 /** The person at a machine: what is on its table, what may be asked of it, and why not. */
 
-import type {
-  Activity,
-  Job,
-  Machine,
-  Operation,
-  OperationRequest,
-  Station,
-} from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Activity, Machine, Operation, OperationRequest, Station } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { isFinal, isOnTable, needsOperator, stateStyleOf } from "../job/jobs";

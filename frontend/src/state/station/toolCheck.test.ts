@@ -1,5 +1,7 @@
 import { afterEach, describe, expect, test, vi } from "vitest";
-import { type Definition, type Machine, ServiceError, service } from "../../api/client";
+import { ServiceError } from "../../api/errors";
+import { type Definition, libraryService } from "../../api/library";
+import type { Machine } from "../../api/machines";
 import { NO_SHIFT, placesOf, saveCorrection, shifted, withCorrection } from "./toolCheck";
 
 const MACHINE = { name: "mine", title: "Mine", origin: [20, 30], language: "grblhal" } as Machine;
@@ -41,8 +43,8 @@ test("the points are corners of the drawing on the table", () => {
 
 test("a correction becomes a new version, based on the version that was read", async () => {
   const read = { version: 4, shipped: false, fields: FIELDS } as unknown as Definition;
-  vi.spyOn(service, "definition").mockResolvedValue(read);
-  const put = vi.spyOn(service, "putDefinition").mockResolvedValue(read);
+  vi.spyOn(libraryService, "definition").mockResolvedValue(read);
+  const put = vi.spyOn(libraryService, "putDefinition").mockResolvedValue(read);
   await saveCorrection(MACHINE, 1, [0, 0, 0.25, 0]);
   const [entry, fields, based] = put.mock.calls[0] ?? [];
   expect(entry).toEqual({ shelf: "machines", name: "mine" });
@@ -52,8 +54,8 @@ test("a correction becomes a new version, based on the version that was read", a
 
 test("a machine of the library is not changed, and the error has a hint", async () => {
   const read = { version: 0, shipped: true, fields: FIELDS } as unknown as Definition;
-  vi.spyOn(service, "definition").mockResolvedValue(read);
-  const put = vi.spyOn(service, "putDefinition");
+  vi.spyOn(libraryService, "definition").mockResolvedValue(read);
+  const put = vi.spyOn(libraryService, "putDefinition");
   const refused = await saveCorrection(MACHINE, 1, [1, 0, 0, 0]).catch((error) => error);
   expect(refused).toBeInstanceOf(ServiceError);
   expect((refused as ServiceError).problem.hint).toContain("Copy it");

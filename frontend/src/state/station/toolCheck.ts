@@ -1,6 +1,9 @@
 /** Checks of the tools of a waiting job: points above the table, and corrections of datums. */
 
-import { type Drawing, type Machine, pageProblem, service } from "../../api/client";
+import type { Drawing } from "../../api/drawings";
+import { pageProblem } from "../../api/errors";
+import { libraryService } from "../../api/library";
+import type { Machine } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { refreshLibrary } from "../library/definitions";
 import { AXES, type Axis } from "./station";
@@ -80,7 +83,7 @@ export async function saveCorrection(
   station: number,
   shift: Shift,
 ): Promise<void> {
-  const definition = await service.definition("machines", machine.name);
+  const definition = await libraryService.definition("machines", machine.name);
   if (definition.shipped) {
     throw pageProblem(
       409,
@@ -89,7 +92,7 @@ export async function saveCorrection(
       translate("toolCheck.copyItUnderAName"),
     );
   }
-  await service.putDefinition(
+  await libraryService.putDefinition(
     { shelf: "machines", name: machine.name },
     withCorrection(definition.fields, station, shift),
     { version: definition.version, note: translate("toolCheck.datumOfStationAfterA", { station }) },

@@ -2,7 +2,8 @@
 
 import { readFileSync } from "node:fs";
 import { describe, expect, test } from "vitest";
-import type { Job, Machine, Station } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Machine, Station } from "../../api/machines";
 import { messageText } from "../../messages/translateMessage";
 import { reasonAgainst, stopOf, titleOf } from "./station";
 import { headingOf, reasonAgainstResume, reasonAgainstStart, waysOut } from "./wayOut";

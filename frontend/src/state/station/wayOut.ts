@@ -1,6 +1,7 @@
 /** What leads a machine out of a state in which it does not work, and what is against a start. */
 
-import type { Job, Station } from "../../api/client";
+import type { Job } from "../../api/jobs";
+import type { Station } from "../../api/machines";
 import { translate } from "../../language/translate";
 import { messageText } from "../../messages/translateMessage";
 import { isOnTable, needsOperator } from "../job/jobs";

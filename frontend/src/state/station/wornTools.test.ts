@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Confirmation } from "../../api/client";
+import type { Confirmation } from "../../api/jobs";
 import { decisionOf, wornToolsOf } from "./wornTools";
 
 const tool = (station: number, warning: "" | "near" | "over") => ({

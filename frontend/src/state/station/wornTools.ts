@@ -1,7 +1,7 @@
 /** What the operator decides about tools at the end of their lives, before a job or copy starts. */
 
 import { useState } from "react";
-import type { Confirmation } from "../../api/client";
+import type { Confirmation } from "../../api/jobs";
 
 export type ToolToConfirm = Confirmation["tools"][number];
 

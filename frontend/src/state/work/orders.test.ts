@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { Job, OrderRow } from "../../api/client";
+import type { Job, OrderRow } from "../../api/jobs";
 import { groupByFile, nextAction } from "./orders";
 
 const row = (id: string, part: Partial<Job> | null = null, questions = 0, file = id): OrderRow =>

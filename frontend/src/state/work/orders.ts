@@ -1,6 +1,6 @@
 /** Rows of the table of work: the next action of each, and drawings of the same file together. */
 
-import type { Job, JobState, OrderRow } from "../../api/client";
+import type { Job, JobState, OrderRow } from "../../api/jobs";
 import { translate } from "../../language/translate";
 import { isOutdated } from "../drawing/steps";
 import { awaitsEnd, isCompiling, isOnTable, needsOperator } from "../job/jobs";

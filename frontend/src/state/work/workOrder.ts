@@ -1,6 +1,6 @@
 /** The order of the table of work: the column by which it is sorted, and in which direction. */
 
-import type { OrdersFilter } from "../../api/client";
+import type { OrdersFilter } from "../../api/jobs";
 
 export type WorkColumn = Exclude<NonNullable<OrdersFilter["sort"]>, "newest">;
 

@@ -44,6 +44,7 @@ CHOICES = JobOptions(
     sheet=Sheet(width=800.0, height=600.0),
     lift="least",
     feed_factor=0.5,
+    warp=5.0,
     contour_starts=(ContourStart(edges=(3, 4), at=0.25, direction="reverse"),),
     cut_depths=(CutDepth(edges=(5,), passes=2, depth=1.5), CutDepth(line_type="cut", passes=3)),
     crease_depths=(CreaseDepth(edges=(7,), depth=0.3),),

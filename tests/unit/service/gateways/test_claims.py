@@ -285,7 +285,7 @@ def test_an_interrupted_job_is_queued_again_from_its_first_line_or_scrapped(stor
     assert store.machines.jobs_on_tables() == {}
 
 
-def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None:
+def test_copies_that_were_cut_before_an_interruption_count(store: Store, clock: Clock) -> None:
     job = fed(store, copies=3)
     store.gateways.heartbeat(job.id, job.epoch, GatewayReport(line=LINES, copies_done=1, held=True))
     assert (
@@ -293,12 +293,16 @@ def test_copies_that_were_cut_before_an_interruption_count(store: Store) -> None
         == "Copy 1 of 3 of the job is finished. The next copy needs a new sheet of board."
     )
     store.gateways.finish(job.id, job.epoch, "interrupted")
+    begun = store.jobs.get(job.id).started
+    clock.now += 1.0
     store.interrupted.requeue(job.id)
     again = store.gateways.claim("table", "gateway", manual=False)
     assert again is not None
     store.gateways.heartbeat(
         again.id, again.epoch, GatewayReport(line=LINES, copies_done=1, held=True)
     )
+    # The time is that of the first copy.
+    assert store.jobs.get(job.id).started == begun > 0.0
     assert store.jobs.get(job.id).copies_done == 2
 
 

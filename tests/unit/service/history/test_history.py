@@ -63,6 +63,14 @@ def done(client: httpx.Client) -> dict[str, Any]:
     return finished(client, 2)
 
 
+def test_a_job_has_the_times_of_its_run(
+    client: httpx.Client, done: dict[str, Any], cancelled: list[str]
+) -> None:
+    assert done["created"] < done["started"] <= done["ended"]
+    # One that no machine has begun has no start.
+    assert client.get(f"/api/jobs/{cancelled[0]}").json()["started"] is None
+
+
 def test_history_has_pages_and_filters(client: httpx.Client, cancelled: list[str]) -> None:
     asked: dict[str, Any] = {
         "state": "cancelled",

@@ -377,9 +377,11 @@ def test_a_started_job_of_which_nothing_was_sent_is_queued_and_confirmed_again(
     job = waiting(store)
     confirm(store, job.id)
     assert store.gateways.heartbeat(job.id, job.epoch, WAITING) == "start"
+    assert store.jobs.get(job.id).started > 0.0
     reason = stored("The controller is not idle.")
     row = store.gateways.finish(job.id, job.epoch, "returned", reason, place=StopPlace(at_most=0))
     assert (row.state, row.confirmation, row.message) == ("queued", "", None)
+    assert row.started == 0.0
     again = store.gateways.claim("table", "gateway", manual=True)
     assert again is not None
     assert (again.id, again.confirmation) == (job.id, "awaited")

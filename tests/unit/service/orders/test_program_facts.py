@@ -20,12 +20,16 @@ def test_a_job_has_the_size_of_its_program_and_keeps_note_and_feeds(client: http
     assert (job["state"], job["program_bytes"]) == ("ready", len(program))
     assert (job["program_note"], job["edge_feeds"]) == ("grain up", feeds)
     assert b"(grain up)" in program
+    # The square of 100 mm, and what the knife cuts beyond its start.
+    assert 400.0 <= job["worked_length"] < 405.0
+    assert ordered["worked_length"] == 0.0
     # The clearance of demo-table is the height of travel between the cuts.
     assert job["verdict"]["lowest_travel"] > 0.0
     # A job that takes over the program has its facts, too.
     again = order_job(client, drawing, program_note="grain up", edge_feeds=feeds)
     same = wait_for_state(client, again["id"], "ready", "refused")
     assert (same["program_of"], same["program_bytes"]) == (job["id"], len(program))
+    assert same["worked_length"] == job["worked_length"]
 
 
 def test_a_note_has_a_greatest_length(client: httpx.Client) -> None:

@@ -2,7 +2,7 @@
 
 import { Button, Checkbox, Table, Text, Title } from "@mantine/core";
 import { useState } from "react";
-import { service } from "../../../api/client";
+import { libraryService } from "../../../api/library";
 import type { Bench, Figure, TestPiece } from "../../../api/testpieces";
 import { formatFixed, withMinusSign } from "../../../language/numbers";
 import { translate } from "../../../language/translate";
@@ -125,10 +125,10 @@ function Save({ shelf, bench, figures, note }: SaveProps) {
   const save = async () => {
     setFailure(null);
     try {
-      const { fields, version, shipped } = await service.definition(shelf, name);
+      const { fields, version, shipped } = await libraryService.definition(shelf, name);
       if (shipped) throw new Error(translate("testPieces.copyItFirst", { name }));
       const body = withFigures(fields, figures);
-      const made = await service.putDefinition({ shelf, name }, body, {
+      const made = await libraryService.putDefinition({ shelf, name }, body, {
         version,
         note: note.slice(0, 200),
       });

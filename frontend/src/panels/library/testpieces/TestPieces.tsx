@@ -3,7 +3,7 @@
 import { Button, Group, Select, Text, Title } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import type { Shelf } from "../../../api/client";
+import type { Shelf } from "../../../api/library";
 import { type Bench, testPieceService } from "../../../api/testpieces";
 import { translate } from "../../../language/translate";
 import { errorText, messageText } from "../../../messages/translateMessage";

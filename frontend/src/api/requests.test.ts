@@ -1,7 +1,8 @@
 import { afterEach, describe, expect, test, vi } from "vitest";
-import { revisionOf, ServiceError, service } from "./client";
-import { parseProblem } from "./errors";
-import { nextCursor } from "./restApi";
+import { drawingService } from "./drawings";
+import { parseProblem, ServiceError } from "./errors";
+import { jobService } from "./jobs";
+import { nextCursor, revisionOf } from "./restApi";
 import { retryAfter } from "./transport";
 
 const answers = (body: string, init: ResponseInit) =>
@@ -31,7 +32,7 @@ describe("an error", () => {
       }),
       { status: 409 },
     );
-    const failure = await service.command("j1", "release").catch((cause: unknown) => cause);
+    const failure = await jobService.command("j1", "release").catch((cause: unknown) => cause);
     expect(failure).toBeInstanceOf(ServiceError);
     const { problem, message } = failure as ServiceError;
     expect(message).toBe("LWPOLYLINE 2F4 on layer CREASE has no azimuth.");
@@ -44,7 +45,7 @@ describe("an error", () => {
     const question = { kind: "unit", text: "?", choices: ["mm"], edges: [], layer: "", colour: 0 };
     answers(JSON.stringify({ detail: "1 question", questions: [question] }), { status: 409 });
     await expect(
-      service.compile({
+      jobService.compile({
         drawing: "d",
         revision: 1,
         machine: "m",
@@ -55,6 +56,7 @@ describe("an error", () => {
         registration: null,
         lift: "clearance",
         feed_factor: 1,
+        warp: 0,
         contour_starts: [],
         work_order: [],
         bridges: [],
@@ -79,7 +81,7 @@ describe("an error", () => {
       "fetch",
       vi.fn(async () => Promise.reject(new TypeError("Failed to fetch"))),
     );
-    await expect(service.jobs()).rejects.toMatchObject({
+    await expect(jobService.jobs()).rejects.toMatchObject({
       problem: { status: 0, detail: "The knifetip server does not respond." },
     });
   });
@@ -90,7 +92,7 @@ describe("an error", () => {
       "fetch",
       vi.fn(async () => Promise.reject(left)),
     );
-    await expect(service.jobs()).rejects.toBe(left);
+    await expect(jobService.jobs()).rejects.toBe(left);
   });
 
   test.each(["<html>Bad gateway</html>", "", "null", "[]"])(
@@ -105,7 +107,7 @@ describe("an error", () => {
 
 test("a name is escaped in the path", async () => {
   answers("{}", { status: 200 });
-  await service.drawing("../jobs?x");
+  await drawingService.drawing("../jobs?x");
   expect(addressOf(0)).toBe("/api/v1/drawings/..%2Fjobs%3Fx");
 });
 
@@ -113,16 +115,16 @@ describe("a list", () => {
   test("takes the next page from its Link header", async () => {
     const link = '</api/v1/jobs?state=done&cursor=41&limit=100>; rel="next"';
     answers('[{"id": "a"}]', { status: 200, headers: { Link: link } });
-    const { rows, next } = await service.jobs();
+    const { rows, next } = await jobService.jobs();
     expect(rows.map(({ id }) => id)).toEqual(["a"]);
     expect(next).toBe(41);
-    await service.jobs(undefined, next);
+    await jobService.jobs(undefined, next);
     expect(addressOf(1)).toBe("/api/v1/jobs?cursor=41");
   });
 
   test("without a Link header is complete", async () => {
     answers("[]", { status: 200 });
-    expect(await service.orders({})).toEqual({ rows: [], next: null });
+    expect(await jobService.orders({})).toEqual({ rows: [], next: null });
   });
 
   test.each([
@@ -142,9 +144,9 @@ describe("a request", () => {
   test("contains the header of the page and the revision", async () => {
     const asked = vi.fn(async () => new Response("{}"));
     vi.stubGlobal("fetch", asked);
-    await service.override("d", [], 7);
-    await service.patchDrawing("d", {}, null);
-    await service.command("j", "release");
+    await drawingService.override("d", [], 7);
+    await drawingService.patchDrawing("d", {}, null);
+    await jobService.command("j", "release");
     const headers = asked.mock.calls.map((call) => ((call as unknown[])[0] as Request).headers);
     expect(headers.map((one) => one.get("X-Knifetip"))).toEqual(["page", "page", "page"]);
     expect(headers.map((one) => one.get("Accept-Language"))).toEqual(["en", "en", "en"]);
@@ -165,7 +167,7 @@ describe("a request", () => {
       .mockResolvedValueOnce(new Response("{}", { ...busy, status: 429 }))
       .mockResolvedValue(new Response('{"id":"j"}'));
     vi.stubGlobal("fetch", asked);
-    const answer = service.command("j", "release");
+    const answer = jobService.command("j", "release");
     await vi.advanceTimersByTimeAsync(2900);
     expect(asked).toHaveBeenCalledTimes(1);
     await vi.advanceTimersByTimeAsync(8000);
@@ -180,14 +182,16 @@ describe("a request", () => {
     expect(retryAfter(503, null, 1)).toBeNull();
     expect(retryAfter(500, "1", 1)).toBeNull();
     vi.stubGlobal("fetch", async () => new Response("{}", { status: 503 }));
-    await expect(service.command("j", "hold")).rejects.toMatchObject({ problem: { status: 503 } });
+    await expect(jobService.command("j", "hold")).rejects.toMatchObject({
+      problem: { status: 503 },
+    });
   });
 
   test("without a session reloads the page to sign in", async () => {
     const reload = vi.fn();
     vi.stubGlobal("location", { reload });
     vi.stubGlobal("fetch", async () => new Response("{}", { status: 401 }));
-    await expect(service.jobs()).rejects.toMatchObject({ problem: { status: 401 } });
+    await expect(jobService.jobs()).rejects.toMatchObject({ problem: { status: 401 } });
     expect(reload).toHaveBeenCalledOnce();
   });
 
