@@ -247,7 +247,6 @@ class Machine(MachineProperties):
             stations.append(replace(station, tool=replace(tool, feed=factor * tool.feed)))
         return replace(self, stations=tuple(stations))
 
-<<<<<<< HEAD
     @property
     def is_square(self) -> bool:
         """Whether Y is perpendicular to X, so that axes and sheet have the same coordinates."""
@@ -291,7 +290,7 @@ class Machine(MachineProperties):
             x, y, z, c = x - station.x, y - station.y, z - station.z, c - station.c
         x, y = self.to_sheet(x, y)
         return x, y, z, c
-=======
+
     def over_warp(self, height: float) -> Machine:
         """Return the machine with clearances that are greater by the warp of a board (mm)."""
         if height == 0.0:
@@ -301,7 +300,6 @@ class Machine(MachineProperties):
             clearance=self.clearance + height,
             turn_clearance=self.turn_clearance + height,
         )
->>>>>>> 294c5f31523e757d8f45dee88ae6659f63b30bc4
 
     def carriage_of(self, station: Station) -> Carriage:
         """Return the carriage that carries a station."""
