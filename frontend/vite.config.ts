@@ -13,11 +13,13 @@ export default defineConfig({
       // The page, and the description of the REST API.
       input: ["index.html", "docs.html"],
       output: {
-        // Large libraries that few views need; others are divided by what imports them.
+        // Large libraries that few views need, and those that every view needs, which would be
+        // many small files; others are divided by what imports them.
         codeSplitting: {
           groups: [
-            { name: "swagger", test: /node_modules[\\/]swagger-ui-dist/ },
-            { name: "three", test: /node_modules[\\/]three/ },
+            { name: "swagger", test: /node_modules[\\/]swagger-ui-dist/, priority: 1 },
+            { name: "three", test: /node_modules[\\/]three/, priority: 1 },
+            { name: "libraries", test: /node_modules[\\/]/, tags: ["$initial"] },
           ],
         },
       },
